@@ -1,0 +1,14 @@
+# Options that every target of the project is compiled with.
+add_library(gvd_compile_options INTERFACE)
+target_compile_options(gvd_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # The same input gives the same bytes on every machine: no fused multiply-add behind our back.
+  -ffp-contract=off)
+if(GVD_WARNINGS_AS_ERRORS)
+  target_compile_options(gvd_compile_options INTERFACE -Werror)
+endif()
+if(GVD_SANITIZE)
+  target_compile_options(gvd_compile_options INTERFACE
+    -fsanitize=${GVD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(gvd_compile_options INTERFACE -fsanitize=${GVD_SANITIZE})
+endif()

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Shape of the wavefront that a local distance update assumes (section 4.1 of the paper).
+enum class Front {
+  planar,  ///< linear between the two known distances: the paper's
+  circle,  ///< from a point source unfolded out of the two known distances
+};
+
+/// Which distance solver and tracer build the diagram.
+enum class Method {
+  gbgvd,  ///< the paper's: adapted fast marching, refinement by unfolding, growth
+};
+
+struct DiagramOptions {
+  Method method = Method::gbgvd;
+  Front front = Front::circle;
+  Progress progress;  ///< may be empty
+};
+
+/// A point where three or more cells meet.
+struct BranchPoint {
+  SurfacePoint point;
+  Vec3 position;                        ///< mesh units
+  std::vector<GeneratorId> generators;  ///< 3 or more, counter-clockwise round the point
+  double distance = 0;                  ///< mean distance to the generators, mesh units
+};
+
+/// A bisector: the polyline between two cells, from end to end.
+struct Bisector {
+  GeneratorId left;   ///< the cell to the left when one walks along `points`, seen from outside the surface
+  GeneratorId right;  ///< equal to `left` where a cell meets itself
+  bool closed = false;
+  /// The branch points at its two ends; invalid where the end lies on the mesh's boundary, or where it is closed.
+  std::array<BranchPointId, 2> ends;
+  /// Points in order, both ends included; a closed one does not repeat its first point. Consecutive points share a face.
+  std::vector<SurfacePoint> points;
+};
+
+/// The part of the surface that is nearest to one generator.
+struct Cell {
+  GeneratorId generator;
+  double area = 0;  ///< square mesh units
+  std::int32_t euler_characteristic = 0;  ///< 1 for a disc, 0 for an annulus, 2 for a sphere
+  std::int32_t components = 0;            ///< 1 where the cell is connected
+  std::int32_t boundary_loops = 0;        ///< loops made of bisectors and of the mesh's boundary
+  std::vector<GeneratorId> neighbours;    ///< ascending, each once, without the cell itself
+};
+
+/// A polygon inside one face that belongs to one cell.
+struct FacePiece {
+  FaceId face;
+  GeneratorId generator;
+  /// Barycentric coordinates of its corners in `face`, counter-clockwise; simple, not always convex.
+  std::vector<std::array<double, 3>> corners;
+};
+
+/// What a run did, and what it could not do (zero being the normal case).
+struct DiagramReport {
+  std::int64_t propagation_events = 0;  ///< triangle events that the fast marching took from its queue
+  std::int64_t table_entries = 0;       ///< (triangle, generator) pairs that the domination test kept
+  std::int64_t relabelled_samples = 0;  ///< edge samples moved to another generator to keep cells connected
+  std::int64_t gaps = 0;                ///< groups of faces with three or more generators
+  std::int64_t gaps_grown = 0;          ///< of these, closed by growth
+  std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
+  std::int64_t unresolved_ends = 0;     ///< bisector ends that meet nothing; zero in a complete diagram
+};
+
+/// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
+struct Diagram {
+  std::vector<SurfacePoint> generators;              ///< indexed by GeneratorId
+  IdVector<VertexId, GeneratorId> vertex_label;      ///< nearest generator; invalid where none reaches
+  IdVector<VertexId, double> vertex_distance;        ///< mesh units; infinity where none reaches
+  IdVector<BranchPointId, BranchPoint> branch_points;
+  IdVector<BisectorId, Bisector> bisectors;
+  IdVector<GeneratorId, Cell> cells;
+  /// The generator that owns the whole face; invalid where the face is cut or nothing reaches it.
+  IdVector<FaceId, GeneratorId> face_label;
+  std::vector<FacePiece> pieces;  ///< of the faces that are cut, ascending by face
+  double length = 0;              ///< of all bisectors, mesh units
+  DiagramReport report;
+};
+
+/// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
+///
+/// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
+/// coincide (both are named), and Error{interrupted} where the progress callback cancels.
+/// Cost: O(n log n) time, O(n) memory for n faces.
+Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                        const DiagramOptions& options = {});
+
+}  // namespace gvd

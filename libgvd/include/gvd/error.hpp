@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace gvd {
+
+/// Why an operation was refused. The closed set of reasons; the commands map each one to an exit code.
+enum class ErrorCode {
+  invalid_option,    ///< an option or argument is out of its range (exit code 2)
+  unreadable_input,  ///< a file is missing, is no mesh, or is damaged (exit code 3)
+  precondition,      ///< the input is read, and breaks a stated precondition (exit code 4)
+  no_valid_result,   ///< no valid result exists, or a stated guarantee is not met (exit code 5)
+  unwritable_output, ///< a file could not be written (exit code 6)
+  interrupted,       ///< the caller's progress callback asked to stop (exit code 130)
+};
+
+/// The only exception that libgvd throws.
+///
+/// `what()` is one line without a trailing full stop or line break: what is wrong, where (file, line or
+/// element), and what to do about it.
+class Error : public std::runtime_error {
+ public:
+  /// `element` is the 0-based index of the first offending element, or -1 where there is none.
+  Error(ErrorCode code, const std::string& message, std::int64_t element = -1)
+      : std::runtime_error(message), code_(code), element_(element) {}
+
+  ErrorCode code() const noexcept { return code_; }
+  std::int64_t element() const noexcept { return element_; }
+
+ private:
+  ErrorCode code_;
+  std::int64_t element_;
+};
+
+}  // namespace gvd

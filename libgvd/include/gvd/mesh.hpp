@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// An oriented manifold triangle mesh, with or without boundary, of one or several components.
+///
+/// Flat arrays; immutable once built. Halfedge 3 f + i of face f runs from its corner i to its corner
+/// i + 1 (modulo 3), so faces, corners and halfedges need no table. Edges are numbered in the order of
+/// their first halfedge. Memory: about 100 bytes a face.
+///
+/// Properties: (1) every face has three different vertices; (2) every edge has one or two faces, which
+/// run through it in opposite directions; (3) the faces round a vertex form one fan, closed or open;
+/// (4) no vertex is without a face; (5) every coordinate is finite; (6) every edge has a positive length.
+/// A mesh that does not hold them can't be built. For arbitrary input see `build_mesh` in soup.hpp.
+class Mesh {
+ public:
+  Mesh() = default;
+
+  /// Builds the connectivity. Positions are in mesh units.
+  /// Throws Error{precondition} that names the first element that breaks a property.
+  /// Cost: O(n) time and memory.
+  Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces);
+
+  std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
+  std::int32_t face_count() const { return static_cast<std::int32_t>(faces_.size()); }
+  std::int32_t edge_count() const { return static_cast<std::int32_t>(edge_halfedge_.size()); }
+  std::int32_t halfedge_count() const { return 3 * face_count(); }
+
+  const Vec3& position(VertexId v) const { return positions_[v]; }
+  const std::vector<Vec3>& positions() const { return positions_.raw(); }
+  const std::array<VertexId, 3>& vertices(FaceId f) const { return faces_[f]; }
+
+  static HalfedgeId halfedge(FaceId f, int corner) { return HalfedgeId(3 * f.value() + corner); }
+  static FaceId face(HalfedgeId h) { return FaceId(h.value() / 3); }
+  static int corner(HalfedgeId h) { return h.value() % 3; }
+  static HalfedgeId next(HalfedgeId h) { return HalfedgeId(corner(h) == 2 ? h.value() - 2 : h.value() + 1); }
+  static HalfedgeId previous(HalfedgeId h) { return HalfedgeId(corner(h) == 0 ? h.value() + 2 : h.value() - 1); }
+
+  /// The opposite halfedge in the neighbouring face; invalid on the boundary.
+  HalfedgeId twin(HalfedgeId h) const { return twin_[h]; }
+  EdgeId edge(HalfedgeId h) const { return halfedge_edge_[h]; }
+  VertexId from(HalfedgeId h) const { return faces_[face(h)][static_cast<std::size_t>(corner(h))]; }
+  VertexId to(HalfedgeId h) const { return from(next(h)); }
+  /// The corner of h's face that h does not touch.
+  VertexId opposite(HalfedgeId h) const { return from(previous(h)); }
+
+  /// The edge's first halfedge; the edge's own direction is this one's.
+  HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
+  /// A halfedge that leaves v. At a boundary vertex it is the one whose predecessor round the vertex is
+  /// missing, so that `h = twin(previous(h))` until it is invalid visits every face of v.
+  HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v]; }
+
+  bool is_boundary(EdgeId e) const { return !twin(halfedge(e)).valid(); }
+  bool is_boundary(VertexId v) const { return !twin(halfedge(v)).valid(); }
+
+  /// Edge length in mesh units, > 0.
+  double length(EdgeId e) const { return length_[e]; }
+  double length(HalfedgeId h) const { return length_[edge(h)]; }
+  /// Area in square mesh units, >= 0.
+  double area(FaceId f) const;
+  /// Arithmetic mean of the edge lengths, in mesh units.
+  double mean_edge_length() const { return mean_edge_length_; }
+  /// Diagonal of the axis-aligned bounding box, in mesh units.
+  double bbox_diagonal() const { return bbox_diagonal_; }
+
+ private:
+  void link_twins();
+  void number_edges();
+  void find_vertex_halfedges();
+  void measure();
+
+  IdVector<VertexId, Vec3> positions_;
+  IdVector<FaceId, std::array<VertexId, 3>> faces_;
+  IdVector<HalfedgeId, HalfedgeId> twin_;
+  IdVector<HalfedgeId, EdgeId> halfedge_edge_;
+  IdVector<EdgeId, HalfedgeId> edge_halfedge_;
+  IdVector<VertexId, HalfedgeId> vertex_halfedge_;
+  IdVector<EdgeId, double> length_;
+  double mean_edge_length_ = 0;
+  double bbox_diagonal_ = 0;
+};
+
+/// Topology and size of a mesh as a whole.
+struct MeshSummary {
+  std::int32_t vertices = 0;
+  std::int32_t edges = 0;
+  std::int32_t faces = 0;
+  std::int32_t components = 0;
+  std::int32_t boundary_loops = 0;
+  std::int32_t euler_characteristic = 0;  ///< vertices - edges + faces, over all components
+  double area = 0;                        ///< square mesh units
+  double bbox_diagonal = 0;               ///< mesh units
+};
+
+/// Cost: O(n).
+MeshSummary compute_mesh_summary(const Mesh& mesh);
+
+/// Component of every face, numbered from 0 in the order of their first face. Cost: O(n).
+IdVector<FaceId, std::int32_t> compute_face_components(const Mesh& mesh);
+
+}  // namespace gvd

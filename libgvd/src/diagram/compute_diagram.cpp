@@ -1,0 +1,1 @@
+#include "gvd/diagram.hpp"

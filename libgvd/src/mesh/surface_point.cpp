@@ -1,0 +1,103 @@
+#include "gvd/surface_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+/// How far given coordinates may miss: below 0 (rounding of a projection), and in their sum (six printed digits).
+constexpr double kNegativeSlack = 1e-9;
+constexpr double kSumSlack = 1e-6;
+
+std::array<double, 3> unit(std::size_t corner) {
+  std::array<double, 3> bary{0, 0, 0};
+  bary[corner] = 1;
+  return bary;
+}
+
+}  // namespace
+
+SurfacePoint::Kind SurfacePoint::kind() const {
+  const auto zeros = std::count(bary.begin(), bary.end(), 0.0);
+  return zeros == 2 ? Kind::vertex : zeros == 1 ? Kind::edge : Kind::face;
+}
+
+SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) {
+  const double sum = bary[0] + bary[1] + bary[2];
+  if (!std::isfinite(sum) || std::abs(sum - 1) > kSumSlack ||
+      *std::min_element(bary.begin(), bary.end()) < -kNegativeSlack) {
+    throw Error(ErrorCode::precondition,
+                "barycentric coordinates " + std::to_string(bary[0]) + " " + std::to_string(bary[1]) + " " +
+                    std::to_string(bary[2]) + " must not be negative and must sum to 1",
+                face.value());
+  }
+  SurfacePoint point{face, bary};
+  double kept = 0;
+  for (double& b : point.bary) {
+    if (b <= kBarycentricSnap) b = 0;
+    kept += b;
+  }
+  for (double& b : point.bary) b /= kept;
+  return point;
+}
+
+SurfacePoint vertex_point(const Mesh& mesh, VertexId v) {
+  const HalfedgeId h = mesh.halfedge(v);
+  return {Mesh::face(h), unit(static_cast<std::size_t>(Mesh::corner(h)))};
+}
+
+SurfacePoint edge_point(HalfedgeId h, double t) {
+  std::array<double, 3> bary{0, 0, 0};
+  bary[static_cast<std::size_t>(Mesh::corner(h))] = 1 - t;
+  bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))] = t;
+  return {Mesh::face(h), bary};
+}
+
+Vec3 position(const Mesh& mesh, const SurfacePoint& point) {
+  const auto& [a, b, c] = mesh.vertices(point.face);
+  return point.bary[0] * mesh.position(a) + point.bary[1] * mesh.position(b) + point.bary[2] * mesh.position(c);
+}
+
+VertexId vertex(const Mesh& mesh, const SurfacePoint& point) {
+  const auto corner = std::max_element(point.bary.begin(), point.bary.end()) - point.bary.begin();
+  return mesh.vertices(point.face)[static_cast<std::size_t>(corner)];
+}
+
+HalfedgeId halfedge(const SurfacePoint& point) {
+  const auto zero = std::find(point.bary.begin(), point.bary.end(), 0.0) - point.bary.begin();
+  return Mesh::next(Mesh::halfedge(point.face, static_cast<int>(zero)));
+}
+
+SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
+  switch (point.kind()) {
+    case SurfacePoint::Kind::vertex: {
+      HalfedgeId best = mesh.halfedge(vertex(mesh, point));
+      const HalfedgeId start = best;
+      HalfedgeId h = start;
+      do {
+        best = std::min(best, h);
+        h = mesh.twin(Mesh::previous(h));
+      } while (h.valid() && h != start);
+      return {Mesh::face(best), unit(static_cast<std::size_t>(Mesh::corner(best)))};
+    }
+    case SurfacePoint::Kind::edge: {
+      const HalfedgeId h = halfedge(point);
+      const HalfedgeId twin = mesh.twin(h);
+      if (!twin.valid() || h < twin) return point;
+      const double from = point.bary[static_cast<std::size_t>(Mesh::corner(h))];
+      const double to = point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
+      SurfacePoint other{Mesh::face(twin), {0, 0, 0}};
+      other.bary[static_cast<std::size_t>(Mesh::corner(twin))] = to;
+      other.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = from;
+      return other;
+    }
+    case SurfacePoint::Kind::face: break;
+  }
+  return point;
+}
+
+}  // namespace gvd
