@@ -45,7 +45,7 @@ Builder icosphere(int subdivisions) {
     finer.positions = b.positions;
     std::map<std::pair<int, int>, int> middle;
     const auto midpoint = [&](VertexId u, VertexId v) {
-      const auto key = std::minmax(u.value(), v.value());
+      const std::pair<int, int> key = std::minmax({u.value(), v.value()});
       const auto [it, fresh] = middle.try_emplace(key, 0);
       if (fresh) it->second = finer.add((b.positions[u.index()] + b.positions[v.index()]).normalized());
       return it->second;
