@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "common/register_options.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+void check_generator_source(const GeneratorOptions& generators) {
+  std::vector<std::string> given;
+  if (generators.count) given.push_back("-n");
+  if (!generators.file.empty()) given.push_back("--generators");
+  if (generators.vertices) given.push_back("--vertices");
+  if (generators.radius) given.push_back("--radius");
+  if (given.empty()) refuse("no generators: give one of -n, --generators, --vertices or --radius");
+  if (given.size() > 1) {
+    refuse(fmt::format("generators come from one source, not from {}: keep one", fmt::join(given, " and ")));
+  }
+}
+
+/// A long run must not end on a target that was never writable.
+void check_target(const std::string& option, const std::string& path) {
+  std::error_code ignored;
+  const fs::path target(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (fs::is_directory(target, ignored)) {
+    throw Error(ErrorCode::unwritable_output, fmt::format("{} {}: is a directory; name a file", option, path));
+  }
+  if (!fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} {}: there is no directory {}; create it first", option, path, folder.string()));
+  }
+}
+
+void check_output(const OutputOptions& output, const std::vector<std::string>& formats) {
+  std::set<std::string> targets;
+  const auto claim = [&](const std::string& option, const std::string& path) {
+    if (path.empty()) return;
+    if (!targets.insert(path).second) refuse(fmt::format("{} {}: this file is named twice", option, path));
+    if (path != "-") return check_target(option, path);
+    if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+  };
+  for (const std::string& file : output.files) {
+    if (file.empty()) refuse("-o: the file name is empty");
+    const std::string kind = extension(file);
+    if (file != "-" && std::find(formats.begin(), formats.end(), kind) == formats.end()) {
+      refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
+    }
+    claim("-o", file);
+  }
+  claim("--report", output.report);
+  claim("--diagram", output.diagram);
+  claim("--view", output.view);
+}
+
+}  // namespace
+
+std::string extension(const std::string& path) {
+  std::string text = fs::path(path).extension().string();
+  if (!text.empty()) text.erase(0, 1);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+void check_options(const Options& options, const std::vector<std::string>& output_formats) {
+  if (options.input.path == "-" && options.input.format.empty()) {
+    refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
+  }
+  check_generator_source(options.generators);
+  check_output(options.output, output_formats);
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace gvd::app {
+
+/// What standard error can show.
+struct ConsoleStyle {
+  bool bars = false;     ///< a terminal that can redraw a line
+  bool colours = false;  ///< a terminal, and NO_COLOR is not set
+  int width = 80;        ///< columns
+};
+
+/// Asks the terminal and the environment (TERM, NO_COLOR). Bars are off on anything but a terminal.
+ConsoleStyle detect_console_style();
+
+/// One line, without line break, of at most `style.width` - 1 columns: the step's name, a bar and percents.
+/// `fraction` is clamped to [0, 1].
+std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style);
+
+/// Standard error: messages of one line, and a progress bar that gives way to them.
+class Console {
+ public:
+  Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  void error(std::string_view message);
+  void note(std::string_view message);    ///< unless quiet
+  void detail(std::string_view message);  ///< where verbose
+  /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
+  void bar(std::string_view step, double fraction);
+  void clear_bar();
+
+ private:
+  void line(std::string_view kind, std::string_view message);
+
+  std::string command_;
+  ConsoleStyle style_;
+  bool quiet_;
+  bool verbose_;
+  bool bar_drawn_ = false;
+  std::chrono::steady_clock::time_point next_draw_{};
+};
+
+}  // namespace gvd::app

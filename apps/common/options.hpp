@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+
+namespace gvd::app {
+
+/// Where the mesh comes from.
+struct InputOptions {
+  std::string path;                  ///< a file, or "-" for standard input
+  std::string format;                ///< obj, ply, off, stl; empty: by content and extension
+  std::string on_defect = "repair";  ///< error, repair, largest
+};
+
+/// How `-n` and `--radius` choose generators.
+enum class SamplingKind { farthest, random, poisson };
+
+/// Where the generators come from: exactly one of count, file, vertices and radius is set.
+struct GeneratorOptions {
+  std::optional<std::int32_t> count;  ///< >= 1
+  SamplingKind sampling = SamplingKind::farthest;
+  std::uint64_t seed = 0;
+  std::string file;                                   ///< a list of generators: text, .csv or .json
+  std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
+  std::optional<double> radius;                       ///< covering radius in mesh units, > 0
+  std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0
+  bool merge_coincident = false;
+};
+
+struct ComputeOptions {
+  Method method = Method::gbgvd;
+  Front front = Front::circle;
+  std::int32_t threads = 0;  ///< 0: all cores; the results do not depend on it
+  bool verify = false;
+};
+
+struct OutputOptions {
+  std::vector<std::string> files;  ///< by extension; "-" is standard output
+  std::string stdout_format;       ///< what "-" writes; an extension without its dot
+  std::string report;
+  std::string diagram;
+  std::string view;
+};
+
+/// What the three commands share. A command keeps its own options beside these.
+struct Options {
+  InputOptions input;
+  GeneratorOptions generators;
+  ComputeOptions compute;
+  OutputOptions output;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+}  // namespace gvd::app
