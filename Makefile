@@ -1,0 +1,72 @@
+# The front door. `make` alone lists what there is.
+#
+#   BUILD=dir         build tree (default: build)
+#   JOBS=n            parallel jobs (default: all cores)
+#   CMAKE_FLAGS=...   more flags for CMake's configure step
+#   NO_INSTALL=1      never install packages
+
+BUILD       ?= build
+SANITIZE    ?= build-sanitize
+JOBS        ?= $(shell nproc 2>/dev/null || echo 2)
+PREFIX      ?= /usr/local
+DEMO_OUTPUT ?= demo-output
+
+install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
+configure    := scripts/configure.sh
+sources      := git ls-files '*.cpp' '*.hpp'
+
+.PHONY: help demo test build bench sanitize install format lint clean
+
+help:
+	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
+	@echo "make test      build and run every test"
+	@echo "make build     build the library and the three commands"
+	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
+	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
+	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
+	@echo "make format    lay out the sources with clang-format"
+	@echo "make lint      check layout and names with clang-format and clang-tidy"
+	@echo "make clean     remove the build trees and the demo's output"
+
+build:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS)
+
+demo: build
+	@scripts/demo.sh $(BUILD)/bin $(DEMO_OUTPUT)
+
+test:
+	@$(install_deps) build test
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+bench:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench
+	@$(BUILD)/bin/gvd-bench $(BENCH_FLAGS)
+
+# Not here: tests labelled `slow`, and `install`, which builds against an installed library without sanitizers.
+sanitize:
+	@$(install_deps) build test
+	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
+	@cmake --build $(SANITIZE) -j $(JOBS)
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install"
+
+install: build
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+format:
+	@$(install_deps) lint
+	@$(sources) | xargs clang-format -i
+
+lint:
+	@$(install_deps) build test lint
+	@$(sources) | xargs clang-format --dry-run -Werror
+	@$(configure) development build-development
+	@run-clang-tidy -quiet -p build-development -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'
+
+clean:
+	@rm -rf build build-* $(DEMO_OUTPUT)

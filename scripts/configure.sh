@@ -1,0 +1,16 @@
+#!/bin/sh
+# Configures a build tree from a preset, with Ninja and ccache where they are installed.
+#
+#   scripts/configure.sh PRESET FOLDER [CMAKE FLAGS...]
+set -eu
+preset=$1
+folder=$2
+shift 2
+# CMake keeps an existing tree's generator whatever this says.
+if [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
+  export CMAKE_GENERATOR=Ninja
+fi
+if command -v ccache >/dev/null 2>&1; then
+  set -- -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
+fi
+exec cmake --preset "$preset" -B "$folder" "$@"

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Installs what is missing of the Debian or Ubuntu packages that a task needs.
+#
+#   scripts/install-deps.sh GROUP...     with groups out of: build test bench lint ci
+#
+# Does nothing, and asks for nothing, where all of them are installed already.
+set -eu
+
+packages_of() {
+  case "$1" in
+    build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
+                libfmt-dev libcli11-dev ;;
+    test)  echo catch2 ;;
+    bench) echo ;;
+    lint)  echo clang-format clang-tidy clang-tools ;;
+    ci)    echo clang libclang-rt-14-dev ccache ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test bench lint ci)" >&2; exit 2 ;;
+  esac
+}
+
+wanted=""
+for group in "$@"; do
+  wanted="$wanted $(packages_of "$group")"
+done
+
+if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then
+  echo "install-deps.sh: no Debian or Ubuntu; taking for granted what these packages hold:$wanted" >&2
+  exit 0
+fi
+
+missing=""
+for package in $wanted; do
+  state=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [ "$state" = "install ok installed" ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=""
+elif command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+  as_root="sudo"
+else
+  echo "install-deps.sh: these packages are missing, and installing them needs root:$missing" >&2
+  echo "install-deps.sh: run as root:  apt-get update && apt-get install$missing" >&2
+  exit 1
+fi
+
+echo "Installing:$missing" >&2
+# A mirror that hiccups is no reason to fail: three tries, each with a fresh list of packages.
+for try in 1 2 3; do
+  if $as_root apt-get -q -o Acquire::Retries=3 update >&2 &&
+     $as_root env DEBIAN_FRONTEND=noninteractive \
+       apt-get -q -y -o Acquire::Retries=3 install --no-install-recommends $missing </dev/null >&2; then
+    exit 0
+  fi
+  echo "install-deps.sh: try $try of 3 failed" >&2
+  sleep $((try * 5))
+done
+echo "install-deps.sh: could not install:$missing" >&2
+exit 1
