@@ -1,0 +1,52 @@
+#include "mesh/point_views.hpp"
+
+#include <algorithm>
+
+namespace gvd {
+namespace {
+
+SurfacePoint at_start(HalfedgeId h) { return edge_point(h, 0); }
+
+std::vector<SurfacePoint> views_of_vertex(const Mesh& mesh, VertexId v) {
+  std::vector<SurfacePoint> views;
+  const HalfedgeId start = mesh.halfedge(v);
+  HalfedgeId h = start;
+  do {
+    views.push_back(at_start(h));
+    h = mesh.twin(Mesh::previous(h));
+  } while (h.valid() && h != start);
+  return views;
+}
+
+std::vector<SurfacePoint> views_of_edge_point(const Mesh& mesh, const SurfacePoint& point) {
+  const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
+  if (!twin.valid()) return {point};
+  SurfacePoint other{Mesh::face(twin), {0, 0, 0}};
+  const auto weight = [&](HalfedgeId at) { return point.bary[static_cast<std::size_t>(Mesh::corner(at))]; };
+  other.bary[static_cast<std::size_t>(Mesh::corner(twin))] = weight(Mesh::next(h));
+  other.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = weight(h);
+  return {point, other};
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> find_views(const Mesh& mesh, const SurfacePoint& point) {
+  std::vector<SurfacePoint> views{point};
+  if (point.kind() == SurfacePoint::Kind::vertex) views = views_of_vertex(mesh, vertex(mesh, point));
+  if (point.kind() == SurfacePoint::Kind::edge) views = views_of_edge_point(mesh, point);
+  std::sort(views.begin(), views.end(), [](const auto& a, const auto& b) { return a.face < b.face; });
+  return views;
+}
+
+std::optional<std::pair<SurfacePoint, SurfacePoint>> find_common_view(const Mesh& mesh, const SurfacePoint& a,
+                                                                      const SurfacePoint& b) {
+  const std::vector<SurfacePoint> views_a = find_views(mesh, a), views_b = find_views(mesh, b);
+  for (const SurfacePoint& view_a : views_a) {
+    for (const SurfacePoint& view_b : views_b) {
+      if (view_a.face == view_b.face) return std::pair(view_a, view_b);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gvd

@@ -1,0 +1,57 @@
+#include "gvd/verify.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "for_each_index.hpp"
+#include "gvd/error.hpp"
+#include "reach.hpp"
+#include "shortest_paths.hpp"
+
+namespace gvd {
+namespace {
+
+std::vector<double> answer(const Mesh& mesh, const DistanceQuery& query, std::size_t index) {
+  try {
+    Reach reach = cut_reach(mesh, query);
+    if (reach.targets.empty()) return std::move(reach.distances);
+    const std::vector<double> solved = solve_shortest_paths(reach);
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+      const std::size_t point = reach.targets[i].point;
+      if (std::isinf(solved[i])) {
+        throw Error(ErrorCode::no_valid_result, "CGAL's shortest paths leave out a point of face " +
+                                                    std::to_string(query.points[point].face.value()));
+      }
+      reach.distances[point] = solved[i];
+    }
+    return std::move(reach.distances);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::no_valid_result) throw;
+    throw Error(error.code(), std::string(error.what()) + ", from generator " + std::to_string(index),
+                static_cast<std::int64_t>(index));
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
+                                                         const VerifyOptions& options) {
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+  constexpr std::string_view kStep = "exact distances";
+  report_progress(options.progress, kStep, 0);
+  const QuietCgal quiet;
+  std::vector<std::vector<double>> distances(queries.size());
+  for_each_index(
+      queries.size(), options.threads, [&](std::size_t i) { distances[i] = answer(mesh, queries[i], i); },
+      [&](double fraction) { report_progress(options.progress, kStep, fraction); });
+  return distances;
+}
+
+ErrorMeasure verify_diagram(const Mesh& mesh, const Diagram& diagram, const VerifyOptions& options) {
+  const ExactDistances exact = [&](const std::vector<DistanceQuery>& queries) {
+    return compute_exact_distances(mesh, queries, options);
+  };
+  return compute_error_measure(mesh, diagram, exact, {options.panels});
+}
+
+}  // namespace gvd
