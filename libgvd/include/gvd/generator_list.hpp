@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// A generator as somebody wrote it, before a mesh is known.
+struct GeneratorEntry {
+  enum class Kind {
+    vertex,    ///< `index` is a vertex of the input file
+    face,      ///< `index` is a face of the mesh, `values` are barycentric coordinates in it
+    position,  ///< `values` are coordinates in mesh units, to be moved to the surface
+  };
+  Kind kind = Kind::vertex;
+  std::int64_t index = 0;  ///< 0-based, >= 0
+  std::array<double, 3> values{};
+  std::int32_t line = 0;  ///< 1-based, of the file; 0 where there is none
+};
+
+struct GeneratorList {
+  std::string name;  ///< of the file or option, for messages
+  std::vector<GeneratorEntry> entries;
+};
+
+/// How a list is written; docs/generators.md describes each.
+enum class GeneratorFormat { text, csv, json };
+
+/// .json and .csv by extension, text otherwise.
+GeneratorFormat generator_format(const std::filesystem::path& path);
+
+/// Parses a list in any locale. `name` is the file's, for messages.
+/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name);
+
+/// Reads a file in the format of its extension.
+/// Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
+GeneratorList read_generators(const std::filesystem::path& path);
+
+struct ResolveOptions {
+  /// The vertices of the mesh that stand for each vertex of the input file, invalid where there is none. Null: the
+  /// mesh's own vertices.
+  const std::vector<VertexId>* input_vertices = nullptr;
+  std::optional<double> max_snap;  ///< largest snap distance allowed, mesh units
+  bool merge_coincident = false;
+  Progress progress;
+};
+
+struct ResolvedGenerators {
+  std::vector<SurfacePoint> points;  ///< in the order of the list
+  std::int32_t snapped = 0;          ///< entries that are positions
+  double largest_snap = 0;           ///< largest distance from a position to the surface, mesh units
+  std::int32_t merged = 0;           ///< entries left out because an earlier one is in the same place
+};
+
+/// The entries as points of `mesh`.
+///
+/// Coordinates that a SurfacePoint can hold as they are stay bit by bit, so a written list comes back unchanged.
+/// Throws Error{precondition} with name and line where an index is out of range, a vertex of the file is in no face,
+/// the coordinates are no point of a triangle, a snap is too long, or two entries coincide without `merge_coincident`.
+/// Cost: O(n log n) for n entries and, where there are positions, for the faces.
+ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
+
+/// Two surface points count as one below this part of the bounding box's diagonal. Dimensionless: the rounding of a
+/// position is some 1e-15 of the box, and no distance on the mesh can be told from zero at a thousand times that.
+inline constexpr double kCoincidence = 1e-12;
+
+/// For each point the index of the first one that it coincides with, itself included: the same canonical surface point,
+/// or two closer than kCoincidence in faces that share a vertex (so that two sheets which touch stay apart).
+/// Cost: O(n log n).
+std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points);
+
+/// The points as a list that reads back bit by bit, in any locale. Positions are written for other programs.
+std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format);
+
+}  // namespace gvd
