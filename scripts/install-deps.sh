@@ -6,10 +6,13 @@
 # Does nothing, and asks for nothing, where all of them are installed already.
 set -eu
 
+# For programs that also come from elsewhere than the distribution, whose package would then be in the way.
+unless_found() { command -v "$1" >/dev/null 2>&1 || echo "$2"; }
+
 packages_of() {
   case "$1" in
     build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
-                libfmt-dev libcli11-dev ;;
+                libfmt-dev libcli11-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 ;;
     bench) echo ;;
     lint)  echo clang-format clang-tidy clang-tools ;;

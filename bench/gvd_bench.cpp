@@ -1,0 +1,183 @@
+// gvd-bench: what a diagram and its steps cost, in multiples of a plain Dijkstra on the same mesh in the same run.
+//
+// Each row is one mesh and one number of generators m (random vertices, seeded). Times are medians; the Dijkstra runs
+// on a graph that is built beforehand, the diagram starts from the mesh. Memory is what the diagram holds at its peak,
+// without the input mesh, counted in a run of its own.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "dijkstra.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/soup.hpp"
+#include "heap_meter.hpp"
+#include "refine_flat.hpp"
+#include "step_clock.hpp"
+
+namespace gvd::bench {
+namespace {
+
+struct Settings {
+  std::vector<std::string> meshes;
+  std::vector<int> generator_counts{5, 30, 100};
+  int runs = 5;
+  int refinements = 0;
+  std::uint64_t seed = 0;
+  Front front = Front::circle;
+};
+
+struct Row {
+  std::string mesh;
+  int faces = 0;
+  int generators = 0;
+  double dijkstra = 0;  ///< milliseconds
+  double diagram = 0;   ///< milliseconds
+  StepTimes steps;
+  double bytes_a_face = 0;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double milliseconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
+/// every standard library draws the same ones.
+std::vector<VertexId> draw_vertices(const Mesh& mesh, int count, std::uint64_t seed) {
+  std::vector<int> order(static_cast<std::size_t>(mesh.vertex_count()));
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::mt19937_64 random(seed);
+  std::vector<VertexId> drawn;
+  for (std::size_t i = 0; i < std::min(order.size(), static_cast<std::size_t>(count)); ++i) {
+    std::swap(order[i], order[i + random() % (order.size() - i)]);
+    drawn.emplace_back(order[i]);
+  }
+  return drawn;
+}
+
+/// The median of every step over the runs, in the order of the first run.
+StepTimes median_steps(const std::vector<StepTimes>& runs) {
+  StepTimes medians;
+  for (std::size_t step = 0; step < runs.front().size(); ++step) {
+    std::vector<double> values;
+    for (const StepTimes& run : runs) values.push_back(run[step].second);
+    medians.emplace_back(runs.front()[step].first, median(values));
+  }
+  return medians;
+}
+
+double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
+  reset_heap_peak();
+  const std::int64_t before = heap_use().live;
+  const Diagram diagram = compute_diagram(mesh, generators, options);
+  return static_cast<double>(heap_use().peak - before) / mesh.face_count();
+}
+
+Row measure(const std::string& name, const Mesh& mesh, int count, const Settings& settings) {
+  const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
+  std::vector<SurfacePoint> generators;
+  for (const VertexId v : vertices) generators.push_back(vertex_point(mesh, v));
+  DiagramOptions options;
+  options.front = settings.front;
+
+  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), 0, 0, {}, 0};
+  row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms the caches up
+  const EdgeGraph graph = build_edge_graph(mesh);
+  std::vector<double> dijkstra, diagram;
+  std::vector<StepTimes> steps;
+  // The two take turns, so that a slow spell of the machine falls on both.
+  for (int run = 0; run < settings.runs; ++run) {
+    dijkstra.push_back(milliseconds([&] { compute_edge_distances(graph, vertices); }));
+    StepClock clock;
+    options.progress = clock.progress();
+    diagram.push_back(milliseconds([&] { compute_diagram(mesh, generators, options); }));
+    steps.push_back(clock.finish());
+  }
+  row.dijkstra = median(dijkstra);
+  row.diagram = median(diagram);
+  row.steps = median_steps(steps);
+  return row;
+}
+
+void print_header(const Row& first) {
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12} {:>9} |", "mesh", "faces", "m", "Dijkstra ms", "diagram x");
+  for (const auto& [step, time] : first.steps) std::cout << fmt::format(" {:>12}", step + " x");
+  std::cout << fmt::format(" | {:>12}\n", "bytes/face");
+}
+
+void print_row(const Row& row) {
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12.3f} {:>9.2f} |", row.mesh, row.faces, row.generators, row.dijkstra,
+                           row.diagram / row.dijkstra);
+  for (const auto& [step, time] : row.steps) {
+    std::cout << fmt::format(" {:>{}.2f}", time / row.dijkstra, std::max<std::size_t>(12, step.size() + 2));
+  }
+  std::cout << fmt::format(" | {:>12.0f}\n", row.bytes_a_face) << std::flush;
+}
+
+void run_all(const Settings& settings) {
+  bool header = false;
+  for (const std::string& path : settings.meshes) {
+    Mesh mesh = build_mesh(read_soup(path)).mesh;
+    for (int level = 0; level <= settings.refinements; ++level) {
+      if (level > 0) mesh = refine_flat(mesh);
+      const std::string stem = std::filesystem::path(path).stem().string();
+      const std::string name = level == 0 ? stem : fmt::format("{} /{}", stem, 1 << 2 * level);
+      for (const int count : settings.generator_counts) {
+        const Row row = measure(name, mesh, count, settings);
+        if (!header) print_header(row);
+        header = true;
+        print_row(row);
+      }
+    }
+  }
+  std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n",
+                           static_cast<double>(peak_resident_bytes()) / 1e6);
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("Times the steps of a geodesic Voronoi diagram against a plain Dijkstra on the mesh's edges");
+  app.add_option("meshes", settings.meshes, "OBJ, PLY, OFF or STL files (default: data/figure.obj)")
+      ->check(CLI::ExistingFile);
+  app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  app.add_option("--runs", settings.runs, "runs of which the median is taken")->check(CLI::PositiveNumber);
+  app.add_option("--refine", settings.refinements, "also with every face cut in four, this many times over")
+      ->check(CLI::Range(0, 6));
+  app.add_option("--seed", settings.seed, "for drawing the generators");
+  app.add_option("--front", settings.front, "planar or circle")
+      ->transform(CLI::CheckedTransformer(
+          std::vector<std::pair<std::string, Front>>{{"planar", Front::planar}, {"circle", Front::circle}}));
+  CLI11_PARSE(app, argc, argv);
+  if (settings.meshes.empty()) settings.meshes.emplace_back(GVD_SOURCE_DIR "/data/figure.obj");
+  run_all(settings);
+  return 0;
+}
+
+}  // namespace
+}  // namespace gvd::bench
+
+int main(int argc, char** argv) {
+  try {
+    return gvd::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "gvd-bench: " << error.what() << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,57 @@
+#include "heap_meter.hpp"
+
+#include <malloc.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace gvd::bench {
+namespace {
+
+std::atomic<std::int64_t> g_live{0};
+std::atomic<std::int64_t> g_peak{0};
+
+void* counted(void* block) {
+  if (block == nullptr) throw std::bad_alloc();
+  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(block));
+  const std::int64_t live = g_live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  std::int64_t peak = g_peak.load(std::memory_order_relaxed);
+  while (live > peak && !g_peak.compare_exchange_weak(peak, live, std::memory_order_relaxed)) {
+  }
+  return block;
+}
+
+void release(void* block) noexcept {
+  if (block == nullptr) return;
+  g_live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
+  std::free(block);
+}
+
+/// aligned_alloc wants the size to be a multiple of the alignment.
+std::size_t padded(std::size_t size, std::size_t alignment) { return (size + alignment - 1) / alignment * alignment; }
+
+}  // namespace
+
+HeapUse heap_use() { return {g_live.load(), g_peak.load()}; }
+
+void reset_heap_peak() { g_peak.store(g_live.load()); }
+
+std::int64_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1024;
+}
+
+}  // namespace gvd::bench
+
+void* operator new(std::size_t size) { return gvd::bench::counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto bytes = static_cast<std::size_t>(alignment);
+  return gvd::bench::counted(std::aligned_alloc(bytes, gvd::bench::padded(size == 0 ? 1 : size, bytes)));
+}
+void operator delete(void* block) noexcept { gvd::bench::release(block); }
+void operator delete(void* block, std::size_t) noexcept { gvd::bench::release(block); }
+void operator delete(void* block, std::align_val_t) noexcept { gvd::bench::release(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { gvd::bench::release(block); }

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gvd/progress.hpp"
+
+namespace gvd::bench {
+
+/// Wall times in milliseconds, by step.
+using StepTimes = std::vector<std::pair<std::string, double>>;
+
+/// Times the steps that a run names through its progress callback: a step lasts until another one is named.
+class StepClock {
+ public:
+  /// Valid while the clock lives.
+  Progress progress() {
+    return [this](std::string_view step, double) {
+      if (times_.empty() || times_.back().first != step) begin(step);
+      return true;
+    };
+  }
+
+  /// Ends the last step. Steps in the order in which they were named; one that came back is added up.
+  StepTimes finish() {
+    end_step();
+    StepTimes merged;
+    for (const auto& [step, milliseconds] : times_) {
+      auto it = merged.begin();
+      while (it != merged.end() && it->first != step) ++it;
+      if (it == merged.end()) {
+        merged.emplace_back(step, milliseconds);
+      } else {
+        it->second += milliseconds;
+      }
+    }
+    return merged;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(std::string_view step) {
+    end_step();
+    times_.emplace_back(step, 0.0);
+  }
+
+  void end_step() {
+    const Clock::time_point now = Clock::now();
+    if (!times_.empty()) times_.back().second += std::chrono::duration<double, std::milli>(now - start_).count();
+    start_ = now;
+  }
+
+  StepTimes times_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace gvd::bench
