@@ -1,0 +1,67 @@
+#include "face_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "gvd/error.hpp"
+
+namespace gvd {
+
+double compute_part(const FacePiece& piece) {
+  double twice_area = 0;
+  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+    const auto &p = piece.corners[i], &q = piece.corners[(i + 1) % piece.corners.size()];
+    twice_area += p[1] * q[2] - p[2] * q[1];
+  }
+  return std::clamp(twice_area, 0.0, 1.0);
+}
+
+FaceShares::FaceShares(const Diagram& diagram) {
+  for (const FacePiece& piece : diagram.pieces) {
+    shares_.push_back({piece.face, piece.generator, compute_part(piece)});
+  }
+  std::stable_sort(shares_.begin(), shares_.end(), [](const FaceShare& a, const FaceShare& b) {
+    return std::tie(a.face, a.generator) < std::tie(b.face, b.generator);
+  });
+  std::vector<FaceShare> united;
+  for (const FaceShare& share : shares_) {
+    if (!united.empty() && united.back().face == share.face && united.back().generator == share.generator) {
+      united.back().part += share.part;
+    } else {
+      united.push_back(share);
+    }
+  }
+  std::stable_sort(united.begin(), united.end(), [](const FaceShare& a, const FaceShare& b) {
+    return a.face != b.face ? a.face < b.face : a.part > b.part;
+  });
+  shares_ = std::move(united);
+}
+
+std::span<const FaceShare> FaceShares::of(FaceId face) const {
+  const auto [first, last] = std::equal_range(shares_.begin(), shares_.end(), FaceShare{face, {}, 0},
+                                              [](const FaceShare& a, const FaceShare& b) { return a.face < b.face; });
+  return {first, last};
+}
+
+double FaceShares::part(FaceId face, GeneratorId generator) const {
+  for (const FaceShare& share : of(face)) {
+    if (share.generator == generator) return share.part;
+  }
+  return 0;
+}
+
+void check_belongs(const Mesh& mesh, const Diagram& diagram) {
+  const auto faces = static_cast<std::size_t>(mesh.face_count());
+  const auto known = [&](GeneratorId g) { return !g.valid() || g.index() < diagram.generators.size(); };
+  bool good =
+      diagram.face_label.size() == faces && std::all_of(diagram.face_label.begin(), diagram.face_label.end(), known);
+  for (const SurfacePoint& point : diagram.generators) good = good && point.face.valid() && point.face.index() < faces;
+  for (const FacePiece& piece : diagram.pieces) {
+    good =
+        good && piece.face.valid() && piece.face.index() < faces && piece.generator.valid() && known(piece.generator);
+  }
+  if (!good) throw Error(ErrorCode::precondition, "the diagram was not made of this mesh; compute it again");
+}
+
+}  // namespace gvd

@@ -1,0 +1,115 @@
+#include "face_tiling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace gvd {
+namespace {
+
+bool same_place(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::abs(a[0] - b[0]) <= kCutWeld && std::abs(a[1] - b[1]) <= kCutWeld && std::abs(a[2] - b[2]) <= kCutWeld;
+}
+
+/// Simple loops out of a closed walk that meets corners again; loops of two corners are nothing.
+std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::size_t>& walk) {
+  std::vector<std::vector<std::size_t>> loops;
+  std::vector<std::size_t> stack;
+  for (const std::size_t corner : walk) {
+    const auto again = std::find(stack.begin(), stack.end(), corner);
+    if (again != stack.end()) {
+      if (stack.end() - again >= 3) loops.emplace_back(again, stack.end());
+      stack.erase(again, stack.end());
+    }
+    stack.push_back(corner);
+  }
+  if (stack.size() >= 3) loops.push_back(std::move(stack));
+  return loops;
+}
+
+}  // namespace
+
+FaceTiling::FaceTiling(std::vector<Corner> border) : corners_(std::move(border)), border_(corners_.size()) {}
+
+std::size_t FaceTiling::find_or_add(const Corner& corner) {
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const bool same = corner.vertex.valid()
+                          ? corners_[i].vertex == corner.vertex
+                          : same_place(corners_[i].bary, corner.bary) || corners_[i].position == corner.position;
+    if (same) return i;
+  }
+  corners_.push_back(corner);
+  return corners_.size() - 1;
+}
+
+bool FaceTiling::fit() {
+  std::vector<Polygon> fitted;
+  for (const Polygon& polygon : polygons_) {
+    for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners))) {
+      fitted.push_back({polygon.generator, std::move(loop)});
+    }
+  }
+  polygons_ = std::move(fitted);
+  return tiles();
+}
+
+void FaceTiling::leave_whole(GeneratorId generator) {
+  corners_.resize(border_);
+  Polygon whole{generator, {}};
+  for (std::size_t i = 0; i < border_; ++i) whole.corners.push_back(i);
+  polygons_.assign(1, whole);
+}
+
+std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon) const {
+  std::vector<std::size_t> split;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+    if (from == to) continue;
+    split.push_back(from);
+    append_corners_between(from, to, split);
+  }
+  return split;
+}
+
+void FaceTiling::append_corners_between(std::size_t from, std::size_t to, std::vector<std::size_t>& out) const {
+  const Vec2 start = place(from), along = place(to) - start;
+  const double length = along.norm();
+  std::vector<std::pair<double, std::size_t>> between;
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    if (k == from || k == to) continue;
+    const Vec2 offset = place(k) - start;
+    const double t = along.dot(offset) / (length * length);
+    const double away = std::abs(along.x() * offset.y() - along.y() * offset.x()) / length;
+    if (t > 0 && t < 1 && away <= kCutWeld) between.emplace_back(t, k);
+  }
+  std::sort(between.begin(), between.end());
+  for (const auto& [t, k] : between) out.push_back(k);
+}
+
+bool FaceTiling::tiles() const {
+  // Each directed segment once; its reverse belongs to the polygon beyond it, or the border runs along it.
+  std::set<std::pair<std::size_t, std::size_t>> open;
+  for (std::size_t i = 0; i < border_; ++i) open.insert({(i + 1) % border_, i});
+  std::set<std::pair<std::size_t, std::size_t>> seen = open;
+  for (const Polygon& polygon : polygons_) {
+    if (twice_area(polygon.corners) < -kCutWeld) return false;
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+      const std::size_t from = polygon.corners[i], to = polygon.corners[(i + 1) % polygon.corners.size()];
+      if (!seen.insert({from, to}).second) return false;
+      if (open.erase({to, from}) == 0) open.insert({from, to});
+    }
+  }
+  return open.empty();
+}
+
+double FaceTiling::twice_area(const std::vector<std::size_t>& polygon) const {
+  double area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 p = place(polygon[i]), q = place(polygon[(i + 1) % polygon.size()]);
+    area += p.x() * q.y() - p.y() * q.x();
+  }
+  return area;
+}
+
+}  // namespace gvd

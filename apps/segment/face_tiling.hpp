@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Two points of a face are one below this distance, in barycentric coordinates: the same crossing, computed from two
+/// sides, differs by some 1e-15.
+inline constexpr double kCutWeld = 1e-12;
+
+/// The corners and polygons of one face that is cut.
+class FaceTiling {
+ public:
+  struct Corner {
+    std::array<double, 3> bary;
+    Vec3 position;
+    VertexId vertex;  ///< invalid for a corner inside the face that no mesh has yet
+  };
+  struct Polygon {
+    GeneratorId generator;
+    std::vector<std::size_t> corners;
+  };
+
+  /// `border`: the face's three corners and the points on its edges, counter-clockwise from its first corner.
+  explicit FaceTiling(std::vector<Corner> border);
+
+  /// The corner on the border with this vertex, or one inside within kCutWeld or at the same position; a new one
+  /// otherwise.
+  std::size_t find_or_add(const Corner& corner);
+
+  /// Adds a polygon of the face, counter-clockwise.
+  void add(Polygon polygon) { polygons_.push_back(std::move(polygon)); }
+
+  /// Makes the polygons share whole segments: a corner that lies on another's segment splits it. Then checks that they
+  /// tile the face, each segment between two of them or once on the border. False where they don't.
+  bool fit();
+
+  /// Forgets all polygons and corners inside: the face is one polygon.
+  void leave_whole(GeneratorId generator);
+
+  std::vector<Corner>& corners() { return corners_; }
+  const std::vector<Polygon>& polygons() const { return polygons_; }
+  /// Where a corner is drawn: two barycentric coordinates, an affine picture of the face.
+  Vec2 place(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
+
+ private:
+  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon) const;
+  void append_corners_between(std::size_t from, std::size_t to, std::vector<std::size_t>& out) const;
+  bool tiles() const;
+  double twice_area(const std::vector<std::size_t>& polygon) const;
+
+  std::vector<Corner> corners_;  ///< the border first
+  std::size_t border_;
+  std::vector<Polygon> polygons_;
+};
+
+}  // namespace gvd
