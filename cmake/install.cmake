@@ -4,25 +4,35 @@ include(CMakePackageConfigHelpers)
 
 set(GVD_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gvd)
 
+install(TARGETS gvd EXPORT gvd-targets)
+install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
+
 # The parts that this configuration builds.
 set(GVD_INSTALLED_PARTS "")
-foreach(part segment lloyd remesh verify)
+foreach(part segment lloyd remesh)
   if(TARGET gvd_${part})
     list(APPEND GVD_INSTALLED_PARTS ${part})
-    set_target_properties(gvd_${part} PROPERTIES EXPORT_NAME ${part})
     install(TARGETS gvd_${part} EXPORT gvd-targets)
-  endif()
-  if(EXISTS ${PROJECT_SOURCE_DIR}/apps/${part}/include AND TARGET gvd_${part})
     install(DIRECTORY apps/${part}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
   endif()
   if(TARGET gvd-${part})
     install(TARGETS gvd-${part})
   endif()
 endforeach()
-
-install(TARGETS gvd EXPORT gvd-targets)
-install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 install(EXPORT gvd-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR})
+
+# Apart, since only who asks for the component `verify` should need CGAL, and carry its licence.
+if(TARGET gvd_verify)
+  list(APPEND GVD_INSTALLED_PARTS verify)
+  get_target_property(verify_libraries gvd_verify LINK_LIBRARIES)
+  if("TBB::tbb" IN_LIST verify_libraries)
+    set(GVD_VERIFY_NEEDS_TBB TRUE)
+  endif()
+  install(TARGETS gvd_verify EXPORT gvd-verify-targets)
+  install(DIRECTORY libgvd/verify/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
+  install(EXPORT gvd-verify-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR})
+endif()
+
 install(FILES LICENSE LICENSES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/gvd-config.cmake.in ${PROJECT_BINARY_DIR}/gvd-config.cmake

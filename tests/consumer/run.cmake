@@ -10,6 +10,6 @@ endfunction()
 file(REMOVE_RECURSE ${WORK_DIR})
 run("install" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 run("configure" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/build -G ${GENERATOR}
-  -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix "-DGVD_EXPECTED_PARTS=${PARTS}")
+  -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DPARTS=${PARTS})
 run("build" ${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run("the program" ${WORK_DIR}/build/consumer)
