@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string_view>
+
+#include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
+
+namespace gvd {
+
+/// The file formats of a mesh or diagram that is written. docs/formats.md says what each one carries.
+enum class OutputFormat { ply, obj, off, stl, vtp, glb, json };
+
+/// The format of an extension, with or without its dot, in upper or lower case.
+std::optional<OutputFormat> parse_output_format(std::string_view extension);
+
+/// The format that a file's name asks for. Throws Error{invalid_option} that lists the known extensions.
+OutputFormat output_format(const std::filesystem::path& path);
+
+/// A mesh and what is known of its elements; a null member is not known and not written. It owns nothing: everything
+/// that it points to must outlive it. Alone, `LabelledMesh{mesh}` is a plain mesh.
+struct LabelledMesh {
+  const Mesh& mesh;
+  const IdVector<FaceId, GeneratorId>* face_label = nullptr;      ///< invalid ids are written as -1, in grey
+  const IdVector<FaceId, FaceId>* face_parent = nullptr;          ///< the face of the input that a face is a piece of
+  const IdVector<VertexId, GeneratorId>* vertex_label = nullptr;  ///< invalid ids are written as -1
+  const IdVector<VertexId, double>* vertex_distance = nullptr;    ///< mesh units; infinity where none reaches
+  const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
+  /// The mesh that the diagram's surface points refer to, where it is not `mesh` itself (a mesh cut along the
+  /// bisectors).
+  const Mesh* diagram_mesh = nullptr;
+};
+
+/// Writes the mesh in one format. The stream is flushed and checked.
+///
+/// In OBJ a stream holds the geometry and the groups; the materials that they name are `write_materials`'s.
+/// Throws Error{precondition} where an array's length is not that of its elements, Error{invalid_option} for JSON
+/// without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL and
+/// GLB have 32-bit floats, GLB has 4 GiB). Cost: O(n) time; memory O(n) for the order of the faces by label, O(1)
+/// without labels.
+void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
+
+/// Writes the file whole or not at all, in the format of its extension; for OBJ with labels also the .mtl beside it.
+/// Throws what `write_mesh` and AtomicFile throw.
+void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress = {});
+
+/// The .mtl that belongs to an OBJ: one material per region.
+void write_materials(std::ostream& out, const LabelledMesh& mesh);
+
+}  // namespace gvd

@@ -1,0 +1,181 @@
+#include "gvd/io/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <streambuf>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bytes between two looks at the progress callback.
+constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
+/// Leftovers of killed runs that may lie beside the target before we give up finding a free name.
+constexpr int kMaxLeftovers = 1000;
+/// Bytes of the target's name that the temporary one keeps: file systems allow 255 in all.
+constexpr std::size_t kNameBytes = 200;
+/// Links in a chain of symbolic links, as the kernel counts them.
+constexpr int kMaxLinks = 40;
+
+[[noreturn]] void fail(const fs::path& target, const std::string& reason) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("cannot write '{}': {}", target.string(), reason));
+}
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
+
+/// A stream buffer whose failures are exceptions: a stream's own badbit knows no reason.
+class FileBuffer : public std::streambuf {
+ public:
+  FileBuffer(fs::path target, Progress progress)
+      : target_(std::move(target)), progress_(std::move(progress)), step_("writing " + target_.filename().string()) {}
+
+  void open(FilePointer file) { file_ = std::move(file); }
+
+  void close() {
+    std::FILE* file = file_.release();
+    if (file != nullptr && std::fclose(file) != 0) fail(target_, reason_of(errno));
+  }
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (std::fwrite(bytes, 1, size, file_.get()) != size) fail(target_, reason_of(errno));
+    unseen_ += size;
+    if (unseen_ >= kChunkBytes) {
+      unseen_ = 0;
+      report_progress(progress_, step_, 0);
+    }
+    return count;
+  }
+
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    const char byte = traits_type::to_char_type(c);
+    xsputn(&byte, 1);
+    return c;
+  }
+
+  int sync() override {
+    if (std::fflush(file_.get()) != 0) fail(target_, reason_of(errno));
+    return 0;
+  }
+
+ private:
+  fs::path target_;
+  Progress progress_;
+  std::string step_;
+  FilePointer file_;
+  std::size_t unseen_ = 0;
+};
+
+fs::path follow_links(fs::path path) {
+  std::error_code ignored;
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, ignored); ++i) {
+    const fs::path next = fs::read_symlink(path, ignored);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+FilePointer open_or_fail(const fs::path& target, const fs::path& path, const char* mode) {
+  FilePointer file(std::fopen(path.c_str(), mode));
+  if (!file) fail(target, reason_of(errno));
+  return file;
+}
+
+/// What would make the rename fail, or should, said before any work is spent on the content.
+void check_target(const fs::path& target, const fs::path& file, const fs::file_status& status) {
+  std::error_code ignored;
+  if (fs::is_directory(status)) fail(target, "it is a folder");
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::exists(folder, ignored)) fail(target, fmt::format("there is no folder '{}'", folder.string()));
+  // A rename would replace a write-protected file, which the one who protected it does not expect.
+  if (fs::is_regular_file(status)) open_or_fail(target, file, "r+b");
+}
+
+}  // namespace
+
+struct AtomicFile::State {
+  State(const fs::path& given, Progress progress)
+      : target(given), file(follow_links(given)), buffer(given, std::move(progress)), stream(nullptr) {
+    stream.rdbuf(&buffer);
+    stream.exceptions(std::ios::badbit);  // lets the buffer's own exception through
+  }
+
+  void open() {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    if (target.empty()) fail(target, "the name is empty");
+    check_target(target, file, status);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      buffer.open(open_or_fail(target, file, "wb"));
+      return;
+    }
+    buffer.open(create_temporary());
+    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
+  }
+
+  /// Created exclusively, so that two runs with the same target do not write into each other's file.
+  FilePointer create_temporary() {
+    const std::string name = file.filename().string().substr(0, kNameBytes);
+    for (int i = 0; i < kMaxLeftovers; ++i) {
+      const fs::path candidate = file.parent_path() / fmt::format("{}.partial{}", name, i);
+      FilePointer opened(std::fopen(candidate.c_str(), "wbx"));
+      if (opened) {
+        temporary = candidate;
+        return opened;
+      }
+      if (errno != EEXIST) fail(target, reason_of(errno));
+    }
+    fail(target, fmt::format("too many files named '{}.partial*' beside it, remove them", name));
+  }
+
+  fs::path target;     ///< as given, for messages
+  fs::path file;       ///< what it leads to
+  fs::path temporary;  ///< empty where the file is written directly, and once there is nothing to remove
+  FileBuffer buffer;
+  std::ostream stream;
+};
+
+AtomicFile::AtomicFile(fs::path target, Progress progress)
+    : state_(std::make_unique<State>(target, std::move(progress))) {
+  state_->open();
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!state_->temporary.empty()) fs::remove(state_->temporary, ignored);
+}
+
+std::ostream& AtomicFile::stream() { return state_->stream; }
+
+void AtomicFile::commit() {
+  state_->stream.flush();
+  state_->buffer.close();
+  if (state_->temporary.empty()) return;
+  std::error_code error;
+  fs::rename(state_->temporary, state_->file, error);
+  if (error) fail(state_->target, error.message());
+  state_->temporary.clear();
+}
+
+void write_file(const fs::path& target, const std::function<void(std::ostream&)>& write, const Progress& progress) {
+  AtomicFile file(target, progress);
+  write(file.stream());
+  file.commit();
+}
+
+}  // namespace gvd

@@ -1,0 +1,116 @@
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "gvd/io/label_color.hpp"
+#include "io/fixture.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A GLB taken apart by the letter of the specification.
+struct Glb {
+  explicit Glb(const std::string& bytes) {
+    std::size_t offset = 0;
+    CHECK(take<std::uint32_t>(bytes, offset) == 0x46546C67);
+    CHECK(take<std::uint32_t>(bytes, offset) == 2);
+    CHECK(take<std::uint32_t>(bytes, offset) == bytes.size());
+    const auto json_bytes = take<std::uint32_t>(bytes, offset);
+    CHECK(json_bytes % 4 == 0);
+    CHECK(take<std::uint32_t>(bytes, offset) == 0x4E4F534A);
+    json = Json::parse(bytes.substr(offset, json_bytes));
+    offset += json_bytes;
+    const auto binary_bytes = take<std::uint32_t>(bytes, offset);
+    CHECK(binary_bytes % 4 == 0);
+    CHECK(take<std::uint32_t>(bytes, offset) == 0x004E4942);
+    binary = bytes.substr(offset);
+    CHECK(binary.size() == binary_bytes);
+    CHECK(json["buffers"][0]["byteLength"] == binary_bytes);
+  }
+
+  /// The numbers of an accessor; T is what its componentType says.
+  template <class T>
+  std::vector<T> get(std::size_t index) const {
+    const Json& accessor = json["accessors"].at(index);
+    CHECK(accessor["componentType"] == (std::is_same_v<T, float> ? 5126 : 5125));
+    const std::size_t components = accessor["type"] == "VEC3" ? 3 : 1;
+    const Json& view = json["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
+    const std::size_t start = accessor.value("byteOffset", std::size_t{0});
+    const std::size_t count = components * accessor["count"].get<std::size_t>();
+    CHECK(start + count * sizeof(T) <= view["byteLength"].get<std::size_t>());
+    std::size_t offset = view["byteOffset"].get<std::size_t>() + start;
+    std::vector<T> values;
+    for (std::size_t i = 0; i < count; ++i) values.push_back(take<T>(binary, offset));
+    return values;
+  }
+
+  Json json;
+  std::string binary;
+};
+
+}  // namespace
+
+TEST_CASE("a labelled GLB has one primitive a region, with its colour") {
+  const Labelled labelled;
+  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  CHECK(glb.json["asset"]["version"] == "2.0");
+  CHECK(glb.json["scenes"][0]["nodes"] == Json({0, 1}));
+  const Json& primitives = glb.json["meshes"][0]["primitives"];
+  REQUIRE(primitives.size() == 4);
+  const std::vector<int> labels{0, 1, 2, -1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json& primitive = primitives[i];
+    CHECK(primitive["mode"] == 4);
+    CHECK(primitive["extras"]["label"] == labels[i]);
+    const Json& material = glb.json["materials"].at(primitive["material"].get<std::size_t>());
+    CHECK(material["name"] == (i == 3 ? "unlabelled" : "region_" + std::to_string(i)));
+    const double red = label_color(GeneratorId(labels[i])).red / 255.0;
+    CHECK(material["pbrMetallicRoughness"]["baseColorFactor"][0].get<double>() ==
+          Approx(std::pow((red + 0.055) / 1.055, 2.4)).margin(1e-4));
+    std::vector<std::uint32_t> expected;
+    for (int f = 0; f < 24; ++f) {
+      if (labelled.face_label[FaceId(f)].value() != labels[i]) continue;
+      for (const VertexId v : labelled.mesh.vertices(FaceId(f))) expected.push_back(static_cast<unsigned>(v.value()));
+    }
+    CHECK(glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>()) == expected);
+  }
+}
+
+TEST_CASE("positions of a GLB are the mesh's, within the bounds that it names") {
+  const Labelled labelled;
+  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const auto index = glb.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>();
+  const auto values = glb.get<float>(index);
+  REQUIRE(values.size() == 60);
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::max());
+  high.fill(std::numeric_limits<float>::lowest());
+  for (std::size_t i = 0; i < 60; ++i) {
+    CHECK(values[i] == static_cast<float>(labelled.mesh.positions()[i / 3][static_cast<int>(i % 3)]));
+    low[i % 3] = std::min(low[i % 3], values[i]);
+    high[i % 3] = std::max(high[i % 3], values[i]);
+  }
+  CHECK(glb.json["accessors"][index]["min"].get<std::array<float, 3>>() == low);
+  CHECK(glb.json["accessors"][index]["max"].get<std::array<float, 3>>() == high);
+}
+
+TEST_CASE("the bisectors of a GLB are line segments") {
+  const Labelled labelled;
+  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const Json& primitive = glb.json["meshes"][1]["primitives"][0];
+  CHECK(primitive["mode"] == 1);
+  CHECK(glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>()) ==
+        std::vector<std::uint32_t>{0, 1, 1, 2, 3, 4, 5, 6, 6, 7, 7, 8});
+  CHECK(glb.get<float>(primitive["attributes"]["POSITION"].get<std::size_t>()).size() == 27);
+}
+
+TEST_CASE("a plain GLB is one grey surface") {
+  const Glb glb(to_bytes(LabelledMesh{make_sphere(1)}, OutputFormat::glb));
+  CHECK(glb.json["meshes"].size() == 1);
+  CHECK(glb.json["meshes"][0]["primitives"].size() == 1);
+  CHECK(glb.json["materials"][0]["name"] == "surface");
+}

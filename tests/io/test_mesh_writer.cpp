@@ -1,0 +1,139 @@
+#include <cstring>
+#include <sstream>
+#include <streambuf>
+
+#include "gvd/error.hpp"
+#include "io/fixture.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::test;
+
+namespace {
+
+constexpr std::array kAllFormats{OutputFormat::ply, OutputFormat::obj, OutputFormat::off, OutputFormat::stl,
+                                 OutputFormat::vtp, OutputFormat::glb, OutputFormat::json};
+
+ErrorCode code_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  FAIL("nothing was thrown");
+  return {};
+}
+
+/// A stream that refuses everything after `capacity` bytes.
+class FullBuffer : public std::streambuf {
+ public:
+  explicit FullBuffer(std::streamsize capacity) : left_(capacity) {}
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    const std::streamsize taken = std::min(count, left_);
+    left_ -= taken;
+    return taken;
+  }
+
+ private:
+  std::streamsize left_;
+};
+
+}  // namespace
+
+TEST_CASE("the extension names the format") {
+  CHECK(output_format("a/b.ply") == OutputFormat::ply);
+  CHECK(output_format("B.GLB") == OutputFormat::glb);
+  CHECK(parse_output_format("vtp") == OutputFormat::vtp);
+  CHECK(parse_output_format(".Json") == OutputFormat::json);
+  CHECK_FALSE(parse_output_format(""));
+  for (const char* name : {"a", "a.txt", "", ".ply", "a.ply.gz"}) {
+    CHECK(code_of([&] { output_format(name); }) == ErrorCode::invalid_option);
+  }
+}
+
+TEST_CASE("two writes give the same bytes, to a stream and to a file") {
+  const Labelled labelled;
+  const TemporaryFolder folder;
+  for (const OutputFormat format : kAllFormats) {
+    CHECK(to_bytes(labelled.view(), format) == to_bytes(Labelled().view(), format));
+  }
+  for (const char* name : {"a.ply", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"}) {
+    write_mesh(folder / name, labelled.view());
+    CHECK(read_bytes(folder / name) == to_bytes(labelled.view(), output_format(name)));
+  }
+}
+
+TEST_CASE("an OBJ comes with its materials, and the old pair stays where it can't") {
+  const Labelled labelled;
+  const TemporaryFolder folder;
+  write_mesh(folder / "a.obj", labelled.view());
+  CHECK(folder.names() == std::vector<std::string>{"a.mtl", "a.obj"});
+  const std::string text = read_bytes(folder / "a.obj"), materials = read_bytes(folder / "a.mtl");
+  CHECK(text.starts_with("mtllib a.mtl\n"));
+  for (const char* name : {"region_0", "region_1", "region_2", "unlabelled"}) {
+    CHECK(text.find(std::string("\ng ") + name + "\nusemtl " + name + "\nf ") != std::string::npos);
+    CHECK(materials.find(std::string("newmtl ") + name + "\nKd ") != std::string::npos);
+  }
+  const Progress cancel = [](std::string_view, double) { return false; };
+  const Mesh large = make_sphere(6);
+  const IdVector<FaceId, GeneratorId> labels(static_cast<std::size_t>(large.face_count()), GeneratorId(1));
+  LabelledMesh view{large};
+  view.face_label = &labels;
+  CHECK(code_of([&] { write_mesh(folder / "a.obj", view, cancel); }) == ErrorCode::interrupted);
+  CHECK(read_bytes(folder / "a.obj") == text);
+  CHECK(read_bytes(folder / "a.mtl") == materials);
+  CHECK(folder.names() == std::vector<std::string>{"a.mtl", "a.obj"});
+}
+
+TEST_CASE("a plain mesh has no labels, colours or materials in any format") {
+  const Mesh mesh = make_sphere(1);
+  const TemporaryFolder folder;
+  write_mesh(folder / "a.obj", LabelledMesh{mesh});
+  CHECK(folder.names() == std::vector<std::string>{"a.obj"});
+  const std::string obj = read_bytes(folder / "a.obj");
+  CHECK(obj.find("g ") == std::string::npos);
+  CHECK(obj.find("mtl") == std::string::npos);
+  for (const OutputFormat format : {OutputFormat::ply, OutputFormat::off, OutputFormat::vtp, OutputFormat::glb}) {
+    const std::string bytes = to_bytes(LabelledMesh{mesh}, format);
+    for (const char* word : {"abel\"", " label", "istance", "uchar red", "region", "bisectors", "COFF"}) {
+      CHECK(bytes.find(word) == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a failing stream is an error in every format, wherever it fails") {
+  const Labelled labelled;
+  for (const OutputFormat format : kAllFormats) {
+    const auto size = static_cast<std::streamsize>(to_bytes(labelled.view(), format).size());
+    for (const std::streamsize capacity : {std::streamsize{0}, size / 2, size - 1}) {
+      FullBuffer buffer(capacity);
+      std::ostream out(&buffer);
+      CHECK(code_of([&] { write_mesh(out, labelled.view(), format); }) == ErrorCode::unwritable_output);
+    }
+  }
+}
+
+TEST_CASE("what does not fit together is refused, and no file appears") {
+  const Labelled labelled;
+  const TemporaryFolder folder;
+  const IdVector<FaceId, GeneratorId> short_labels(3);
+  const IdVector<VertexId, double> short_distances(3);
+  LabelledMesh view{labelled.mesh};
+  view.face_label = &short_labels;
+  CHECK(code_of([&] { write_mesh(folder / "a.ply", view); }) == ErrorCode::precondition);
+  view.face_label = nullptr;
+  view.vertex_distance = &short_distances;
+  CHECK(code_of([&] { write_mesh(folder / "a.vtp", view); }) == ErrorCode::precondition);
+  CHECK(code_of([&] { write_mesh(folder / "a.json", LabelledMesh{labelled.mesh}); }) == ErrorCode::invalid_option);
+  CHECK(code_of([&] { write_mesh(folder / "none/a.ply", labelled.view()); }) == ErrorCode::unwritable_output);
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("coordinates beyond a 32-bit float are refused where the format has no other") {
+  const Mesh mesh({{0, 0, 0}, {1e39, 0, 0}, {0, 1e39, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb}) {
+    CHECK(code_of([&] { to_bytes(LabelledMesh{mesh}, format); }) == ErrorCode::unwritable_output);
+  }
+  CHECK(to_bytes(LabelledMesh{mesh}, OutputFormat::off).find("1e+39 0 0") != std::string::npos);
+}

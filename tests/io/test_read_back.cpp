@@ -1,0 +1,142 @@
+// What is written is read again by OpenMesh's readers, which know nothing of our writers.
+#if defined(__GNUC__) && !defined(__clang__)
+// OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated, at the end of this
+// file.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "gvd/io/label_color.hpp"
+#include "io/fixture.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::test;
+
+namespace {
+
+struct DoubleTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using Peer = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+
+Peer read_peer(const std::filesystem::path& path, bool with_colors) {
+  Peer peer;
+  peer.request_face_colors();
+  OpenMesh::IO::Options options;
+  if (with_colors) options += OpenMesh::IO::Options::FaceColor;
+  REQUIRE(OpenMesh::IO::read_mesh(peer, path.string(), options));
+  return peer;
+}
+
+std::array<Vec3, 3> corners(const Mesh& mesh, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  return {mesh.position(a), mesh.position(b), mesh.position(c)};
+}
+
+std::array<Vec3, 3> corners(const Peer& peer, int f) {
+  std::array<Vec3, 3> result;
+  std::size_t i = 0;
+  for (const auto v : peer.fv_range(peer.face_handle(static_cast<unsigned>(f)))) {
+    const OpenMesh::Vec3d& p = peer.point(v);
+    result.at(i++) = Vec3(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+/// The largest difference of a coordinate where the corners may begin anywhere in the same cycle.
+double difference(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+  double least = 1e300;
+  for (std::size_t shift = 0; shift < 3; ++shift) {
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, (a[i] - b[(i + shift) % 3]).cwiseAbs().maxCoeff());
+    least = std::min(least, largest);
+  }
+  return least;
+}
+
+/// `order[i]` is the face of `mesh` that stands at place i of the file.
+void check_same(const Mesh& mesh, const Peer& peer, const std::vector<FaceId>& order, double tolerance) {
+  REQUIRE(peer.n_faces() == order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    CHECK(difference(corners(mesh, order[i]), corners(peer, static_cast<int>(i))) <= tolerance);
+  }
+}
+
+/// OpenMesh reads every coordinate through a float.
+double tolerance(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return std::numeric_limits<float>::epsilon() * largest;
+}
+
+std::vector<FaceId> all_faces(const Mesh& mesh) {
+  std::vector<FaceId> order;
+  for (int f = 0; f < mesh.face_count(); ++f) order.push_back(FaceId(f));
+  return order;
+}
+
+}  // namespace
+
+TEST_CASE("OpenMesh reads back every plain format") {
+  const TemporaryFolder folder;
+  for (const auto& [name, mesh] : small_family()) {
+    INFO(name);
+    for (const char* file : {"a.ply", "a.off", "a.obj"}) {
+      INFO(file);
+      write_mesh(folder / file, LabelledMesh{mesh});
+      const Peer peer = read_peer(folder / file, false);
+      CHECK(peer.n_vertices() == mesh.positions().size());
+      check_same(mesh, peer, all_faces(mesh), tolerance(mesh));
+    }
+    write_mesh(folder / "a.stl", LabelledMesh{mesh});
+    check_same(mesh, read_peer(folder / "a.stl", false), all_faces(mesh), tolerance(mesh));
+  }
+}
+
+TEST_CASE("OpenMesh reads back labelled files") {
+  const Labelled labelled;
+  const TemporaryFolder folder;
+  write_mesh(folder / "a.ply", labelled.view());
+  check_same(labelled.mesh, read_peer(folder / "a.ply", false), all_faces(labelled.mesh), tolerance(labelled.mesh));
+  write_mesh(folder / "a.off", labelled.view());
+  check_same(labelled.mesh, read_peer(folder / "a.off", true), all_faces(labelled.mesh), tolerance(labelled.mesh));
+  write_mesh(folder / "a.stl", labelled.view());
+  CHECK(read_peer(folder / "a.stl", false).n_faces() == labelled.face_label.size());
+
+  write_mesh(folder / "a.obj", labelled.view());
+  std::vector<FaceId> order = all_faces(labelled.mesh);
+  std::stable_sort(order.begin(), order.end(), [&](FaceId a, FaceId b) {
+    const auto rank = [&](FaceId f) { return static_cast<std::uint32_t>(labelled.face_label[f].value()); };
+    return rank(a) < rank(b);
+  });
+  check_same(labelled.mesh, read_peer(folder / "a.obj", false), order, tolerance(labelled.mesh));
+}
+
+TEST_CASE("OpenMesh finds the regions' colours in OFF and in an OBJ's materials") {
+  const Labelled labelled;
+  const TemporaryFolder folder;
+  for (const char* file : {"a.off", "a.obj"}) {
+    INFO(file);
+    write_mesh(folder / file, labelled.view());
+    std::array<int, 4> seen{};
+    const Peer peer = read_peer(folder / file, true);
+    for (const auto f : peer.faces()) {
+      const OpenMesh::Vec3uc c = OpenMesh::color_cast<OpenMesh::Vec3uc>(peer.color(f));
+      for (int label = -1; label < 3; ++label) {
+        const Rgb color = label_color(GeneratorId(label));
+        // The .mtl has four digits, and OpenMesh cuts where it should round.
+        const auto close = [](int a, int b) { return std::abs(a - b) <= 1; };
+        seen[static_cast<std::size_t>(label + 1)] +=
+            close(c[0], color.red) && close(c[1], color.green) && close(c[2], color.blue);
+      }
+    }
+    CHECK(seen == std::array<int, 4>{6, 6, 6, 6});
+  }
+}
