@@ -141,6 +141,23 @@ TEST_CASE("what no path reaches is infinitely far") {
   CHECK(std::isinf(distances[1][1]));
 }
 
+TEST_CASE("a face without area gives the distances or an error that says so, and never a crash") {
+  // Between (0,0) and (2,0) lies a face that is a line, its third corner at (1,0).
+  const auto face = [](int a, int b, int c) { return std::array{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh mesh({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.7, -1, 0}, {1.2, -1, 0}},
+                  {face(0, 1, 3), face(1, 0, 2), face(0, 4, 2), face(2, 4, 5), face(2, 5, 1)});
+  const auto points = random_points(mesh, 12, 10);
+  for (const SurfacePoint& generator : points) {
+    try {
+      const auto distances = compute_exact_distances(mesh, {{generator, points}})[0];
+      for (const double d : distances) CHECK(std::isfinite(d));
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::no_valid_result);
+      CHECK_THAT(error.what(), Catch::Matchers::Contains("without area"));
+    }
+  }
+}
+
 TEST_CASE("the number of threads changes no byte") {
   const Mesh mesh = test::make_torus(24, 12);
   const auto points = random_points(mesh, 12, 8);

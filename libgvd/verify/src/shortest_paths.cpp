@@ -72,7 +72,8 @@ std::vector<double> solve_shortest_paths(const Reach& reach) {
     for (const Reach::Target& target : reach.targets) distances.push_back(solve_target(paths, reach, target));
     return distances;
   } catch (const CGAL::Failure_exception& failure) {
-    throw Error(ErrorCode::no_valid_result, "CGAL's shortest paths fail on this surface: " + failure.expression());
+    throw Error(ErrorCode::no_valid_result,
+                "CGAL's shortest paths fail on this surface (" + failure.expression() + ")");
   }
 }
 

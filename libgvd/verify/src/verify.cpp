@@ -27,7 +27,9 @@ std::vector<double> answer(const Mesh& mesh, const DistanceQuery& query, std::si
     return std::move(reach.distances);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::no_valid_result) throw;
-    throw Error(error.code(), std::string(error.what()) + ", from generator " + std::to_string(index),
+    throw Error(error.code(),
+                "no exact distances from generator " + std::to_string(index) + ": " + error.what() +
+                    "; faces without area are the usual cause, remove them or do without the verification",
                 static_cast<std::int64_t>(index));
   }
 }
