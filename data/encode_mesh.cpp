@@ -70,7 +70,7 @@ std::string encode_binary_stl(const Mesh& mesh) {
   append_bytes(out, static_cast<std::uint32_t>(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) {
     const auto& [a, b, c] = mesh.vertices(FaceId(f));
-    const Vec3 p = mesh.position(a), q = mesh.position(b), r = mesh.position(c);
+    const Vec3 &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
     append_floats(out, rounded((q - p).cross(r - p).normalized()));
     for (const Vec3& corner : {p, q, r}) append_floats(out, rounded(corner));
     append_bytes(out, 0, 2);
