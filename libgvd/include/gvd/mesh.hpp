@@ -71,6 +71,8 @@ class Mesh {
   double bbox_diagonal() const { return bbox_diagonal_; }
 
  private:
+  friend class MeshEditor;  // splits and flips in the library's own working copy
+
   void link_twins();
   void number_edges();
   void find_vertex_halfedges();

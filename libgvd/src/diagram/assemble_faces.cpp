@@ -1,0 +1,106 @@
+#include "diagram/assemble_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagram/face_assembly.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found nothing.
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
+                                       GeneratorId g) {
+  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
+  const auto& corners = mesh.vertices(f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t place = table.find(corners[i], g);
+    if (place >= 0) d[i] = table.distance(place).distance;
+    if (labels.label[corners[i]] == g) d[i] = std::min(d[i], labels.distance[corners[i]]);
+  }
+  const std::array<double, 3> known = d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
+    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
+    if (d[i] == kInfinity) d[i] = std::min(next, previous);
+  }
+  return d;
+}
+
+/// Distance of a form's generator at a point of face f.
+double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const std::array<double, 3>& bary, Front front) {
+  if (front == Front::planar) return form.at(bary);
+  double squared = form.at(bary);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
+    squared -= bary[i] * bary[(i + 1) % 3] * length * length;
+  }
+  return std::sqrt(std::max(0.0, squared));
+}
+
+/// Mean distance of the branch points from `first` on to the generators that meet there.
+void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm>& forms, Front front, std::size_t first_arc,
+                      std::size_t first_branch, FaceDiagram& diagram) {
+  for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
+    const BranchPointId id(static_cast<std::int64_t>(b));
+    FaceBranch& branch = diagram.branches[id];
+    double sum = 0;
+    int arcs = 0;
+    for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
+      const FaceArc& arc = diagram.arcs[a];
+      if (arc.begin != at(id) && arc.end != at(id)) continue;
+      const GeneratorId own = arc.begin == at(id) ? arc.left : arc.right;
+      const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == own; });
+      sum += distance_at(mesh, f, *form, branch.bary, front);
+      ++arcs;
+    }
+    branch.distance = sum / arcs;
+  }
+}
+
+/// The faces that have a crossing on their boundary, ascending.
+std::vector<FaceId> crossed_faces(const Mesh& mesh, const Crossings& crossings) {
+  std::vector<FaceId> faces;
+  for (const Crossing& c : crossings.items()) {
+    const HalfedgeId h = mesh.halfedge(c.edge);
+    faces.push_back(Mesh::face(h));
+    if (mesh.twin(h).valid()) faces.push_back(Mesh::face(mesh.twin(h)));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
+                                     const std::vector<BoundaryCrossing>& boundary, Front front) {
+  std::vector<DistanceForm> forms;
+  for (const BoundaryCrossing& c : boundary) {
+    const bool known = std::any_of(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == c.next; });
+    if (known) continue;
+    DistanceForm form{c.next, corner_distances(mesh, table, labels, f, c.next)};
+    for (double& value : form.corner) value = form_value(front, value);
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+FaceDiagram assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                           const Crossings& crossings, Front front) {
+  const Mesh& mesh = working.mesh();
+  FaceDiagram diagram;
+  for (const FaceId f : crossed_faces(mesh, crossings)) {
+    const auto boundary = boundary_crossings(mesh, crossings, f);
+    const auto forms = face_forms(mesh, table, labels, f, boundary, front);
+    const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
+    assemble_face(f, boundary, forms, diagram);
+    measure_branches(mesh, f, forms, front, first_arc, first_branch, diagram);
+  }
+  return diagram;
+}
+
+}  // namespace gvd

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gvd/check.hpp"
+
+namespace gvd {
+namespace {
+
+using Bary = std::array<double, 3>;
+
+/// Areas are sums of up to a million rounded terms: relative tolerance.
+constexpr double kAreaTolerance = 1e-9;
+
+double area_share(const std::vector<Bary>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+    const Bary &p = polygon[i], &q = polygon[(i + 1) % n];
+    twice += p[1] * q[2] - p[2] * q[1];
+  }
+  return twice;
+}
+
+class Checker {
+ public:
+  Checker(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {}
+
+  DiagramCheck run() {
+    find_reached_components();
+    check_areas();
+    check_generators();
+    check_bisectors();
+    check_branch_points();
+    check_cells();
+    check_euler();
+    check_neighbours();
+    return std::move(check_);
+  }
+
+ private:
+  void violate(const std::string& text) { check_.violations.push_back(text); }
+  static std::string name(const char* what, std::size_t i) { return std::string(what) + " " + std::to_string(i); }
+
+  void find_reached_components() {
+    component_ = compute_face_components(mesh_);
+    std::int32_t count = 0;
+    for (const std::int32_t c : component_) count = std::max(count, c + 1);
+    reached_.assign(static_cast<std::size_t>(count), 0);
+    for (const SurfacePoint& g : diagram_.generators) reached_[static_cast<std::size_t>(component_[g.face])] = 1;
+  }
+  bool is_reached(FaceId f) const { return reached_[static_cast<std::size_t>(component_[f])] != 0; }
+
+  void check_areas() {
+    std::size_t piece = 0;
+    double total = 0, cells = 0;
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
+      const FaceId f(i);
+      double share = diagram_.face_label[f].valid() ? 1 : 0;
+      const bool cut = piece < diagram_.pieces.size() && diagram_.pieces[piece].face == f;
+      if (cut && share > 0) violate("(2) face " + std::to_string(i) + " has a label and pieces");
+      for (; piece < diagram_.pieces.size() && diagram_.pieces[piece].face == f; ++piece) {
+        const double part = area_share(diagram_.pieces[piece].corners);
+        if (part < -kAreaTolerance) violate(name("(2) negative area in piece", piece));
+        share += part;
+      }
+      const double expected = is_reached(f) ? 1 : 0;
+      if (std::abs(share - expected) > kAreaTolerance) {
+        violate("(2) pieces of face " + std::to_string(i) + " cover " + std::to_string(share) + " of it");
+      }
+      total += expected * mesh_.area(f);
+    }
+    for (const Cell& c : diagram_.cells) cells += c.area;
+    if (std::abs(cells - total) > kAreaTolerance * total) {
+      violate("(2) cells cover " + std::to_string(cells) + " of " + std::to_string(total));
+    }
+  }
+
+  void check_generators() {
+    for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
+      const SurfacePoint& p = diagram_.generators[i];
+      const GeneratorId g(static_cast<std::int64_t>(i));
+      if (p.kind() == SurfacePoint::Kind::vertex && diagram_.vertex_label[vertex(mesh_, p)] != g) {
+        violate(name("(1) outside of its cell: generator", i));
+      }
+      if (!(diagram_.cells[g].area > 0)) violate(name("(1) without area: the cell of generator", i));
+    }
+  }
+
+  bool on_boundary(const SurfacePoint& p) const {
+    if (p.kind() == SurfacePoint::Kind::edge) return !mesh_.twin(halfedge(p)).valid();
+    return p.kind() == SurfacePoint::Kind::vertex && mesh_.is_boundary(vertex(mesh_, p));
+  }
+
+  /// The faces that contain p.
+  std::vector<FaceId> faces_of(const SurfacePoint& p) const {
+    if (p.kind() == SurfacePoint::Kind::face) return {p.face};
+    if (p.kind() == SurfacePoint::Kind::edge) {
+      const HalfedgeId twin = mesh_.twin(halfedge(p));
+      return twin.valid() ? std::vector<FaceId>{p.face, Mesh::face(twin)} : std::vector<FaceId>{p.face};
+    }
+    std::vector<FaceId> faces;
+    const HalfedgeId start = mesh_.halfedge(vertex(mesh_, p));
+    HalfedgeId h = start;
+    do {
+      faces.push_back(Mesh::face(h));
+      h = mesh_.twin(Mesh::previous(h));
+    } while (h.valid() && h != start);
+    return faces;
+  }
+
+  bool share_face(const SurfacePoint& p, const SurfacePoint& q) const {
+    const auto faces_p = faces_of(p), faces_q = faces_of(q);
+    return std::find_first_of(faces_p.begin(), faces_p.end(), faces_q.begin(), faces_q.end()) != faces_p.end();
+  }
+
+  void check_bisectors() {
+    for (std::size_t i = 0; i < diagram_.bisectors.size(); ++i) {
+      const Bisector& b = diagram_.bisectors[BisectorId(static_cast<std::int64_t>(i))];
+      const std::size_t n = b.points.size();
+      if (n < 2 || !b.left.valid() || !b.right.valid() || b.left == b.right) {
+        violate(name("(3) separates nothing: bisector", i));
+        continue;
+      }
+      for (std::size_t k = 0; k + (b.closed ? 0 : 1) < n; ++k) {
+        if (share_face(b.points[k], b.points[(k + 1) % n])) continue;
+        violate(name("(3) leaves its faces: bisector", i) + " after point " + std::to_string(k));
+        break;
+      }
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const bool resolved = b.closed || b.ends[end].valid() || on_boundary(end == 0 ? b.points.front() : b.points.back());
+        if (!resolved) violate(name("(4) unresolved end of bisector", i));
+      }
+    }
+  }
+
+  void check_branch_points() {
+    IdVector<BranchPointId, std::vector<GeneratorId>> cells(diagram_.branch_points.size());
+    for (const Bisector& b : diagram_.bisectors) {
+      if (b.ends[0].valid()) cells[b.ends[0]].push_back(b.right);
+      if (b.ends[1].valid()) cells[b.ends[1]].push_back(b.left);
+    }
+    for (std::size_t i = 0; i < diagram_.branch_points.size(); ++i) {
+      const BranchPointId id(static_cast<std::int64_t>(i));
+      auto named = diagram_.branch_points[id].generators;
+      if (cells[id].size() < 3) violate(name("(5) fewer than three ends at branch point", i));
+      std::sort(named.begin(), named.end());
+      std::sort(cells[id].begin(), cells[id].end());
+      if (named != cells[id]) violate(name("(5) other generators than its bisectors at branch point", i));
+    }
+  }
+
+  void check_cells() {
+    for (const Cell& c : diagram_.cells) {
+      const auto i = c.generator.index();
+      if (c.components != 1) violate(name("(6) not connected: cell", i));
+      const std::int32_t twice_genus = 2 * c.components - c.boundary_loops - c.euler_characteristic;
+      if (twice_genus < 0 || twice_genus % 2 != 0) violate(name("(6) impossible Euler characteristic of cell", i));
+    }
+  }
+
+  // As disjoint sets the insides of the cells, the bisectors without their ends (-1 each, 0 when closed), the branch points
+  // (+1) and the mesh's boundary make up the surface. The boundary's runs and the bisector ends on it cancel, loop by loop,
+  // and the inside of a cell counts as much as the cell, for the loops round it count 0.
+  void check_euler() {
+    std::int64_t cells = 0, open = 0;
+    for (const Cell& c : diagram_.cells) cells += c.euler_characteristic;
+    for (const Bisector& b : diagram_.bisectors) open += b.closed ? 0 : 1;
+    const auto branches = static_cast<std::int64_t>(diagram_.branch_points.size());
+    const std::int64_t whole = reached_characteristic();
+    if (cells - open + branches != whole) {
+      violate("(7) Euler: cells " + std::to_string(cells) + " - bisectors " + std::to_string(open) + " + branch points " +
+              std::to_string(branches) + " is not " + std::to_string(whole));
+    }
+  }
+
+  std::int64_t reached_characteristic() const {
+    std::int64_t faces = 0, edges = 0, vertices = 0;
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) faces += is_reached(FaceId(i));
+    for (std::int32_t i = 0; i < mesh_.edge_count(); ++i) edges += is_reached(Mesh::face(mesh_.halfedge(EdgeId(i))));
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) vertices += is_reached(Mesh::face(mesh_.halfedge(VertexId(i))));
+    return vertices - edges + faces;
+  }
+
+  void check_neighbours() {
+    std::set<std::pair<GeneratorId, GeneratorId>> pairs, listed;
+    for (const Bisector& b : diagram_.bisectors) {
+      pairs.emplace(b.left, b.right);
+      pairs.emplace(b.right, b.left);
+    }
+    for (const Cell& c : diagram_.cells) {
+      for (const GeneratorId g : c.neighbours) listed.emplace(c.generator, g);
+    }
+    if (pairs != listed) violate("(8) neighbours are not those with a bisector in common");
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  IdVector<FaceId, std::int32_t> component_;
+  std::vector<char> reached_;
+  DiagramCheck check_;
+};
+
+}  // namespace
+
+DiagramCheck check_diagram(const Mesh& mesh, const Diagram& diagram) { return Checker(mesh, diagram).run(); }
+
+}  // namespace gvd

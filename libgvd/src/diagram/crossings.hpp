@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+using CrossingId = Id<struct CrossingTag>;
+
+/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about it.
+struct Crossing {
+  EdgeId edge;
+  double t;             ///< parameter along the edge's halfedge, strictly between 0 and 1
+  GeneratorId before;   ///< the cell on the side of the edge's first vertex
+  GeneratorId after;    ///< and on the side of its second
+};
+
+/// All crossings, ascending by edge and parameter.
+/// Properties: (1) along an edge, `after` of a crossing is `before` of the next one; (2) the first `before` and the last
+/// `after` are the labels of the edge's vertices; (3) `before` and `after` differ.
+class Crossings {
+ public:
+  Crossings() = default;
+  /// `items` must be ascending by (edge, t).
+  Crossings(std::int32_t edge_count, std::vector<Crossing> items)
+      : items_(std::move(items)), first_(static_cast<std::size_t>(edge_count), -1) {
+    for (std::size_t i = items_.size(); i-- > 0;) first_[items_.raw()[i].edge] = static_cast<std::int32_t>(i);
+  }
+
+  std::size_t size() const { return items_.size(); }
+  Crossing& operator[](CrossingId id) { return items_[id]; }
+  const Crossing& operator[](CrossingId id) const { return items_[id]; }
+  std::vector<Crossing>& items() { return items_.raw(); }
+  const std::vector<Crossing>& items() const { return items_.raw(); }
+
+  /// Ids of the crossings on edge e, ascending in t: first .. first + count.
+  CrossingId first(EdgeId e) const { return CrossingId(first_[e]); }
+  std::int32_t count(EdgeId e) const {
+    std::int32_t n = 0;
+    if (first_[e] < 0) return 0;
+    for (std::size_t i = static_cast<std::size_t>(first_[e]); i < items_.size() && items_.raw()[i].edge == e; ++i) ++n;
+    return n;
+  }
+
+ private:
+  IdVector<CrossingId, Crossing> items_;
+  IdVector<EdgeId, std::int32_t> first_;
+};
+
+/// A crossing as a face meets it on its counter-clockwise way round its boundary.
+struct BoundaryCrossing {
+  CrossingId id;
+  int corner;            ///< the halfedge of this corner carries it
+  double t;              ///< parameter along that halfedge
+  GeneratorId previous;  ///< the cell before it on the way round
+  GeneratorId next;      ///< and after it
+};
+
+/// The crossings on the boundary of f, counter-clockwise from its corner 0.
+inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f) {
+  std::vector<BoundaryCrossing> result;
+  for (int corner = 0; corner < 3; ++corner) {
+    const HalfedgeId h = Mesh::halfedge(f, corner);
+    const EdgeId e = mesh.edge(h);
+    const std::int32_t count = crossings.count(e);
+    const bool along = mesh.halfedge(e) == h;
+    for (std::int32_t k = 0; k < count; ++k) {
+      const CrossingId id(crossings.first(e).value() + (along ? k : count - 1 - k));
+      const Crossing& c = crossings[id];
+      if (along) {
+        result.push_back({id, corner, c.t, c.before, c.after});
+      } else {
+        result.push_back({id, corner, 1 - c.t, c.after, c.before});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace gvd

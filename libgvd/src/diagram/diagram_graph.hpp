@@ -1,0 +1,28 @@
+#pragma once
+
+#include "diagram/crossings.hpp"
+#include "diagram/face_diagram.hpp"
+#include "diagram/nearest_labels.hpp"
+#include "gvd/diagram.hpp"
+#include "mesh/working_mesh.hpp"
+
+namespace gvd {
+
+/// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.
+struct TracedDiagram {
+  NearestLabels labels;
+  Crossings crossings;
+  FaceDiagram faces;
+};
+
+/// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their length, in the
+/// input mesh's faces. Cost: O(k) for k arcs.
+void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram);
+
+/// Fills in face labels, pieces and cells. Cost: O(n).
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram);
+
+/// The point of the input mesh where a crossing of the working mesh lies.
+SurfacePoint crossing_point(const WorkingMesh& working, const Crossing& crossing);
+
+}  // namespace gvd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "diagram/crossings.hpp"
+#include "diagram/distance_form.hpp"
+#include "diagram/face_diagram.hpp"
+
+namespace gvd {
+
+/// Joins the crossings on the boundary of face f by arcs that don't cross, and appends them to `diagram`.
+///
+/// Two crossings make an arc, three a branch point. Of more, two runs of one generator are united where that generator is
+/// the nearest one between them, or else three consecutive runs are contracted to a branch point; both leave a smaller
+/// problem of the same kind. The crossings, taken round the face, are the corners of a convex polygon, and every step
+/// keeps what remains convex: so the arcs can't cross, whatever the distances say.
+///
+/// `boundary` has 0 or at least 2 crossings; `forms` holds the distance forms of the generators on the boundary.
+/// Source: sections 4.2 and 4.3; closed by construction, see docs/algorithm.md. Cost: O(k^3) for k crossings; k is small.
+void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const std::vector<DistanceForm>& forms,
+                   FaceDiagram& diagram);
+
+}  // namespace gvd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "diagram/crossings.hpp"
+#include "gvd/ids.hpp"
+
+namespace gvd {
+
+/// An end of an arc: a crossing on the face's boundary, or a branch point in its inside.
+struct ArcEnd {
+  CrossingId crossing;
+  BranchPointId branch;
+  bool operator==(const ArcEnd&) const = default;
+};
+
+inline ArcEnd at(CrossingId c) { return {c, BranchPointId()}; }
+inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
+
+/// A straight piece of a bisector inside one face.
+struct FaceArc {
+  FaceId face;
+  ArcEnd begin, end;
+  GeneratorId left, right;  ///< on the way from begin to end
+};
+
+/// A branch point of the working mesh.
+struct FaceBranch {
+  FaceId face;
+  std::array<double, 3> bary;
+  double distance = 0;  ///< to the generators that meet there, mesh units
+};
+
+/// How the bisectors run inside the faces: with the crossings, all there is to a diagram.
+/// Properties: (1) arcs are ascending by face; (2) every crossing ends exactly one arc in each of its faces; (3) every
+/// branch point ends at least three; (4) within a face no two arcs cross.
+struct FaceDiagram {
+  std::vector<FaceArc> arcs;
+  IdVector<BranchPointId, FaceBranch> branches;
+};
+
+}  // namespace gvd

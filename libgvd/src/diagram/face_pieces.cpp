@@ -1,0 +1,97 @@
+#include "diagram/face_pieces.hpp"
+
+#include <algorithm>
+
+namespace gvd {
+namespace {
+
+using Bary = std::array<double, 3>;
+
+Bary on_boundary(const BoundaryCrossing& c) {
+  Bary bary{0, 0, 0};
+  bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
+  bary[static_cast<std::size_t>((c.corner + 1) % 3)] = c.t;
+  return bary;
+}
+
+class PieceTracer {
+ public:
+  PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+              const IdVector<BranchPointId, FaceBranch>& branches)
+      : boundary_(boundary), arcs_(arcs), branches_(branches), used_(boundary.size(), false) {}
+
+  std::vector<WorkingPiece> trace() {
+    std::vector<WorkingPiece> pieces;
+    for (std::size_t run = 0; run < boundary_.size(); ++run) {
+      if (!used_[run]) pieces.push_back(trace_from(run));
+    }
+    return pieces;
+  }
+
+ private:
+  /// Walks along run `first`, then with the piece on the left along arcs to the next run, until it is back.
+  WorkingPiece trace_from(std::size_t first) {
+    WorkingPiece piece{boundary_[first].next, {}, {}};
+    for (std::size_t run = first; !used_[run];) {
+      used_[run] = true;
+      piece.runs.push_back(static_cast<int>(run));
+      follow_run(run, piece.corners);
+      run = follow_arcs((run + 1) % boundary_.size(), piece.corners);
+    }
+    return piece;
+  }
+
+  void follow_run(std::size_t run, std::vector<Bary>& corners) const {
+    const BoundaryCrossing &from = boundary_[run], &to = boundary_[(run + 1) % boundary_.size()];
+    corners.push_back(on_boundary(from));
+    const bool wraps = to.corner < from.corner || (to.corner == from.corner && to.t <= from.t);
+    const int last = to.corner + (wraps ? 3 : 0);
+    for (int corner = from.corner + 1; corner <= last; ++corner) {
+      Bary bary{0, 0, 0};
+      bary[static_cast<std::size_t>(corner % 3)] = 1;
+      corners.push_back(bary);
+    }
+  }
+
+  /// From boundary crossing i into the face, keeping to the left, until the boundary is met again: returns the crossing.
+  std::size_t follow_arcs(std::size_t i, std::vector<Bary>& corners) const {
+    corners.push_back(on_boundary(boundary_[i]));
+    ArcEnd here = at(boundary_[i].id);
+    const GeneratorId own = boundary_[i].previous;
+    const FaceArc* last = nullptr;
+    while (true) {
+      const FaceArc& arc = leaving(here, own, last);
+      here = arc.begin == here ? arc.end : arc.begin;
+      last = &arc;
+      if (here.crossing.valid()) break;
+      corners.push_back(branches_[here.branch].bary);
+    }
+    const auto arrived = std::find_if(boundary_.begin(), boundary_.end(),
+                                      [&](const BoundaryCrossing& c) { return c.id == here.crossing; });
+    return static_cast<std::size_t>(arrived - boundary_.begin());
+  }
+
+  /// The arc that leaves `here` with `own` on its left, other than the one we came by.
+  const FaceArc& leaving(const ArcEnd& here, GeneratorId own, const FaceArc* came_by) const {
+    const FaceArc* found = nullptr;
+    for (const FaceArc& arc : arcs_) {
+      if (&arc == came_by) continue;
+      if ((arc.begin == here && arc.left == own) || (arc.end == here && arc.right == own)) found = &arc;
+    }
+    return *found;
+  }
+
+  const std::vector<BoundaryCrossing>& boundary_;
+  std::span<const FaceArc> arcs_;
+  const IdVector<BranchPointId, FaceBranch>& branches_;
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+std::vector<WorkingPiece> trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+                                       const IdVector<BranchPointId, FaceBranch>& branches) {
+  return PieceTracer(boundary, arcs, branches).trace();
+}
+
+}  // namespace gvd

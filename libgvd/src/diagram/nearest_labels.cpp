@@ -1,0 +1,127 @@
+#include "diagram/nearest_labels.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Calls visit(halfedge) for every halfedge between v and a neighbour, in v's faces; boundary edges included.
+template <class Visit>
+void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
+  const HalfedgeId start = mesh.halfedge(v);
+  HalfedgeId h = start;
+  do {
+    visit(mesh.to(h), mesh.length(h));
+    const HalfedgeId incoming = Mesh::previous(h);
+    const HalfedgeId twin = mesh.twin(incoming);
+    if (!twin.valid()) visit(mesh.from(incoming), mesh.length(incoming));
+    h = twin;
+  } while (h.valid() && h != start);
+}
+
+class Labeller {
+ public:
+  Labeller(const WorkingMesh& working, const GeneratorTable& table)
+      : working_(working), mesh_(working.mesh()), table_(table) {
+    const auto n = static_cast<std::size_t>(mesh_.vertex_count());
+    result_.label.resize(n);
+    result_.distance.assign(n, kInfinity);
+  }
+
+  NearestLabels run() {
+    take_nearest();
+    std::vector<VertexId> orphans = take_away_unsupported();
+    result_.relabelled = static_cast<std::int64_t>(orphans.size());
+    adopt(orphans);
+    return std::move(result_);
+  }
+
+ private:
+  void take_nearest() {
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const VertexId v(i);
+      table_.for_each(v, [&](const VertexDistance& d) {
+        if (std::tuple(d.distance, d.generator) < std::tuple(result_.distance[v], result_.label[v]) ||
+            !result_.label[v].valid()) {
+          result_.distance[v] = d.distance;
+          result_.label[v] = d.generator;
+        }
+      });
+    }
+  }
+
+  bool is_generator_of(VertexId v, GeneratorId g) const { return working_.vertex(g) == v; }
+
+  bool is_supported(VertexId v) const {
+    if (is_generator_of(v, result_.label[v])) return true;
+    bool supported = false;
+    for_each_neighbour(mesh_, v, [&](VertexId u, double) {
+      supported = supported || (result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v]);
+    });
+    return supported;
+  }
+
+  /// Strips the label of every vertex that no chain joins to its generator; returns them.
+  std::vector<VertexId> take_away_unsupported() {
+    std::vector<VertexId> orphans, suspects;
+    const auto examine = [&](VertexId v) {
+      if (!result_.label[v].valid() || is_supported(v)) return;
+      result_.label[v] = GeneratorId();
+      result_.distance[v] = kInfinity;
+      orphans.push_back(v);
+      for_each_neighbour(mesh_, v, [&](VertexId u, double) { suspects.push_back(u); });
+    };
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) examine(VertexId(i));
+    while (!suspects.empty()) {
+      const VertexId v = suspects.back();
+      suspects.pop_back();
+      examine(v);
+    }
+    return orphans;
+  }
+
+  /// Gives every orphan a label that one of its neighbours has, nearest first: Dijkstra from the labelled neighbours.
+  void adopt(const std::vector<VertexId>& orphans) {
+    using Offer = std::tuple<double, GeneratorId, VertexId>;
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    const auto offer = [&](VertexId to, VertexId from, double length) {
+      const GeneratorId g = result_.label[from];
+      if (!g.valid() || result_.label[to].valid()) return;
+      // The distance that the march found, where it found one; never at or below the supporting neighbour's.
+      const double along_edge = result_.distance[from] + length;
+      const std::int32_t place = table_.find(to, g);
+      const double known = place >= 0 ? table_.distance(place).distance : kInfinity;
+      offers.emplace(known > result_.distance[from] ? std::min(known, along_edge) : along_edge, g, to);
+    };
+    for (const VertexId v : orphans) {
+      for_each_neighbour(mesh_, v, [&](VertexId u, double length) { offer(v, u, length); });
+    }
+    while (!offers.empty()) {
+      const auto [distance, g, v] = offers.top();
+      offers.pop();
+      if (result_.label[v].valid()) continue;
+      result_.label[v] = g;
+      result_.distance[v] = distance;
+      for_each_neighbour(mesh_, v, [&](VertexId u, double length) { offer(u, v, length); });
+    }
+  }
+
+  const WorkingMesh& working_;
+  const Mesh& mesh_;
+  const GeneratorTable& table_;
+  NearestLabels result_;
+};
+
+}  // namespace
+
+NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
+  return Labeller(working, table).run();
+}
+
+}  // namespace gvd

@@ -1,0 +1,173 @@
+#include "diagram/rough_bisectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+#include "diagram/distance_form.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge; a cell that owns
+/// less of the inside of an edge is not seen there. A thousand times the tie offset, and far above rounding.
+constexpr double kCrossingGap = 1e-7;
+
+/// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
+struct EdgeCandidate {
+  GeneratorId generator;
+  std::array<double, 3> value{kInfinity, kInfinity, kInfinity};
+};
+
+class EdgeEnvelope {
+ public:
+  EdgeEnvelope(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front)
+      : mesh_(working.mesh()), table_(table), labels_(labels), front_(front) {}
+
+  void find(EdgeId e, bool plain, std::vector<Crossing>& crossings) {
+    const GeneratorId first = labels_.label[mesh_.from(mesh_.halfedge(e))];
+    const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
+    if (plain && first == last) return;
+    collect(e);
+    if (plain) std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
+    const GeneratorId middle = nearest(1);
+    breaks_.clear();
+    walk(0, first, middle);
+    walk(1, middle, last);
+    emit(e, first, crossings);
+  }
+
+ private:
+  /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
+  void collect(EdgeId e) {
+    candidates_.clear();
+    const HalfedgeId h = mesh_.halfedge(e);
+    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+      if (!side.valid()) continue;
+      table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
+        if (entry.dominated) return;
+        EdgeCandidate& c = candidate(entry.generator);
+        const auto d = table_.corner_distances(entry);
+        const auto i = static_cast<std::size_t>(Mesh::corner(side));
+        const double from = d[i], to = d[(i + 1) % 3];
+        c.value[0] = side == h ? from : to;
+        c.value[2] = side == h ? to : from;
+        c.value[1] = std::min(c.value[1], midpoint_distance(mesh_, table_, entry, Mesh::corner(side), front_));
+      });
+    }
+    require_label(mesh_.from(h), 0, mesh_.length(e));
+    require_label(mesh_.to(h), 2, mesh_.length(e));
+    for (EdgeCandidate& c : candidates_) {
+      // The midpoint is reached along the edge at the latest.
+      c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));
+      for (double& value : c.value) value = form_value(front_, value);
+    }
+  }
+
+  EdgeCandidate& candidate(GeneratorId g) {
+    for (EdgeCandidate& c : candidates_) {
+      if (c.generator == g) return c;
+    }
+    candidates_.push_back({g, {}});
+    candidates_.back().value = {kInfinity, kInfinity, kInfinity};
+    return candidates_.back();
+  }
+
+  /// The label of an end is the winner there whatever the tables say: it was chosen so that its cell is connected.
+  void require_label(VertexId v, std::size_t end, double length) {
+    EdgeCandidate& c = candidate(labels_.label[v]);
+    double lowest = labels_.distance[v];
+    for (const EdgeCandidate& other : candidates_) lowest = std::min(lowest, other.value[end]);
+    c.value[end] = lowest;
+    c.value[2 - end] = std::min(c.value[2 - end], labels_.distance[v] + length);
+  }
+
+  GeneratorId nearest(std::size_t sample) const {
+    GeneratorId best;
+    double least = kInfinity;
+    for (const EdgeCandidate& c : candidates_) {
+      if (c.value[sample] < least) std::tie(least, best) = std::tuple(c.value[sample], c.generator);
+    }
+    return best;
+  }
+
+  /// Lower envelope of the candidates' linear forms over half `half` of the edge, from winner `first` to winner `last`.
+  void walk(std::size_t half, GeneratorId first, GeneratorId last) {
+    const double start = 0.5 * static_cast<double>(half);
+    double s = 0;
+    for (GeneratorId current = first; current != last;) {
+      const EdgeCandidate c = candidate(current);
+      double soonest = kInfinity;
+      GeneratorId next = last;
+      for (const EdgeCandidate& other : candidates_) {
+        const double at_start = other.value[half] - c.value[half], at_end = other.value[half + 1] - c.value[half + 1];
+        if (other.generator == current || !(at_end < 0 || other.generator == last)) continue;
+        const double where = at_start > 0 && at_end < 0 ? at_start / (at_start - at_end) : at_start > 0 ? 1.0 : s;
+        // Where two cross at one place, the one that falls faster wins: it is the lower one from there on.
+        if (std::tuple(where, at_end) < std::tuple(soonest, kInfinity)) {
+          soonest = where;
+          next = other.generator;
+        }
+      }
+      s = std::max(s, std::min(soonest, 1.0));
+      breaks_.emplace_back(start + 0.5 * s, next);
+      current = next;
+    }
+  }
+
+  /// Turns the breaks into crossings that keep their distance, dropping the runs that are too short to keep.
+  void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
+    std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
+    for (const auto& [t, g] : breaks_) {
+      while (runs.size() > 1 && t - runs.back().first < kCrossingGap) runs.pop_back();
+      const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
+      if (runs.back().second != g) runs.emplace_back(start, g);
+    }
+    const GeneratorId last = breaks_.empty() ? first : breaks_.back().second;
+    while (runs.size() > 1 && runs.back().second != last) runs.pop_back();
+    if (runs.back().second != last) runs.emplace_back(1 - kCrossingGap, last);
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      crossings.push_back({e, runs[i].first, runs[i - 1].second, runs[i].second});
+    }
+  }
+
+  const Mesh& mesh_;
+  const GeneratorTable& table_;
+  const NearestLabels& labels_;
+  Front front_;
+  std::vector<EdgeCandidate> candidates_;
+  std::vector<std::pair<double, GeneratorId>> breaks_;
+};
+
+/// Edges of faces with several generators in their table or at their corners, ascending.
+std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels) {
+  std::vector<EdgeId> edges;
+  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
+    const FaceId f(i);
+    if (!table.reached(f)) continue;
+    const auto& [a, b, c] = mesh.vertices(f);
+    const bool one_label = labels.label[a] == labels.label[b] && labels.label[b] == labels.label[c];
+    if (one_label && table.entry(i).next < 0) continue;
+    for (int corner = 0; corner < 3; ++corner) edges.push_back(mesh.edge(Mesh::halfedge(f, corner)));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                               Front front, const std::vector<EdgeId>& plain) {
+  std::vector<Crossing> crossings;
+  EdgeEnvelope envelope(working, table, labels, front);
+  for (const EdgeId e : edges_near_bisectors(working.mesh(), table, labels)) {
+    envelope.find(e, std::binary_search(plain.begin(), plain.end(), e), crossings);
+  }
+  return Crossings(working.mesh().edge_count(), std::move(crossings));
+}
+
+}  // namespace gvd

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "diagram/crossings.hpp"
+#include "diagram/nearest_labels.hpp"
+#include "geodesic/fast_marching.hpp"
+#include "gvd/diagram.hpp"
+
+namespace gvd {
+
+/// The crossings of the rough bisectors with the edges: on every half of an edge, the lower envelope of the distances
+/// that the generator tables of its two faces hold, from the ends to the midpoint with its auxiliary distance.
+///
+/// Source: section 4.2 (rough bisectors) and 4.1 (auxiliary distances). A cell that pokes through the inside of an edge
+/// whose two ends belong to others shows at the midpoint.
+/// Edges of `plain` (ascending) are crossed at most once, between the labels of their ends: an edge sees its two faces only,
+/// and a run on it that nothing joins to the rest of its cell has to go.
+/// Cost: O(k) for the k edges near bisectors.
+Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                               Front front, const std::vector<EdgeId>& plain = {});
+
+}  // namespace gvd

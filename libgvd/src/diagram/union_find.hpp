@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace gvd {
+
+/// Disjoint sets of 0 .. n - 1; the smallest member stands for its set.
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  std::int32_t add() {
+    parent_.push_back(static_cast<std::int32_t>(parent_.size()));
+    return parent_.back();
+  }
+  std::int32_t find(std::int32_t i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+  void unite(std::int32_t i, std::int32_t j) {
+    i = find(i);
+    j = find(j);
+    if (i < j) parent(j) = i;
+    if (j < i) parent(i) = j;
+  }
+  std::size_t size() const { return parent_.size(); }
+
+ private:
+  std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<std::int32_t> parent_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace gvd {
+
+/// A queue that gives its items back in nearly ascending order of their keys: a ring of first-in-first-out buckets.
+///
+/// For label-correcting propagation, whose result does not depend on the order. Items within one bucket come out in the
+/// order in which they went in, so runs repeat exactly. A key before the current bucket goes into the current one, a key
+/// beyond the ring into its last. Cost: O(1) an item, and O(1) for every bucket that is passed.
+template <class Item>
+class BucketQueue {
+ public:
+  /// `width` is the span of keys in one bucket, > 0; `count` the number of buckets in the ring, >= 2.
+  BucketQueue(double width, std::size_t count) : inverse_width_(1 / width), buckets_(count) {}
+
+  bool empty() const { return size_ == 0; }
+
+  void push(double key, const Item& item) {
+    const double ahead = std::floor(key * inverse_width_) - static_cast<double>(turn_);
+    const double last = static_cast<double>(buckets_.size() - 1);
+    const std::size_t offset = ahead > 0 ? static_cast<std::size_t>(std::min(ahead, last)) : 0;
+    std::size_t bucket = current_ + offset;
+    if (bucket >= buckets_.size()) bucket -= buckets_.size();
+    buckets_[bucket].push_back(item);
+    ++size_;
+  }
+
+  /// The next item. The queue must not be empty.
+  Item pop() {
+    while (next_ == buckets_[current_].size()) {
+      buckets_[current_].clear();
+      next_ = 0;
+      current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
+      ++turn_;
+    }
+    --size_;
+    return buckets_[current_][next_++];
+  }
+
+ private:
+  double inverse_width_;
+  std::vector<std::vector<Item>> buckets_;
+  std::size_t current_ = 0;  // bucket at the front of the ring
+  std::size_t next_ = 0;     // next item in it
+  std::size_t turn_ = 0;     // number of buckets passed since the start
+  std::size_t size_ = 0;
+};
+
+}  // namespace gvd

@@ -1,0 +1,244 @@
+#include "geodesic/fast_marching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geodesic/bucket_queue.hpp"
+#include "geodesic/local_update.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Largest symbolic offset, in mean edge lengths. Mirror-symmetric models put whole bisectors exactly on edges; offsets
+/// that grow with the generator's id decide every tie the same way all along. Far above rounding (1e-16 times a distance
+/// of up to 1e5 edges), far below any length that shows.
+constexpr double kTieOffset = 1e-9;
+
+/// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
+constexpr double kBucketWidth = 2;
+
+/// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
+constexpr double kMaxBuckets = 1 << 16;
+
+/// An improvement below this part of the distance is rounding: it is not propagated again.
+constexpr double kImprovement = 1e-13;
+
+/// Lengths and area of a face, together for the cache's sake.
+struct FaceShape {
+  std::array<double, 3> length;  // of the halfedges of corners 0, 1, 2
+  double twice_area;
+};
+
+class Marcher {
+ public:
+  Marcher(const WorkingMesh& working, Front front, const Progress& progress)
+      : mesh_(working.mesh()),
+        front_(front),
+        progress_(progress),
+        table_(mesh_.vertex_count(), mesh_.face_count()),
+        queue_(kBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
+        offset_step_(kTieOffset * mesh_.mean_edge_length() / static_cast<double>(working.generator_vertices().size())) {
+    measure_faces();
+    place_generators(working);
+  }
+
+  FastMarchingResult run() {
+    while (!queue_.empty()) {
+      if (++pops_ % kProgressStride == 0) report();
+      process(queue_.pop());
+    }
+    return {std::move(table_), offset_step_, events_};
+  }
+
+ private:
+  static constexpr std::int64_t kProgressStride = 1 << 15;
+
+  static std::size_t bucket_count(const Mesh& mesh) {
+    double longest = 0;
+    for (std::int32_t e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
+    // One event raises a key by at most three edges.
+    return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / (kBucketWidth * mesh.mean_edge_length()) + 3));
+  }
+
+  void measure_faces() {
+    shapes_.resize(static_cast<std::size_t>(mesh_.face_count()));
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
+      const FaceId f(i);
+      shapes_[f].length = {mesh_.length(Mesh::halfedge(f, 0)), mesh_.length(Mesh::halfedge(f, 1)),
+                           mesh_.length(Mesh::halfedge(f, 2))};
+      shapes_[f].twice_area = 2 * mesh_.area(f);
+    }
+  }
+
+  /// Every generator reaches the faces round its vertex along their edges.
+  void place_generators(const WorkingMesh& working) {
+    for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
+      const GeneratorId g(static_cast<std::int64_t>(i));
+      const double offset = static_cast<double>(i + 1) * offset_step_;
+      table_.add(working.vertex(g), g, offset, HalfedgeId());
+      const HalfedgeId start = mesh_.halfedge(working.vertex(g));
+      HalfedgeId h = start;
+      do {
+        reach_along(mesh_.to(h), g, offset + mesh_.length(h));
+        reach_along(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
+        add_entry(Mesh::face(h), g);
+        h = mesh_.twin(Mesh::previous(h));
+      } while (h.valid() && h != start);
+    }
+  }
+
+  void reach_along(VertexId v, GeneratorId g, double distance) {
+    const std::int32_t place = table_.find(v, g);
+    if (place < 0) {
+      table_.add(v, g, distance, HalfedgeId());
+    } else {
+      table_.distance(place).distance = std::min(table_.distance(place).distance, distance);
+    }
+  }
+
+  void add_entry(FaceId f, GeneratorId g) {
+    if (table_.find(f, g) >= 0) return;  // two halfedges of one face leave the generator on a closed fan of one face
+    const auto& [a, b, c] = mesh_.vertices(f);
+    const std::int32_t e = table_.add(f, g, {table_.find(a, g), table_.find(b, g), table_.find(c, g)}, kInfinity);
+    queue_.push(key(table_.entry(e)), e);
+  }
+
+  double key(const TableEntry& e) const {
+    const auto d = table_.corner_distances(e);
+    return d[0] + d[1] + d[2];
+  }
+
+  /// A triangle event: the domination test, then the three neighbours.
+  void process(std::int32_t place) {
+    TableEntry& entry = table_.entry(place);
+    const double now = key(entry);
+    if (!(now < entry.processed_key)) return;  // an older event of an entry that has improved since
+    entry.processed_key = now;
+    entry.dominated = is_dominated(entry);
+    if (entry.dominated) return;
+    ++events_;
+    const FaceId f = entry.face;
+    for (int side = 0; side < 3; ++side) propagate(place, Mesh::halfedge(f, side));
+  }
+
+  /// Section 4.1: another generator of the table is nearer at the three corners, and at the three midpoints.
+  bool is_dominated(const TableEntry& entry) const {
+    const std::int32_t head = entry.face.value();
+    if (table_.entry(head).next < 0) return false;
+    const auto own = table_.corner_distances(entry);
+    for (std::int32_t i = head; i >= 0; i = table_.entry(i).next) {
+      const TableEntry& other = table_.entry(i);
+      if (other.generator == entry.generator || other.dominated) continue;
+      const auto theirs = table_.corner_distances(other);
+      if (theirs[0] < own[0] && theirs[1] < own[1] && theirs[2] < own[2] && dominates_midpoints(other, entry)) return true;
+    }
+    return false;
+  }
+
+  bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
+    for (int side = 0; side < 3; ++side) {
+      if (!(midpoint_distance(mesh_, table_, other, side, front_) <
+            midpoint_distance(mesh_, table_, entry, side, front_))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Carries the entry's generator across halfedge h of its face, to the corner D beyond.
+  void propagate(std::int32_t place, HalfedgeId h) {
+    const HalfedgeId twin = mesh_.twin(h);
+    if (!twin.valid()) return;
+    const GeneratorId g = table_.entry(place).generator;
+    const auto side = static_cast<std::size_t>(Mesh::corner(h));
+    const std::int32_t place_a = table_.entry(place).corner[(side + 1) % 3];  // twin runs from a to b
+    const std::int32_t place_b = table_.entry(place).corner[side];
+    const double distance_a = table_.distance(place_a).distance, distance_b = table_.distance(place_b).distance;
+    const FaceId face = Mesh::face(twin);
+    const std::int32_t neighbour = table_.find(face, g);
+    const auto i = static_cast<std::size_t>(Mesh::corner(twin));
+    std::int32_t place_d = neighbour >= 0 ? table_.entry(neighbour).corner[(i + 2) % 3] : table_.find(mesh_.opposite(twin), g);
+    bool improved = false;
+    // No update gives less than the smaller of its two distances.
+    if (place_d < 0 || table_.distance(place_d).distance > std::min(distance_a, distance_b)) {
+      const double distance_d = update(face, i, distance_a, distance_b);
+      if (place_d < 0) {
+        place_d = table_.add(mesh_.opposite(twin), g, distance_d, twin);
+      } else if (distance_d < table_.distance(place_d).distance * (1 - kImprovement)) {
+        table_.distance(place_d).distance = distance_d;
+        table_.distance(place_d).via = twin;
+        improved = true;
+      }
+    }
+    if (neighbour < 0) {
+      std::array<std::int32_t, 3> corner{};
+      corner[i] = place_a;
+      corner[(i + 1) % 3] = place_b;
+      corner[(i + 2) % 3] = place_d;
+      const std::int32_t added = table_.add(face, g, corner, kInfinity);
+      queue_.push(key(table_.entry(added)), added);
+    }
+    if (improved) requeue_round(Mesh::previous(twin), g);
+  }
+
+  /// Distance at the corner opposite side i of a face.
+  double update(FaceId f, std::size_t i, double distance_a, double distance_b) const {
+    const FaceShape& s = shapes_[f];
+    const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
+    return front_ == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
+  }
+
+  /// The distance at the vertex that h leaves improved: its triangles have to go through the queue again.
+  void requeue_round(HalfedgeId h, GeneratorId g) {
+    const HalfedgeId start = mesh_.halfedge(mesh_.from(h));
+    h = start;
+    do {
+      const std::int32_t e = table_.find(Mesh::face(h), g);
+      if (e >= 0) queue_.push(key(table_.entry(e)), e);
+      h = mesh_.twin(Mesh::previous(h));
+    } while (h.valid() && h != start);
+  }
+
+  void report() const {
+    const double share = static_cast<double>(events_) / (1.3 * mesh_.face_count());
+    report_progress(progress_, "distances", std::min(0.99, share));
+  }
+
+  const Mesh& mesh_;
+  Front front_;
+  const Progress& progress_;
+  GeneratorTable table_;
+  BucketQueue<std::int32_t> queue_;
+  double offset_step_;
+  IdVector<FaceId, FaceShape> shapes_;
+  std::int64_t pops_ = 0, events_ = 0;
+};
+
+}  // namespace
+
+double midpoint_distance(const Mesh& mesh, const GeneratorTable& table, const TableEntry& entry, int side, Front front) {
+  const auto i = static_cast<std::size_t>(side);
+  const HalfedgeId h = Mesh::halfedge(entry.face, side);
+  const auto d = table.corner_distances(entry);
+  const double a = d[i], b = d[(i + 1) % 3], c = d[(i + 2) % 3];
+  const double length = mesh.length(h), bc = mesh.length(Mesh::next(h)), ca = mesh.length(Mesh::previous(h));
+  // The median from C, by the parallelogram law.
+  const double median = std::sqrt(std::max(0.0, 0.5 * (bc * bc + ca * ca) - 0.25 * length * length));
+  const double twice_area = mesh.area(entry.face);  // the half triangle's
+  const auto through = [&](double base, double far, double near) {
+    // Base from C to a corner of the edge; the midpoint is half the edge away from that corner.
+    const auto t = make_update_triangle(base, median, 0.5 * length, twice_area);
+    return front == Front::circle ? update_circle(t, far, near) : update_planar(t, far, near);
+  };
+  return std::min(through(ca, c, a), through(bc, c, b));
+}
+
+FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress) {
+  report_progress(progress, "distances", 0);
+  return Marcher(working, front, progress).run();
+}
+
+}  // namespace gvd

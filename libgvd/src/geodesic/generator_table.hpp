@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+
+namespace gvd {
+
+/// Distance from one generator to one vertex: one number, that all faces round the vertex share.
+struct VertexDistance {
+  double distance;        ///< mesh units, with the generator's symbolic offset
+  GeneratorId generator;  ///< invalid in the first place of a vertex that nothing reaches
+  std::int32_t next;      ///< the vertex's next one, or -1
+  HalfedgeId via;         ///< halfedge of the triangle that gave the distance, opposite to the vertex; invalid at a source
+};
+
+/// One line of a triangle's generator table (section 4.1): a generator that may own a part of the triangle.
+struct TableEntry {
+  GeneratorId generator;  ///< invalid in the first place of a triangle that nothing reaches
+  FaceId face;
+  std::array<std::int32_t, 3> corner;  ///< places of the three VertexDistances
+  std::int32_t next;                   ///< the face's next entry, or -1
+  double processed_key;                ///< sum of the distances when it was last propagated; infinity before
+  bool dominated;                      ///< another generator is nearer all over the triangle
+};
+
+/// The generator tables of all triangles and vertices.
+///
+/// Nearly every vertex and triangle has one generator: the first line stands in the array itself, at its vertex's or
+/// face's index, and the others are chained behind. Memory: about 60 bytes a face.
+class GeneratorTable {
+ public:
+  GeneratorTable(std::int32_t vertices, std::int32_t faces)
+      : distances_(static_cast<std::size_t>(vertices), VertexDistance{0, GeneratorId(), -1, HalfedgeId()}),
+        entries_(static_cast<std::size_t>(faces), TableEntry{GeneratorId(), FaceId(), {-1, -1, -1}, -1, 0, false}) {}
+
+  VertexDistance& distance(std::int32_t place) { return distances_[static_cast<std::size_t>(place)]; }
+  const VertexDistance& distance(std::int32_t place) const { return distances_[static_cast<std::size_t>(place)]; }
+  TableEntry& entry(std::int32_t place) { return entries_[static_cast<std::size_t>(place)]; }
+  const TableEntry& entry(std::int32_t place) const { return entries_[static_cast<std::size_t>(place)]; }
+
+  /// Place of generator g's distance at v, or -1.
+  std::int32_t find(VertexId v, GeneratorId g) const { return find_in(distances_, v.value(), g); }
+  /// Place of generator g's entry in f's table, or -1.
+  std::int32_t find(FaceId f, GeneratorId g) const { return find_in(entries_, f.value(), g); }
+
+  std::int32_t add(VertexId v, GeneratorId g, double distance, HalfedgeId via) {
+    return add_to(distances_, v.value(), VertexDistance{distance, g, -1, via});
+  }
+  std::int32_t add(FaceId f, GeneratorId g, const std::array<std::int32_t, 3>& corner, double key) {
+    return add_to(entries_, f.value(), TableEntry{g, f, corner, -1, key, false});
+  }
+
+  bool reached(VertexId v) const { return distances_[v.index()].generator.valid(); }
+  bool reached(FaceId f) const { return entries_[f.index()].generator.valid(); }
+
+  /// Calls visit(const VertexDistance&) for every generator that reaches v.
+  template <class Visit>
+  void for_each(VertexId v, Visit visit) const {
+    if (!reached(v)) return;
+    for (std::int32_t i = v.value(); i >= 0; i = distance(i).next) visit(distance(i));
+  }
+  /// Calls visit(const TableEntry&) for every entry of f's table.
+  template <class Visit>
+  void for_each(FaceId f, Visit visit) const {
+    if (!reached(f)) return;
+    for (std::int32_t i = f.value(); i >= 0; i = entry(i).next) visit(entry(i));
+  }
+
+  std::array<double, 3> corner_distances(const TableEntry& e) const {
+    return {distance(e.corner[0]).distance, distance(e.corner[1]).distance, distance(e.corner[2]).distance};
+  }
+  std::size_t entry_count() const { return entries_.size(); }
+
+ private:
+  template <class T>
+  static std::int32_t find_in(const std::vector<T>& items, std::int32_t head, GeneratorId g) {
+    if (!items[static_cast<std::size_t>(head)].generator.valid()) return -1;
+    for (std::int32_t i = head; i >= 0; i = items[static_cast<std::size_t>(i)].next) {
+      if (items[static_cast<std::size_t>(i)].generator == g) return i;
+    }
+    return -1;
+  }
+  template <class T>
+  static std::int32_t add_to(std::vector<T>& items, std::int32_t head, const T& item) {
+    T& first = items[static_cast<std::size_t>(head)];
+    if (!first.generator.valid()) {
+      first = item;
+      return head;
+    }
+    const auto place = static_cast<std::int32_t>(items.size());
+    const std::int32_t second = first.next;
+    first.next = place;
+    items.push_back(item);
+    items.back().next = second;
+    return place;
+  }
+
+  std::vector<VertexDistance> distances_;
+  std::vector<TableEntry> entries_;
+};
+
+}  // namespace gvd

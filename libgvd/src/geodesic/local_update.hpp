@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace gvd {
+
+/// A triangle A, B, D seen from its base A B: the frame of the local distance update. Mesh units.
+struct UpdateTriangle {
+  double base;          ///< |A B|, > 0
+  double inverse_base;  ///< 1 / |A B|
+  double side_a;        ///< |A D|
+  double side_b;        ///< |B D|
+  double x;             ///< foot of D on the base, measured from A towards B
+  double height;        ///< distance of D from the base, >= 0
+};
+
+/// The frame of a triangle from its three lengths, > 0, and twice its area, >= 0.
+inline UpdateTriangle make_update_triangle(double base, double side_a, double side_b, double twice_area) {
+  const double inverse = 1 / base;
+  const double x = 0.5 * (base + (side_a - side_b) * (side_a + side_b) * inverse);
+  return {base, inverse, side_a, side_b, x, twice_area * inverse};
+}
+
+/// Distance at D along the edges A D and B D alone: a real path, hence an upper bound.
+inline double update_along_edges(const UpdateTriangle& t, double distance_a, double distance_b) {
+  return std::min(distance_a + t.side_a, distance_b + t.side_b);
+}
+
+/// Distance at corner D of a triangle whose corners A and B are already reached, by a front that is a circle round the
+/// point source that the two distances unfold to, on the far side of A B.
+///
+/// Source:  section 4.1 of the paper, with a point source in place of its linear front.
+/// Inputs:  distances >= 0 in mesh units
+/// Returns: mesh units; never less than min(distance_a, distance_b)
+/// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) where the
+///   distances break the triangle inequality, or the source does not see D through A B (obtuse triangles), it falls back
+///   to the edges: an acausal update would be worth less than that upper bound.
+/// Cost: O(1), two square roots.
+inline double update_circle(const UpdateTriangle& t, double distance_a, double distance_b) {
+  const double source_x = 0.5 * (t.base + (distance_a - distance_b) * (distance_a + distance_b) * t.inverse_base);
+  const double depth_squared = (distance_a - source_x) * (distance_a + source_x);
+  if (depth_squared < 0) return update_along_edges(t, distance_a, distance_b);
+  const double depth = std::sqrt(depth_squared);
+  // The ray from the source to D crosses the base at (source_x height + x depth) / (depth + height).
+  const double span = depth + t.height;
+  const double crossing = source_x * t.height + t.x * depth;
+  if (crossing < 0 || crossing > t.base * span) return update_along_edges(t, distance_a, distance_b);
+  const double dx = t.x - source_x;
+  return std::sqrt(dx * dx + span * span);
+}
+
+/// The same with a front that is linear over the triangle: the paper's planar front.
+///
+/// Source:  section 4.1 of the paper (fast marching of Kimmel and Sethian, 1998).
+/// Properties: (1) symmetric in A and B; (2) exact for a plane wave; (3) falls back to the edges like update_circle.
+/// Cost: O(1), one square root.
+inline double update_planar(const UpdateTriangle& t, double distance_a, double distance_b) {
+  const double slope = (distance_b - distance_a) * t.inverse_base;  // the sine of the front's tilt
+  const double cosine_squared = 1 - slope * slope;
+  if (cosine_squared <= 0) return update_along_edges(t, distance_a, distance_b);
+  const double cosine = std::sqrt(cosine_squared);
+  // The characteristic through D crosses the base at x - height slope / cosine.
+  const double crossing = t.x * cosine - t.height * slope;
+  if (crossing < 0 || crossing > t.base * cosine) return update_along_edges(t, distance_a, distance_b);
+  return distance_a + slope * t.x + cosine * t.height;
+}
+
+}  // namespace gvd

@@ -1,0 +1,138 @@
+#include "mesh/mesh_editor.hpp"
+
+namespace gvd {
+
+FaceId MeshEditor::add_face() {
+  for (int i = 0; i < 3; ++i) {
+    mesh_.twin_.push_back(HalfedgeId());
+    mesh_.halfedge_edge_.push_back(EdgeId());
+  }
+  return mesh_.faces_.push_back({});
+}
+
+EdgeId MeshEditor::add_edge() {
+  mesh_.length_.push_back(0);
+  return mesh_.edge_halfedge_.push_back(HalfedgeId());
+}
+
+VertexId MeshEditor::add_vertex(const Vec3& position) {
+  mesh_.vertex_halfedge_.push_back(HalfedgeId());
+  return mesh_.positions_.push_back(position);
+}
+
+void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) { mesh_.faces_[f] = {a, b, c}; }
+
+void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
+  mesh_.twin_[h] = t;
+  mesh_.halfedge_edge_[h] = e;
+  mesh_.edge_halfedge_[e] = h;
+  if (t.valid()) {
+    mesh_.twin_[t] = h;
+    mesh_.halfedge_edge_[t] = e;
+  }
+}
+
+void MeshEditor::measure(EdgeId e) {
+  const HalfedgeId h = mesh_.halfedge(e);
+  mesh_.length_[e] = (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).stableNorm();
+}
+
+void MeshEditor::anchor(VertexId v, HalfedgeId h) {
+  const HalfedgeId start = h;
+  for (HalfedgeId twin = mesh_.twin(h); twin.valid(); twin = mesh_.twin(h)) {
+    h = Mesh::next(twin);
+    if (h == start) break;
+  }
+  mesh_.vertex_halfedge_[v] = h;
+}
+
+VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {
+  const auto [a, b, c] = mesh_.vertices(f);
+  const HalfedgeId ab = Mesh::halfedge(f, 0), bc = Mesh::halfedge(f, 1), ca = Mesh::halfedge(f, 2);
+  const HalfedgeId twin_bc = mesh_.twin(bc), twin_ca = mesh_.twin(ca);
+  const EdgeId edge_bc = mesh_.edge(bc), edge_ca = mesh_.edge(ca);
+  const VertexId v = add_vertex(position);
+  const FaceId g = add_face(), k = add_face();
+  set_face(f, a, b, v);
+  set_face(g, b, c, v);
+  set_face(k, c, a, v);
+  glue(Mesh::halfedge(g, 0), twin_bc, edge_bc);
+  glue(Mesh::halfedge(k, 0), twin_ca, edge_ca);
+  const std::array<EdgeId, 3> spokes{add_edge(), add_edge(), add_edge()};
+  glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), spokes[0]);
+  glue(Mesh::halfedge(g, 1), Mesh::halfedge(k, 2), spokes[1]);
+  glue(Mesh::halfedge(k, 1), Mesh::halfedge(f, 2), spokes[2]);
+  for (const EdgeId e : spokes) measure(e);
+  anchor(v, Mesh::halfedge(f, 2));
+  anchor(a, ab);
+  anchor(b, Mesh::halfedge(g, 0));
+  anchor(c, Mesh::halfedge(k, 0));
+  return v;
+}
+
+VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
+  const HalfedgeId t = mesh_.twin(h);
+  const EdgeId edge_av = mesh_.edge(h);
+  const EdgeId edge_vb = add_edge();
+  const VertexId a = mesh_.from(h), b = mesh_.to(h), v = add_vertex(position);
+  // Splits the side of `side`, which runs from `p` to `q`, and returns the halfedges p-v and v-q.
+  const auto split_side = [&](HalfedgeId side, VertexId p, VertexId q) {
+    const FaceId f = Mesh::face(side);
+    const VertexId r = mesh_.opposite(side);
+    const HalfedgeId qr = Mesh::next(side), rp = Mesh::previous(side);
+    const HalfedgeId twin_qr = mesh_.twin(qr), twin_rp = mesh_.twin(rp);
+    const EdgeId edge_qr = mesh_.edge(qr), edge_rp = mesh_.edge(rp);
+    const FaceId g = add_face();
+    set_face(f, p, v, r);
+    set_face(g, v, q, r);
+    glue(Mesh::halfedge(f, 2), twin_rp, edge_rp);
+    glue(Mesh::halfedge(g, 1), twin_qr, edge_qr);
+    const EdgeId edge_vr = add_edge();
+    glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
+    measure(edge_vr);
+    return std::pair(Mesh::halfedge(f, 0), Mesh::halfedge(g, 0));
+  };
+  const VertexId c = mesh_.opposite(h);
+  const VertexId d = t.valid() ? mesh_.opposite(t) : VertexId();
+  const auto [av, vb] = split_side(h, a, b);
+  HalfedgeId va, bv;
+  if (t.valid()) std::tie(bv, va) = split_side(t, b, a);
+  glue(av, va, edge_av);
+  glue(vb, bv, edge_vb);
+  measure(edge_av);
+  measure(edge_vb);
+  anchor(v, vb);
+  anchor(a, av);
+  anchor(b, Mesh::next(vb));
+  anchor(c, Mesh::previous(av));
+  if (d.valid()) anchor(d, Mesh::previous(bv));
+  return v;
+}
+
+void MeshEditor::flip_edge(HalfedgeId h) {
+  const HalfedgeId t = mesh_.twin(h);
+  const FaceId f = Mesh::face(h), g = Mesh::face(t);
+  const VertexId a = mesh_.from(h), b = mesh_.to(h), c = mesh_.opposite(h), d = mesh_.opposite(t);
+  const HalfedgeId bc = Mesh::next(h), ca = Mesh::previous(h), ad = Mesh::next(t), db = Mesh::previous(t);
+  struct Side {
+    HalfedgeId twin;
+    EdgeId edge;
+  };
+  const auto side = [&](HalfedgeId x) { return Side{mesh_.twin(x), mesh_.edge(x)}; };
+  const Side side_bc = side(bc), side_ca = side(ca), side_ad = side(ad), side_db = side(db);
+  const EdgeId diagonal = mesh_.edge(h);
+  set_face(f, d, b, c);
+  set_face(g, c, a, d);
+  glue(Mesh::halfedge(f, 0), side_db.twin, side_db.edge);
+  glue(Mesh::halfedge(f, 1), side_bc.twin, side_bc.edge);
+  glue(Mesh::halfedge(g, 0), side_ca.twin, side_ca.edge);
+  glue(Mesh::halfedge(g, 1), side_ad.twin, side_ad.edge);
+  glue(Mesh::halfedge(f, 2), Mesh::halfedge(g, 2), diagonal);
+  measure(diagonal);
+  anchor(a, Mesh::halfedge(g, 1));
+  anchor(b, Mesh::halfedge(f, 1));
+  anchor(c, Mesh::halfedge(g, 0));
+  anchor(d, Mesh::halfedge(f, 0));
+}
+
+}  // namespace gvd

@@ -1,0 +1,303 @@
+#include "mesh/working_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "gvd/error.hpp"
+#include "mesh/mesh_editor.hpp"
+
+namespace gvd {
+namespace {
+
+using Bary = std::array<double, 3>;
+
+/// Generators closer than this fraction of the bounding box diagonal coincide: about a thousand times the rounding of
+/// a coordinate, so that an edge between two generators still has a length with three good digits.
+constexpr double kCoincidence = 1e-12;
+
+/// A new point with a barycentric coordinate below this in its triangle splits the edge instead: the triangle that a
+/// face split would leave there would have an angle of about this many radians.
+constexpr double kOnEdge = 1e-9;
+
+/// A flip must gain more than this, relative to the fourth power of the edge lengths, so that rounding can't flip forever.
+constexpr double kFlipGain = 1e-10;
+
+/// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates.
+double signed_area(const Bary& a, const Bary& b, const Bary& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Barycentric coordinates of p in the triangle of `corners`, all given in the parent's coordinates.
+Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
+  const double area = signed_area(corners[0], corners[1], corners[2]);
+  return {signed_area(p, corners[1], corners[2]) / area, signed_area(corners[0], p, corners[2]) / area,
+          signed_area(corners[0], corners[1], p) / area};
+}
+
+/// Bary of the point at parameter t of halfedge corner `corner`.
+Bary on_edge(int corner, double t) {
+  Bary bary{0, 0, 0};
+  bary[static_cast<std::size_t>(corner)] = 1 - t;
+  bary[static_cast<std::size_t>((corner + 1) % 3)] = t;
+  return bary;
+}
+
+constexpr std::array<Bary, 3> kWhole{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
+
+void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  if (generators.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    if (!generators[i].face.valid() || generators[i].face.value() >= mesh.face_count()) {
+      throw Error(ErrorCode::precondition,
+                  "generator " + std::to_string(i) + " lies in face " + std::to_string(generators[i].face.value()) +
+                      ", and the mesh has " + std::to_string(mesh.face_count()) + " faces",
+                  static_cast<std::int64_t>(i));
+    }
+  }
+}
+
+}  // namespace
+
+WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators)
+    : input_(&input),
+      generator_vertex_(generators.size()),
+      vertex_generator_(static_cast<std::size_t>(input.vertex_count())),
+      coincidence_(kCoincidence * input.bbox_diagonal()) {
+  check_generators(input, generators);
+  std::vector<GeneratorId> on_edges;
+  std::map<FaceId, std::vector<GeneratorId>> in_faces;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    switch (generators[i].kind()) {
+      case SurfacePoint::Kind::vertex: claim(gvd::vertex(input, generators[i]), g); break;
+      case SurfacePoint::Kind::edge: on_edges.push_back(g); break;
+      case SurfacePoint::Kind::face: in_faces[generators[i].face].push_back(g); break;
+    }
+  }
+  if (!on_edges.empty() || !in_faces.empty()) {
+    copy_input();
+    insert_on_edges(on_edges, generators);
+    for (const auto& [face, ids] : in_faces) insert_in_face(face, ids, generators);
+  }
+  vertex_generator_.resize(static_cast<std::size_t>(mesh().vertex_count()));
+}
+
+void WorkingMesh::copy_input() {
+  split_ = true;
+  copy_ = *input_;
+  const auto n = static_cast<std::size_t>(input_->face_count());
+  parent_.resize(n);
+  for (std::int32_t f = 0; f < input_->face_count(); ++f) parent_[FaceId(f)] = FaceId(f);
+  child_slot_.assign(n, -1);
+}
+
+void WorkingMesh::claim(VertexId v, GeneratorId g) {
+  if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
+  GeneratorId& owner = vertex_generator_[v];
+  if (owner.valid()) {
+    throw Error(ErrorCode::precondition,
+                "generators " + std::to_string(owner.value()) + " and " + std::to_string(g.value()) +
+                    " coincide; remove one or merge coincident generators",
+                g.value());
+  }
+  owner = g;
+  generator_vertex_[g] = v;
+}
+
+WorkingMesh::Corners WorkingMesh::corners(FaceId f) const {
+  return child_slot_[f] < 0 ? kWhole : child_corners_[static_cast<std::size_t>(child_slot_[f])];
+}
+
+void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
+  if (f.index() >= parent_.size()) {
+    parent_.resize(f.index() + 1);
+    child_slot_.resize(f.index() + 1, -1);
+  }
+  parent_[f] = parent;
+  if (child_slot_[f] < 0) {
+    child_slot_[f] = static_cast<std::int32_t>(child_corners_.size());
+    child_corners_.push_back(corners);
+  } else {
+    child_corners_[static_cast<std::size_t>(child_slot_[f])] = corners;
+  }
+}
+
+std::array<double, 3> WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
+  if (!is_split(f)) return bary;
+  const Corners c = corners(f);
+  Bary result{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[k] += bary[i] * c[i][k];
+  }
+  return result;
+}
+
+void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators) {
+  struct Insertion {
+    HalfedgeId halfedge;
+    double t;
+    GeneratorId generator;
+  };
+  std::vector<Insertion> insertions;
+  for (const GeneratorId g : ids) {
+    const SurfacePoint point = canonical(*input_, generators[g.index()]);
+    const HalfedgeId h = gvd::halfedge(point);
+    insertions.push_back({h, point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], g});
+  }
+  std::sort(insertions.begin(), insertions.end(), [](const Insertion& a, const Insertion& b) {
+    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
+  });
+  MeshEditor editor(copy_);
+  HalfedgeId current, rest;  // the input's halfedge at work, and the part of it that is not split yet
+  double done = 0;           // the parameter at which `rest` begins
+  std::vector<FaceId> touched;
+  for (const auto& [h, t, g] : insertions) {
+    if (h != current) {
+      current = h;
+      done = 0;
+      // An earlier split may have renamed the halfedge: find it again among the children of its face.
+      rest = h;
+      const VertexId from = input_->from(h), to = input_->to(h);
+      for (HalfedgeId x = copy_.halfedge(from);;) {
+        if (copy_.to(x) == to && parent(Mesh::face(x)) == Mesh::face(h)) rest = x;
+        x = copy_.twin(Mesh::previous(x));
+        if (!x.valid() || x == copy_.halfedge(from)) break;
+      }
+    }
+    const Vec3 p = position(*input_, {Mesh::face(h), on_edge(Mesh::corner(h), t)});
+    const auto near = [&](VertexId v) { return (copy_.position(v) - p).norm() <= coincidence_; };
+    if (near(copy_.from(rest)) || near(copy_.to(rest))) {
+      claim(near(copy_.from(rest)) ? copy_.from(rest) : copy_.to(rest), g);
+      continue;
+    }
+    const HalfedgeId twin = copy_.twin(rest);
+    const double local = (t - done) / (1 - done);
+    const auto split_corners = [&](HalfedgeId side, double at) {
+      // Corners of the two halves of side's face, in the order that MeshEditor::split_edge gives them.
+      const Corners c = corners(Mesh::face(side));
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const Bary &a = c[i], &b = c[(i + 1) % 3], &opposite = c[(i + 2) % 3];
+      Bary middle;
+      for (std::size_t k = 0; k < 3; ++k) middle[k] = (1 - at) * a[k] + at * b[k];
+      return std::pair(Corners{a, middle, opposite}, Corners{middle, b, opposite});
+    };
+    const FaceId f = Mesh::face(rest), f_parent = parent(f);
+    const auto here = split_corners(rest, local);
+    const FaceId g_face = twin.valid() ? Mesh::face(twin) : FaceId();
+    const auto there = twin.valid() ? split_corners(twin, 1 - local) : here;
+    const FaceId g_parent = twin.valid() ? parent(g_face) : FaceId();
+    const FaceId appended(copy_.face_count());
+    claim(editor.split_edge(rest, p), g);
+    set_corners(f, f_parent, here.first);
+    set_corners(appended, f_parent, here.second);
+    touched.insert(touched.end(), {f, appended});
+    if (twin.valid()) {
+      set_corners(g_face, g_parent, there.first);
+      set_corners(FaceId(appended.value() + 1), g_parent, there.second);
+      touched.insert(touched.end(), {g_face, FaceId(appended.value() + 1)});
+    }
+    rest = Mesh::halfedge(appended, 0);
+    done = t;
+  }
+  make_delaunay(touched);
+}
+
+void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<GeneratorId>& ids,
+                                 const std::vector<SurfacePoint>& generators) {
+  std::vector<FaceId> children{parent_face};
+  // Children that earlier edge splits appended: reachable across edges inside the parent.
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const HalfedgeId twin = copy_.twin(Mesh::halfedge(children[i], corner));
+      if (!twin.valid() || parent(Mesh::face(twin)) != parent_face) continue;
+      if (std::find(children.begin(), children.end(), Mesh::face(twin)) == children.end()) {
+        children.push_back(Mesh::face(twin));
+      }
+    }
+  }
+  for (const GeneratorId g : ids) insert_point(children, g, generators[g.index()]);
+  make_delaunay(children);
+}
+
+void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point) {
+  FaceId best;
+  Bary best_local{};
+  double best_min = -std::numeric_limits<double>::infinity();
+  for (const FaceId f : children) {
+    const Bary local = local_bary(corners(f), point.bary);
+    const double smallest = *std::min_element(local.begin(), local.end());
+    if (smallest > best_min) std::tie(best, best_local, best_min) = std::tuple(f, local, smallest);
+  }
+  const Vec3 p = position(*input_, point);
+  for (const VertexId v : copy_.vertices(best)) {
+    if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
+  }
+  MeshEditor editor(copy_);
+  const Corners c = corners(best);
+  const FaceId appended(copy_.face_count());
+  const int thin = static_cast<int>(std::min_element(best_local.begin(), best_local.end()) - best_local.begin());
+  const HalfedgeId side = Mesh::next(Mesh::halfedge(best, thin));
+  const HalfedgeId twin = copy_.twin(side);
+  if (best_min < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
+    const FaceId other = Mesh::face(twin);
+    const Corners d = corners(other);
+    const auto i = static_cast<std::size_t>(Mesh::corner(side)), j = static_cast<std::size_t>(Mesh::corner(twin));
+    claim(editor.split_edge(side, p), g);
+    set_corners(best, point.face, {c[i], point.bary, c[(i + 2) % 3]});
+    set_corners(appended, point.face, {point.bary, c[(i + 1) % 3], c[(i + 2) % 3]});
+    const FaceId last(appended.value() + 1);
+    set_corners(other, point.face, {d[j], point.bary, d[(j + 2) % 3]});
+    set_corners(last, point.face, {point.bary, d[(j + 1) % 3], d[(j + 2) % 3]});
+    children.insert(children.end(), {appended, last});
+    return;
+  }
+  const FaceId last(appended.value() + 1);
+  claim(editor.split_face(best, p), g);
+  set_corners(best, point.face, {c[0], c[1], point.bary});
+  set_corners(appended, point.face, {c[1], c[2], point.bary});
+  set_corners(last, point.face, {c[2], c[0], point.bary});
+  children.insert(children.end(), {appended, last});
+}
+
+// Lawson's flips, inside parents only: the edges of the input stay, so the surface does.
+void WorkingMesh::make_delaunay(const std::vector<FaceId>& children) {
+  std::vector<HalfedgeId> stack;
+  for (const FaceId f : children) {
+    for (int corner = 0; corner < 3; ++corner) stack.push_back(Mesh::halfedge(f, corner));
+  }
+  while (!stack.empty()) {
+    const HalfedgeId h = stack.back();
+    stack.pop_back();
+    if (!flip_if_not_delaunay(h)) continue;
+    const FaceId f = Mesh::face(h), g = Mesh::face(copy_.twin(Mesh::halfedge(f, 2)));
+    for (int corner = 0; corner < 2; ++corner) {
+      stack.push_back(Mesh::halfedge(f, corner));
+      stack.push_back(Mesh::halfedge(g, corner));
+    }
+  }
+}
+
+bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
+  const HalfedgeId t = copy_.twin(h);
+  const FaceId f = Mesh::face(h);
+  if (!t.valid() || parent(f) != parent(Mesh::face(t))) return false;
+  const FaceId g = Mesh::face(t), parent_face = parent(f);
+  const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(t));
+  const Corners cf = corners(f), cg = corners(g);
+  const Bary &a = cf[i], &b = cf[(i + 1) % 3], &c = cf[(i + 2) % 3], &d = cg[(j + 2) % 3];
+  if (signed_area(d, b, c) <= 0 || signed_area(c, a, d) <= 0) return false;
+  const auto at = [&](const Bary& bary) { return position(*input_, {parent_face, bary}); };
+  const Vec3 ca = at(a) - at(c), cb = at(b) - at(c), da = at(a) - at(d), db = at(b) - at(d);
+  // sin(angle c + angle d) < 0, times the four lengths: the two angles opposite the edge exceed pi.
+  const double gain = -(ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb));
+  if (gain <= kFlipGain * ca.norm() * cb.norm() * da.norm() * db.norm()) return false;
+  MeshEditor(copy_).flip_edge(h);
+  set_corners(f, parent_face, {d, b, c});
+  set_corners(g, parent_face, {c, a, d});
+  return true;
+}
+
+}  // namespace gvd

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// A copy of a mesh in which every generator is a vertex.
+///
+/// Generators inside a face or on an edge split it; the surface itself does not change. Then every generator owns a
+/// vertex, no cell can hide inside a face, and the labels that run round a face's boundary tell all about its inside.
+/// Where all generators lie on vertices, the copy is the input itself and nothing is allocated.
+class WorkingMesh {
+ public:
+  /// Throws Error{precondition} where a generator's face does not exist or two generators coincide (both are named).
+  /// Cost: O(n) to copy; k generators in one face cost O(k^2) in the worst case, O(k) on an average.
+  WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators);
+
+  const Mesh& mesh() const { return split_ ? copy_ : *input_; }
+  const Mesh& input() const { return *input_; }
+  VertexId vertex(GeneratorId g) const { return generator_vertex_[g]; }
+  /// The generator at vertex v of mesh(); invalid where there is none.
+  GeneratorId generator(VertexId v) const { return vertex_generator_[v]; }
+  const IdVector<GeneratorId, VertexId>& generator_vertices() const { return generator_vertex_; }
+
+  /// The input's face that contains face f of mesh().
+  FaceId parent(FaceId f) const { return split_ ? parent_[f] : f; }
+  bool is_split(FaceId f) const { return split_ && child_slot_[f] >= 0; }
+  /// Barycentric coordinates in parent(f) of a point of f.
+  std::array<double, 3> parent_bary(FaceId f, const std::array<double, 3>& bary) const;
+
+ private:
+  using Bary = std::array<double, 3>;
+  using Corners = std::array<Bary, 3>;
+
+  void copy_input();
+  void insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
+  void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
+  void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
+  void make_delaunay(const std::vector<FaceId>& children);
+  bool flip_if_not_delaunay(HalfedgeId h);
+  Corners corners(FaceId f) const;
+  void set_corners(FaceId f, FaceId parent, const Corners& corners);
+  void claim(VertexId v, GeneratorId g);
+
+  const Mesh* input_;
+  bool split_ = false;
+  Mesh copy_;
+  IdVector<FaceId, FaceId> parent_;
+  IdVector<FaceId, std::int32_t> child_slot_;  // -1: the face is whole
+  std::vector<Corners> child_corners_;
+  IdVector<GeneratorId, VertexId> generator_vertex_;
+  IdVector<VertexId, GeneratorId> vertex_generator_;
+  double coincidence_ = 0;  // mesh units
+};
+
+}  // namespace gvd

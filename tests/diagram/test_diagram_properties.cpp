@@ -1,0 +1,29 @@
+// Properties of the diagram over the mesh families and seeded generators.
+#include <random>
+
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+TEST_CASE("the diagram is complete and sound on every family, for few and for many generators") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const int count : {1, 2, 3, 5, 30, 100, 300}) {
+      for (unsigned seed = 0; seed < 4; ++seed) {
+        for (const Front front : {Front::circle, Front::planar}) {
+          INFO(name << ", " << count << " generators, seed " << seed << (front == Front::circle ? ", circle" : ", planar"));
+          const auto generators = test::random_generators(mesh, count, seed);
+          DiagramOptions options;
+          options.front = front;
+          const Diagram diagram = compute_diagram(mesh, generators, options);
+          const DiagramCheck check = check_diagram(mesh, diagram);
+          for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
+          REQUIRE(check.ok());
+        }
+      }
+    }
+  }
+}

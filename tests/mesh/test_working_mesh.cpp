@@ -1,0 +1,120 @@
+#include "mesh/working_mesh.hpp"
+
+#include <random>
+
+#include "gvd/error.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// Rebuilds the connectivity from scratch: the Mesh constructor refuses whatever is not a manifold.
+void require_sound(const WorkingMesh& working) {
+  const Mesh& mesh = working.mesh();
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < mesh.face_count(); ++f) faces.push_back(mesh.vertices(FaceId(f)));
+  const Mesh rebuilt(mesh.positions(), faces);
+  REQUIRE(rebuilt.edge_count() == mesh.edge_count());
+  for (int i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    REQUIRE(mesh.twin(h) == rebuilt.twin(h));
+    REQUIRE(mesh.length(h) == Approx(rebuilt.length(h)));
+  }
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    REQUIRE(mesh.from(mesh.halfedge(VertexId(v))) == VertexId(v));
+    REQUIRE(mesh.is_boundary(VertexId(v)) == rebuilt.is_boundary(VertexId(v)));
+  }
+}
+
+void require_same_surface(const WorkingMesh& working) {
+  const Mesh &mesh = working.mesh(), &input = working.input();
+  CHECK(compute_mesh_summary(mesh).area == Approx(compute_mesh_summary(input).area).epsilon(1e-12));
+  for (int i = 0; i < mesh.face_count(); ++i) {
+    const FaceId f(i);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      std::array<double, 3> bary{0, 0, 0};
+      bary[corner] = 1;
+      const Vec3 expected = position(input, {working.parent(f), working.parent_bary(f, bary)});
+      REQUIRE((mesh.position(mesh.vertices(f)[corner]) - expected).norm() < 1e-12 * input.bbox_diagonal());
+    }
+  }
+}
+
+std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto real = [&] { return double(random()) / double(std::mt19937::max()); };
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const FaceId f(static_cast<int>(random() % static_cast<unsigned>(mesh.face_count())));
+    const double u = real(), v = real() * (1 - u);
+    switch (i % 4) {
+      case 0: points.push_back(edge_point(Mesh::halfedge(f, i % 3), 0.01 + 0.98 * u)); break;
+      default: points.push_back(make_surface_point(f, {u, v, 1 - u - v}));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("every generator becomes a vertex, and the surface stays") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      for (const int count : {1, 7, 60, 700}) {
+        INFO(name << ", seed " << seed << ", " << count << " generators");
+        const auto generators = random_points(mesh, count, seed);
+        const WorkingMesh working(mesh, generators);
+        require_sound(working);
+        require_same_surface(working);
+        for (int i = 0; i < count; ++i) {
+          const VertexId v = working.vertex(GeneratorId(i));
+          REQUIRE((working.mesh().position(v) - position(mesh, generators[static_cast<std::size_t>(i)])).norm() <
+                  1e-12 * mesh.bbox_diagonal());
+          REQUIRE(working.generator(v) == GeneratorId(i));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("generators on vertices copy nothing") {
+  const Mesh mesh = test::make_sphere(1);
+  const WorkingMesh working(mesh, {vertex_point(mesh, VertexId(3)), vertex_point(mesh, VertexId(9))});
+  CHECK(&working.mesh() == &mesh);
+  CHECK(working.vertex(GeneratorId(1)) == VertexId(9));
+}
+
+TEST_CASE("coincident generators are refused with both names, whichever faces they are given in") {
+  const Mesh mesh = test::make_sphere(1);
+  const HalfedgeId h = Mesh::halfedge(FaceId(0), 1), twin = mesh.twin(h);
+  const auto refused = [&](const std::vector<SurfacePoint>& generators) {
+    CHECK_THROWS_WITH(WorkingMesh(mesh, generators), Catch::Matchers::Contains("generators 0 and 1 coincide"));
+  };
+  refused({edge_point(h, 0.25), edge_point(twin, 0.75)});
+  refused({make_surface_point(FaceId(2), {0.2, 0.3, 0.5}), make_surface_point(FaceId(2), {0.2, 0.3, 0.5})});
+  refused({make_surface_point(FaceId(2), {0.2, 0.3, 0.5}), make_surface_point(FaceId(2), {0.2, 0.3 + 1e-13, 0.5 - 1e-13})});
+  refused({vertex_point(mesh, mesh.from(h)), edge_point(h, 0.0)});
+}
+
+TEST_CASE("a lone triangle and a pillow of two faces take generators on every edge") {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh lone(corners, {ids(0, 1, 2)}), pillow(corners, {ids(0, 1, 2), ids(1, 0, 2)});
+  for (const Mesh& mesh : {lone, pillow}) {
+    std::vector<SurfacePoint> generators;
+    for (int corner = 0; corner < 3; ++corner) {
+      for (const double t : {0.75, 0.25, 0.5}) generators.push_back(edge_point(Mesh::halfedge(FaceId(0), corner), t));
+    }
+    generators.push_back(make_surface_point(FaceId(0), {0.3, 0.3, 0.4}));
+    const WorkingMesh working(mesh, generators);
+    require_same_surface(working);
+    // The two sides of the pillow may hold different edges between the same vertices: no vertex list can rebuild it.
+    if (mesh.face_count() == 1) require_sound(working);
+    for (int i = 0; i < working.mesh().halfedge_count(); ++i) {
+      const HalfedgeId h(i), twin = working.mesh().twin(h);
+      if (twin.valid()) REQUIRE(working.mesh().from(twin) == working.mesh().to(h));
+    }
+  }
+}
