@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "gvd/io/view.hpp"
+
+namespace gvd {
+namespace {
+
+bool on_boundary(const Mesh& mesh, const SurfacePoint& point) {
+  switch (point.kind()) {
+    case SurfacePoint::Kind::vertex:
+      return mesh.is_boundary(vertex(mesh, point));
+    case SurfacePoint::Kind::edge:
+      return mesh.is_boundary(mesh.edge(halfedge(point)));
+    case SurfacePoint::Kind::face:
+      return false;
+  }
+  return false;
+}
+
+/// What the diagram's graph contributes to twice (sum of the cells' Euler characteristics - that of the mesh): a branch
+/// point of degree d inside gives d - 2, one on the boundary d, a bisector's end on the boundary 1. With V - E + F of
+/// the cells, bisectors, and pieces of boundary between them.
+std::int64_t count_meetings(const Mesh& mesh, const Diagram& diagram) {
+  std::int64_t meetings = 0;
+  for (const Bisector& bisector : diagram.bisectors) meetings += bisector.closed ? 0 : 2;
+  for (const BranchPoint& branch_point : diagram.branch_points)
+    meetings -= on_boundary(mesh, branch_point.point) ? 0 : 2;
+  return meetings;
+}
+
+bool reaches_everything(const Diagram& diagram) {
+  return std::all_of(diagram.vertex_label.begin(), diagram.vertex_label.end(),
+                     [](GeneratorId label) { return label.valid(); });
+}
+
+std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram) {
+  const MeshSummary summary = compute_mesh_summary(mesh);
+  std::int64_t characteristics = 0, discs = 0;
+  for (const Cell& cell : diagram.cells) {
+    characteristics += cell.euler_characteristic;
+    discs += cell.euler_characteristic == 1 && cell.components == 1;
+  }
+  std::vector<ViewFigure> figures{{"Faces", fmt::format("{}", summary.faces)},
+                                  {"Vertices", fmt::format("{}", summary.vertices)},
+                                  {"Area", fmt::format("{:.6g}", summary.area)},
+                                  {"Euler characteristic", fmt::format("{}", summary.euler_characteristic)},
+                                  {"Generators", fmt::format("{}", diagram.generators.size())},
+                                  {"Branch points", fmt::format("{}", diagram.branch_points.size())},
+                                  {"Bisectors", fmt::format("{}", diagram.bisectors.size())},
+                                  {"Bisector length", fmt::format("{:.6g}", diagram.length)},
+                                  {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
+  if (reaches_everything(diagram)) {
+    figures.push_back({"Euler count", fmt::format("{} of {}", count_meetings(mesh, diagram),
+                                                  2 * (characteristics - summary.euler_characteristic))});
+  }
+  return figures;
+}
+
+std::vector<Vec3> make_polyline(const Mesh& mesh, const Bisector& bisector) {
+  std::vector<Vec3> polyline;
+  polyline.reserve(bisector.points.size() + 1);
+  for (const SurfacePoint& point : bisector.points) polyline.push_back(position(mesh, point));
+  if (bisector.closed && !polyline.empty()) polyline.push_back(polyline.front());
+  return polyline;
+}
+
+}  // namespace
+
+ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
+  ViewScene scene;
+  scene.name = std::move(name);
+  scene.mesh = &mesh;
+  scene.face_label = diagram.face_label;
+  scene.pieces = diagram.pieces;
+  scene.vertex_distance = diagram.vertex_distance;
+  for (const Bisector& bisector : diagram.bisectors) scene.bisectors.push_back(make_polyline(mesh, bisector));
+  for (const SurfacePoint& generator : diagram.generators) scene.generators.push_back(position(mesh, generator));
+  for (const BranchPoint& branch_point : diagram.branch_points) scene.branch_points.push_back(branch_point.position);
+  scene.cells = diagram.cells;
+  scene.figures = make_figures(mesh, diagram);
+  return scene;
+}
+
+}  // namespace gvd

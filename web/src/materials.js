@@ -1,0 +1,204 @@
+// Shaders: the surface, what is picked under the pointer, and the dots.
+import { BackSide, Color, DoubleSide, FrontSide, GLSL3, NoBlending, ShaderMaterial } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { kTextureWidth, kUnlabelled } from './colours.js';
+
+const kSurfaceVertex = /* glsl */ `
+attribute float code;
+attribute float distance;
+flat varying float v_code;
+varying float v_distance;
+varying vec3 v_normal;
+varying vec3 v_view;
+void main() {
+  v_code = code;
+  v_distance = distance;
+  v_normal = normalMatrix * normal;
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  v_view = view.xyz;
+  gl_Position = projectionMatrix * view;
+}`;
+
+const kSurfaceFragment = /* glsl */ `
+uniform sampler2D fills;
+uniform vec3 unlabelled;
+uniform bool show_regions, show_shading, show_lines, smooth_normals;
+uniform float largest_distance, line_spacing, hovered;
+flat varying float v_code;
+varying float v_distance;
+varying vec3 v_normal;
+varying vec3 v_view;
+
+vec3 fill_of(float code) {
+  int i = int(code + 0.5);
+  return texelFetch(fills, ivec2(i % ${kTextureWidth}, i / ${kTextureWidth}), 0).rgb;
+}
+
+// From pale sand over green to deep blue, even steps of lightness.
+vec3 ramp(float t) {
+  vec3 near = vec3(0.93, 0.80, 0.55), middle = vec3(0.25, 0.52, 0.46), far = vec3(0.045, 0.10, 0.24);
+  return t < 0.5 ? mix(near, middle, 2.0 * t) : mix(middle, far, 2.0 * t - 1.0);
+}
+
+vec3 light(vec3 base, vec3 n, vec3 eye) {
+  vec3 key = normalize(vec3(-0.45, 0.65, 0.75)), fill = normalize(vec3(0.7, -0.1, 0.6));
+  float sky = 0.5 + 0.5 * n.y;
+  float diffuse = 0.42 + 0.18 * sky + 0.52 * max(dot(n, key), 0.0) + 0.16 * max(dot(n, fill), 0.0);
+  float gloss = pow(max(dot(n, normalize(key + eye)), 0.0), 36.0);
+  return base * diffuse + vec3(0.05 * gloss);
+}
+
+void main() {
+  vec3 eye = normalize(-v_view);
+  vec3 flat_normal = normalize(cross(dFdx(v_view), dFdy(v_view)));
+  vec3 n = smooth_normals ? normalize(v_normal) * kSide : flat_normal;
+  bool reached = v_distance >= 0.0;
+  vec3 base = show_regions ? fill_of(v_code) : unlabelled;
+  if (show_shading && reached) {
+    float t = clamp(v_distance / largest_distance, 0.0, 1.0);
+    base = show_regions ? base * mix(1.2, 0.35, t) : ramp(t);
+  }
+  if (show_regions && v_code == hovered) base = mix(base, vec3(1.0), 0.3);
+  if (show_lines && reached) {
+    float step = v_distance / line_spacing;
+    float width = max(fwidth(step), 1e-6);
+    float gap = abs(fract(step - 0.5) - 0.5) / width;
+    base *= 1.0 - 0.45 * (1.0 - smoothstep(0.4, 1.3, gap)) * (1.0 - smoothstep(0.15, 0.5, width));
+  }
+  if (kSide < 0.0) base *= 0.55;
+  gl_FragColor = vec4(light(base, n, eye), 1.0);
+  #include <colorspace_fragment>
+}`;
+
+// One material for the outside of the surface and one for its inside, which is darker; they share their uniforms. The
+// inside steps back, or it would shine through the outside's rim at silhouettes.
+export function make_surface_materials() {
+  const common = { vertexShader: kSurfaceVertex, fragmentShader: kSurfaceFragment };
+  const outside = new ShaderMaterial({
+    ...common,
+    side: FrontSide,
+    defines: { kSide: '1.0' },
+    uniforms: make_uniforms(),
+  });
+  const inside = new ShaderMaterial({
+    ...common,
+    side: BackSide,
+    defines: { kSide: '-1.0' },
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 2,
+  });
+  inside.uniforms = outside.uniforms;
+  return { outside, inside };
+}
+
+function make_uniforms() {
+  return {
+    fills: { value: null },
+    unlabelled: { value: kUnlabelled.clone() },
+    show_regions: { value: true },
+    show_shading: { value: false },
+    show_lines: { value: false },
+    smooth_normals: { value: true },
+    largest_distance: { value: 1 },
+    line_spacing: { value: 1 },
+    hovered: { value: -1 },
+  };
+}
+
+// Writes (1, code, the distance's bits, 0): integers, because every WebGL 2 device can draw into these.
+export function make_pick_material() {
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    side: DoubleSide,
+    blending: NoBlending,
+    vertexShader: /* glsl */ `
+      in float code;
+      in float distance;
+      flat out float v_code;
+      out float v_distance;
+      void main() {
+        v_code = code;
+        v_distance = distance;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      }`,
+    fragmentShader: /* glsl */ `
+      flat in float v_code;
+      in float v_distance;
+      layout(location = 0) out highp uvec4 picked;
+      void main() { picked = uvec4(1u, uint(v_code + 0.5), floatBitsToUint(v_distance), 0u); }`,
+  });
+}
+
+// Pixels that marks are drawn nearer to the eye than they lie, lest the surface that they lie in swallow them where
+// it slopes away: a mark that reaches r pixels to each side is whole up to a slope of pull / r. What is further behind
+// than that stays hidden, other than with a polygon offset: that grows with the slope and shows the far side at
+// silhouettes.
+const kPull = /* glsl */ `
+uniform float viewport_height;
+void pull(float pixels) {
+  float z = gl_Position.w * (2.0 * pixels / (projectionMatrix[1][1] * viewport_height) - 1.0);
+  gl_Position.z = (projectionMatrix[2][2] * z + projectionMatrix[3][2]) / -z * gl_Position.w;
+}`;
+
+export function make_line_material(width) {
+  const material = new LineMaterial({ linewidth: width });
+  material.uniforms.viewport_height = { value: 1 };
+  material.vertexShader = material.vertexShader
+    .replace('void main() {', `${kPull}\nvoid main() {`)
+    .replace('gl_Position = clip;', 'gl_Position = clip; pull(3.0);');
+  return material;
+}
+
+export function make_wire_material() {
+  return new ShaderMaterial({
+    vertexShader: /* glsl */ `
+      ${kPull}
+      void main() {
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+        pull(1.5);
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform vec3 colour;
+      void main() {
+        gl_FragColor = vec4(colour, 0.35);
+        #include <colorspace_fragment>
+      }`,
+    transparent: true,
+    depthWrite: false,
+    uniforms: { colour: { value: new Color() }, viewport_height: { value: 1 } },
+  });
+}
+
+// Round dots of a constant size on the screen.
+export function make_dot_material(diameter) {
+  return new ShaderMaterial({
+    vertexShader: /* glsl */ `
+      ${kPull}
+      uniform float diameter, pixel_ratio;
+      void main() {
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+        pull(diameter);
+        gl_PointSize = (diameter + 1.0) * pixel_ratio;
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform vec3 fill, ring;
+      uniform float diameter;
+      void main() {
+        float r = length(gl_PointCoord - 0.5) * (diameter + 1.0);
+        float inside = 1.0 - smoothstep(0.5 * diameter - 0.5, 0.5 * diameter + 0.5, r);
+        if (inside < 0.02) discard;
+        float core = 1.0 - smoothstep(0.5 * diameter - 2.2, 0.5 * diameter - 1.2, r);
+        gl_FragColor = vec4(mix(ring, fill, core), inside);
+        #include <colorspace_fragment>
+      }`,
+    transparent: true,
+    uniforms: {
+      diameter: { value: diameter },
+      pixel_ratio: { value: 1 },
+      viewport_height: { value: 1 },
+      fill: { value: new Color() },
+      ring: { value: new Color() },
+    },
+  });
+}

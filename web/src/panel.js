@@ -1,0 +1,86 @@
+// The text beside the picture: switches, figures, and the card of the region under the pointer.
+
+const by_id = (id) => document.getElementById(id);
+
+export function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+// Six significant digits, without trailing zeros.
+export function format_number(value) {
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  return size >= 1e-4 && size < 1e7 ? String(Number(value.toPrecision(6))) : value.toExponential(4);
+}
+
+function fill_rows(body, rows) {
+  body.replaceChildren(
+    ...rows.map(([name, value]) =>
+      element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: value })),
+    ),
+  );
+}
+
+// A switch between the scenes, where there are several. `choose` gets the scene's index.
+export function make_scene_switch(scenes, choose) {
+  const box = by_id('scenes');
+  box.hidden = scenes.length < 2;
+  scenes.forEach((scene, i) => {
+    const input = element('input', { type: 'radio', name: 'scene', value: String(i), checked: i === 0 });
+    input.addEventListener('change', () => choose(i));
+    box.append(element('label', {}, input, scene.name || `Picture ${i + 1}`));
+  });
+}
+
+// One checkbox for each [key, text]. `change` gets the key and whether it is on. Returns the inputs by key.
+export function make_toggles(entries, change) {
+  const inputs = {};
+  for (const [key, text] of entries) {
+    const input = element('input', { type: 'checkbox', id: `toggle-${key}` });
+    input.addEventListener('change', () => change(key, input.checked));
+    by_id('toggles').append(element('label', {}, input, text));
+    inputs[key] = input;
+  }
+  return inputs;
+}
+
+export function show_figures(figures) {
+  by_id('figures').hidden = figures.length === 0;
+  fill_rows(by_id('figures').querySelector('tbody'), figures);
+}
+
+// As many neighbours as fit, and the number of the others.
+function list_neighbours(neighbours) {
+  const kShown = 12;
+  if (neighbours.length === 0) return 'none';
+  const shown = neighbours.slice(0, kShown).join(', ');
+  return neighbours.length > kShown ? `${shown} and ${neighbours.length - kShown} more` : shown;
+}
+
+// The card of a region: {label, colour, cell, share, distance}; hides it where `region` is null.
+export function show_region(region) {
+  const card = by_id('region');
+  card.hidden = !region;
+  if (!region) return;
+  const rows = [];
+  if (region.cell) {
+    const share = region.share > 0 ? ` (${(100 * region.share).toFixed(1)}\u00a0%)` : '';
+    rows.push(['Area', format_number(region.cell.area) + share]);
+    rows.push(['Neighbours', list_neighbours(region.cell.neighbours)]);
+    if (region.cell.euler_characteristic !== 1) rows.push(['Euler characteristic', region.cell.euler_characteristic]);
+  }
+  if (region.distance !== null) rows.push(['Distance here', region.distance]);
+  const swatch = element('i');
+  swatch.style.background = region.colour;
+  const body = element('tbody');
+  fill_rows(body, rows);
+  const name = region.label === null ? 'No generator reaches this' : `Region ${region.label}`;
+  card.replaceChildren(element('strong', {}, swatch, name), element('table', {}, body));
+}
+
+export function show_failure(text) {
+  by_id('failure').textContent = text;
+  by_id('failure').hidden = false;
+}
