@@ -1,5 +1,5 @@
 import { Sphere, Vector3 } from 'three';
-import { kThemes } from './colours.js';
+import { kThemes, kUnreachedFill } from './colours.js';
 import { read_array, read_manifest } from './data.js';
 import { make_mark_materials } from './marks.js';
 import { make_surface_materials } from './materials.js';
@@ -125,7 +125,7 @@ class Viewer {
     return {
       label,
       cell,
-      colour: label === null ? '#8d8f92' : this.picture.fills[label].getStyle(),
+      colour: `rgb(${label === null ? kUnreachedFill : this.picture.fills[label]})`,
       share: cell && this.picture.total_area > 0 ? cell.area / this.picture.total_area : 0,
       distance: this.picture.offers('lines') ? this.format_distance(distance) : null,
     };

@@ -1,17 +1,8 @@
 // One scene of the page, ready to be drawn.
 import { Group, Mesh } from 'three';
-import { fill_texture, region_fills } from './colours.js';
-import { read_array } from './data.js';
+import { fill_texture, read_fills } from './colours.js';
 import { make_bisectors, make_dots, make_wireframe } from './marks.js';
-import { kFirstLabel, make_surface } from './surface.js';
-
-function count_labels(entry) {
-  let largest = 0;
-  for (const reference of [entry.codes, entry.pieces?.codes]) {
-    for (const code of read_array(reference)) if (code > largest) largest = code;
-  }
-  return Math.max(0, largest - kFirstLabel + 1, entry.cells.length);
-}
+import { make_surface } from './surface.js';
 
 // A round number that divides `range` into about `parts` steps.
 function round_step(range, parts) {
@@ -24,7 +15,7 @@ export class Picture {
     this.entry = entry;
     this.scale = scale;
     this.surface = make_surface(entry);
-    this.fills = region_fills(entry.cells, count_labels(entry));
+    this.fills = read_fills(entry);
     this.texture = fill_texture(this.fills);
     this.total_area = entry.cells.reduce((sum, cell) => sum + cell.area, 0);
     this.materials = materials;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gvd/error.hpp"
+#include "gvd/io/label_color.hpp"
 #include "io/view_triangulate.hpp"
 
 namespace gvd::io {
@@ -86,6 +87,7 @@ class SceneEncoder {
     entry["faces"] = faces();
     if (!scene_.vertex_distance.empty()) entry["distances"] = distances();
     if (!scene_.face_label.empty() || !scene_.pieces.empty()) entry["codes"] = codes();
+    if (entry.contains("codes")) entry["fills"] = fills();
     if (!scene_.pieces.empty()) entry["pieces"] = pieces();
     if (!scene_.bisectors.empty()) entry["bisectors"] = bisectors();
     if (!scene_.generators.empty()) entry["generators"] = points(scene_.generators);
@@ -129,6 +131,19 @@ class SceneEncoder {
     for (std::size_t f = 0; f < scene_.face_label.size(); ++f) codes[f] = code_of(scene_.face_label.raw()[f]);
     for (const FacePiece& piece : scene_.pieces) codes[piece.face.index()] = kCutCode;
     return blobs_.add_integers(codes);
+  }
+
+  /// Red, green and blue of every label that occurs.
+  json fills() {
+    std::int64_t labels = static_cast<std::int64_t>(scene_.cells.size());
+    for (const GeneratorId label : scene_.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
+    for (const FacePiece& piece : scene_.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
+    std::vector<std::uint32_t> channels;
+    for (std::int64_t label = 0; label < labels; ++label) {
+      const Rgb color = label_color(GeneratorId(label));
+      channels.insert(channels.end(), {color.red, color.green, color.blue});
+    }
+    return blobs_.add_integers(channels);
   }
 
   /// Corners by two of their barycentric coordinates, triangles by indices of their piece's corners.
