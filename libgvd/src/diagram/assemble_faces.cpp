@@ -11,25 +11,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found nothing.
-std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
-                                       GeneratorId g) {
-  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
-  const auto& corners = mesh.vertices(f);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int32_t place = table.find(corners[i], g);
-    if (place >= 0) d[i] = table.distance(place).distance;
-    if (labels.label[corners[i]] == g) d[i] = std::min(d[i], labels.distance[corners[i]]);
-  }
-  const std::array<double, 3> known = d;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
-    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
-    if (d[i] == kInfinity) d[i] = std::min(next, previous);
-  }
-  return d;
-}
-
 /// Distance of a form's generator at a point of face f.
 double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const std::array<double, 3>& bary, Front front) {
   if (front == Front::planar) return form.at(bary);
@@ -61,20 +42,25 @@ void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm
   }
 }
 
-/// The faces that have a crossing on their boundary, ascending.
-std::vector<FaceId> crossed_faces(const Mesh& mesh, const Crossings& crossings) {
-  std::vector<FaceId> faces;
-  for (const Crossing& c : crossings.items()) {
-    const HalfedgeId h = mesh.halfedge(c.edge);
-    faces.push_back(Mesh::face(h));
-    if (mesh.twin(h).valid()) faces.push_back(Mesh::face(mesh.twin(h)));
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
 }  // namespace
+
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
+                                       GeneratorId g) {
+  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
+  const auto& corners = mesh.vertices(f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t place = table.find(corners[i], g);
+    if (place >= 0) d[i] = table.distance(place).distance;
+    if (labels.label[corners[i]] == g) d[i] = std::min(d[i], labels.distance[corners[i]]);
+  }
+  const std::array<double, 3> known = d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
+    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
+    if (d[i] == kInfinity) d[i] = std::min(next, previous);
+  }
+  return d;
+}
 
 std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
                                      const std::vector<BoundaryCrossing>& boundary, Front front) {
@@ -89,18 +75,17 @@ std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& tab
   return forms;
 }
 
-FaceDiagram assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                           const Crossings& crossings, Front front) {
+void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram) {
   const Mesh& mesh = working.mesh();
-  FaceDiagram diagram;
   for (const FaceId f : crossed_faces(mesh, crossings)) {
+    if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
     const auto boundary = boundary_crossings(mesh, crossings, f);
     const auto forms = face_forms(mesh, table, labels, f, boundary, front);
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
     assemble_face(f, boundary, forms, diagram);
     measure_branches(mesh, f, forms, front, first_arc, first_branch, diagram);
   }
-  return diagram;
 }
 
 }  // namespace gvd

@@ -6,12 +6,17 @@
 
 namespace gvd {
 
+/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found nothing.
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
+                                       GeneratorId g);
+
 /// The distance forms of those generators that stand in a face's table or round its boundary.
 std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
                                      const std::vector<BoundaryCrossing>& boundary, Front front);
 
-/// Joins the crossings in every face. Cost: O(k) for k faces near bisectors.
-FaceDiagram assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                           const Crossings& crossings, Front front);
+/// Joins the crossings in every face but those in `skipped` (ascending), and appends the arcs and branch points to
+/// `diagram`. Cost: O(k) for k faces near bisectors.
+void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram);
 
 }  // namespace gvd

@@ -11,6 +11,10 @@ namespace gvd {
 
 using CrossingId = Id<struct CrossingTag>;
 
+/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge; a cell that owns
+/// less of the inside of an edge is not seen there. A thousand times the tie offset, and far above rounding.
+inline constexpr double kCrossingGap = 1e-7;
+
 /// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about it.
 struct Crossing {
   EdgeId edge;
@@ -80,5 +84,8 @@ inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const 
   }
   return result;
 }
+
+/// The faces that have a crossing on their boundary, ascending.
+std::vector<FaceId> crossed_faces(const Mesh& mesh, const Crossings& crossings);
 
 }  // namespace gvd

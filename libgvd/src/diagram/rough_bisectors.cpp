@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge; a cell that owns
-/// less of the inside of an edge is not seen there. A thousand times the tie offset, and far above rounding.
-constexpr double kCrossingGap = 1e-7;
-
 /// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
 struct EdgeCandidate {
   GeneratorId generator;

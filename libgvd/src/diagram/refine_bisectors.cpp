@@ -1,0 +1,40 @@
+#include "diagram/refine_bisectors.hpp"
+
+#include "diagram/assemble_faces.hpp"
+#include "geodesic/unfold.hpp"
+
+namespace gvd {
+namespace {
+
+/// Parameter where the line of points equally far from p and q meets a + t (b - a); outside of [0, 1] where it misses.
+double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  const Vec2 normal = q - p;
+  const double along = normal.dot(b - a);
+  const double reach = normal.dot(0.5 * (p + q) - a);
+  return along == 0 ? -1 : reach / along;
+}
+
+}  // namespace
+
+std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
+                                               const NearestLabels& labels, const Crossings& crossings) {
+  const Mesh& mesh = working.mesh();
+  std::vector<CrossingEstimate> estimates;
+  for (const FaceId f : crossed_faces(mesh, crossings)) {
+    const auto boundary = boundary_crossings(mesh, crossings, f);
+    if (boundary.size() != 2) continue;
+    const auto corner = flatten_face(mesh, f);
+    const Vec2 p = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].next));
+    const Vec2 q = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].previous));
+    for (const BoundaryCrossing& c : boundary) {
+      const auto i = static_cast<std::size_t>(c.corner);
+      const double t = equidistant_parameter(corner[i], corner[(i + 1) % 3], p, q);
+      if (!(t > 0 && t < 1)) continue;
+      const bool along = mesh.halfedge(crossings[c.id].edge) == Mesh::halfedge(f, c.corner);
+      estimates.push_back({c.id, along ? t : 1 - t});
+    }
+  }
+  return estimates;
+}
+
+}  // namespace gvd

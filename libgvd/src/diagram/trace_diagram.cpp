@@ -1,0 +1,168 @@
+#include "diagram/trace_diagram.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+#include "diagram/assemble_faces.hpp"
+#include "diagram/cell_topology.hpp"
+#include "diagram/growth.hpp"
+#include "diagram/refine_bisectors.hpp"
+#include "diagram/rough_bisectors.hpp"
+
+namespace gvd {
+namespace {
+
+/// A gap and what grew in it.
+struct ClosedGap {
+  const Gap* gap;
+  GrownGap grown;
+};
+
+/// Replaces the crossings inside the grown gaps by those that grew, and appends their arcs and branch points to `faces`.
+void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
+  struct Tagged {
+    Crossing crossing;
+    CrossingId old;
+    std::pair<std::size_t, std::size_t> node;  // gap and node that it grew as
+  };
+  std::vector<char> inside(static_cast<std::size_t>(mesh.face_count()), 0);
+  for (const ClosedGap& c : closed) {
+    for (const FaceId f : c.gap->faces) inside[f.index()] = 1;
+  }
+  std::vector<Tagged> all;
+  for (std::size_t i = 0; i < traced.crossings.size(); ++i) {
+    const CrossingId id(static_cast<std::int64_t>(i));
+    const HalfedgeId h = mesh.halfedge(traced.crossings[id].edge), twin = mesh.twin(h);
+    // Two grown gaps never share an edge, so both faces inside means inside of one.
+    if (inside[Mesh::face(h).index()] && (!twin.valid() || inside[Mesh::face(twin).index()])) continue;
+    all.push_back({traced.crossings[id], id, {}});
+  }
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    for (std::size_t n = 0; n < closed[c].grown.nodes.size(); ++n) {
+      const GapNode& node = closed[c].grown.nodes[n];
+      if (node.kind == GapNode::Kind::crossing) all.push_back({node.crossing, CrossingId(), {c, n}});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Tagged& a, const Tagged& b) {
+    return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
+  });
+  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());
+  std::vector<std::vector<ArcEnd>> ends(closed.size());
+  for (std::size_t c = 0; c < closed.size(); ++c) ends[c].resize(closed[c].grown.nodes.size());
+  std::vector<Crossing> items;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const CrossingId id(static_cast<std::int64_t>(i));
+    items.push_back(all[i].crossing);
+    if (all[i].old.valid()) {
+      renamed[all[i].old] = id;
+    } else {
+      ends[all[i].node.first][all[i].node.second] = at(id);
+    }
+  }
+  traced.crossings = Crossings(mesh.edge_count(), std::move(items));
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    const GrownGap& grown = closed[c].grown;
+    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
+      const GapNode& node = grown.nodes[n];
+      if (node.kind == GapNode::Kind::rim) ends[c][n] = at(renamed[node.rim]);
+      if (node.kind == GapNode::Kind::branch) {
+        ends[c][n] = at(traced.faces.branches.push_back({node.face, node.bary, node.distance}));
+      }
+    }
+    for (const GapArc& arc : grown.arcs) {
+      traced.faces.arcs.push_back({arc.face, ends[c][static_cast<std::size_t>(arc.begin)],
+                                   ends[c][static_cast<std::size_t>(arc.end)], arc.left, arc.right});
+    }
+    for (const auto& [v, g] : grown.labels) traced.labels.label[v] = g;
+  }
+}
+
+class Tracer {
+ public:
+  Tracer(const WorkingMesh& working, const GeneratorTable& table, Front front)
+      : working_(working), mesh_(working.mesh()), table_(table), front_(front), gaps_(find_gaps(mesh_, table)) {
+    may_grow_.assign(gaps_.size(), 1);
+  }
+
+  TracedDiagram run(DiagramReport& report) {
+    const NearestLabels labels = compute_nearest_labels(working_, table_);
+    report.relabelled_samples = labels.relabelled;
+    report.gaps = static_cast<std::int64_t>(gaps_.size());
+    while (true) {
+      TracedDiagram traced{labels, find_rough_crossings(working_, table_, labels, front_, plain_), {}};
+      weld_crossings(refine_bisectors(working_, table_, labels, traced.crossings), traced.crossings);
+      report.gaps_grown = grow(traced);
+      report.gaps_assembled = report.gaps - report.gaps_grown;
+      assemble_rest(traced);
+      if (!give_way_to_islands(traced)) return traced;
+    }
+  }
+
+ private:
+  /// Grows every gap that may; returns how many closed.
+  std::int64_t grow(TracedDiagram& traced) {
+    std::vector<ClosedGap> closed;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      if (!may_grow_[i]) continue;
+      auto grown = grow_gap(working_, table_, traced.labels, traced.crossings, gaps_[i]);
+      if (grown) closed.push_back({&gaps_[i], std::move(*grown)});
+      may_grow_[i] = grown.has_value();
+    }
+    install_grown_gaps(mesh_, closed, traced);
+    return static_cast<std::int64_t>(closed.size());
+  }
+
+  /// Assembles the faces outside of grown gaps, and puts all arcs in the order of their faces.
+  void assemble_rest(TracedDiagram& traced) {
+    std::vector<FaceId> grown;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      if (may_grow_[i]) grown.insert(grown.end(), gaps_[i].faces.begin(), gaps_[i].faces.end());
+    }
+    std::sort(grown.begin(), grown.end());
+    assemble_faces(working_, table_, traced.labels, traced.crossings, front_, grown, traced.faces);
+    std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
+                     [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
+  }
+
+  /// A run inside an edge, or a vertex that growth moved, may hang together with no part of its cell. Then the gaps there
+  /// are assembled, and edges there that no growth moved are crossed plainly, between the labels of their ends, whose cells
+  /// are connected by construction. Every round takes at least one gap or edge. False where there is no island.
+  bool give_way_to_islands(const TracedDiagram& traced) {
+    const std::vector<EdgeId> islands = CellParts(working_, traced).island_edges();
+    if (islands.empty()) return false;
+    bool gave_way = false;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      if (!may_grow_[i]) continue;
+      for (const EdgeId e : islands) {
+        const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+        if (!gaps_[i].contains(Mesh::face(h)) && !(twin.valid() && gaps_[i].contains(Mesh::face(twin)))) continue;
+        may_grow_[i] = 0;
+        gave_way = true;
+        break;
+      }
+    }
+    if (gave_way) return true;
+    std::vector<EdgeId> more;
+    std::set_union(plain_.begin(), plain_.end(), islands.begin(), islands.end(), std::back_inserter(more));
+    gave_way = more.size() > plain_.size();
+    plain_ = std::move(more);
+    return gave_way;
+  }
+
+  const WorkingMesh& working_;
+  const Mesh& mesh_;
+  const GeneratorTable& table_;
+  Front front_;
+  std::vector<Gap> gaps_;
+  std::vector<char> may_grow_;  // per gap: growth has not failed there
+  std::vector<EdgeId> plain_;
+};
+
+}  // namespace
+
+TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, Front front, DiagramReport& report) {
+  return Tracer(working, table, front).run(report);
+}
+
+}  // namespace gvd

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "diagram/diagram_graph.hpp"
+#include "geodesic/fast_marching.hpp"
+#include "gvd/diagram.hpp"
+
+namespace gvd {
+
+/// The paper's tracer: rough bisectors, refined and welded (4.2), and growth through the gaps (4.3).
+///
+/// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is closed by the
+/// assembly of its edge crossings. Cells are connected: a run of a cell that hangs together with nothing is taken away.
+/// Counts gaps and relabelled samples in `report`. Cost: O(n).
+TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, Front front, DiagramReport& report);
+
+}  // namespace gvd
