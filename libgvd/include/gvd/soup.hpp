@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+enum class MeshFormat { obj, ply, off, stl };
+
+/// "obj", "ply", "off" or "stl".
+std::string_view name_of(MeshFormat format);
+
+/// The format of a file name's extension or of a bare name such as "ply", upper or lower case; none where it is
+/// another.
+std::optional<MeshFormat> format_from_extension(std::string_view name);
+
+/// The format of a file. Its content decides where it can't be mistaken (the first line of a PLY or OFF, an STL's
+/// length or first word); otherwise the extension of `name` does; otherwise the first statements of an OBJ.
+/// None where nothing fits. Cost: O(1), but for leading comments.
+std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
+
+/// Polygons as a file gives them: nothing is known about how they fit together.
+struct PolygonSoup {
+  std::vector<Vec3> positions;               ///< mesh units
+  std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
+  std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
+  bool unwelded = false;                     ///< every polygon has vertices of its own (STL)
+  std::vector<std::string> notes;            ///< what the reader left out, a line each
+
+  std::size_t polygon_count() const { return first_corner.size() - 1; }
+  std::span<const std::int32_t> polygon(std::size_t p) const {
+    return {corners.data() + first_corner[p], first_corner[p + 1] - first_corner[p]};
+  }
+};
+
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF) or STL (ascii and binary).
+///
+/// `format` overrides the detection. Numbers are read the same in any locale. Vertices and polygons keep their order.
+/// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
+/// (4) memory is bounded by a multiple of the file's size, whatever its header promises.
+/// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
+/// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
+/// Cost: O(bytes).
+PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
+
+/// What `build_mesh` does about a defect.
+enum class DefectPolicy {
+  error,    ///< refuses any defect
+  repair,   ///< repairs what loses nothing, refuses the rest
+  largest,  ///< repairs, then keeps only the component with the largest area (of equals the first)
+};
+
+enum class DefectKind {
+  unwelded_vertices,         ///< an STL's corners: welded where their coordinates are equal (-0 equals 0)
+  zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
+  degenerate_faces,          ///< fewer than three corners are left once repeated ones are taken out: removed
+  duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
+  inconsistent_orientation,  ///< flipped, so that each component follows the majority of its faces
+  nonmanifold_edges,         ///< three or more faces: cut apart
+  nonmanifold_vertices,      ///< several fans of faces at a vertex that is on no such edge: cut apart
+  unused_vertices,           ///< in no face: removed
+  dropped_components,        ///< all but the largest, where the policy asks for it: no defect of the file
+};
+
+/// The kind in words for reports: "nonmanifold_edges".
+std::string_view name_of(DefectKind kind);
+
+struct Defect {
+  DefectKind kind{};
+  std::int64_t count = 0;
+  std::int64_t first = -1;  ///< input vertex for the kinds on vertices, input polygon for the others
+  std::string message;      ///< one line: what, how many, where first, and what was done
+};
+
+/// What was wrong with a soup. Everything in it has been repaired.
+struct DefectReport {
+  std::vector<Defect> defects;           ///< each kind at most once, those with a count above 0 only
+  std::int64_t zero_area_faces = 0;      ///< triangles of three different points on one line: legal, kept
+  std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
+  std::int64_t split_edges = 0;          ///< non-manifold edges that only a new midpoint could cut
+  std::vector<std::string> messages;     ///< for the user, one line each: notes of the reader and all of the above
+
+  /// 0 where there is none of that kind.
+  std::int64_t count(DefectKind kind) const;
+};
+
+/// A mesh and where its elements come from.
+struct CheckedMesh {
+  Mesh mesh;
+  DefectReport defects;
+  std::vector<VertexId> mesh_vertex;              ///< per input vertex; invalid where it was dropped
+  IdVector<VertexId, std::int32_t> input_vertex;  ///< -1 for the midpoint of a split edge
+  IdVector<FaceId, std::int32_t> input_polygon;
+};
+
+/// Examines a soup, repairs it as `policy` says, triangulates it and builds the mesh.
+///
+/// Properties: (1) a soup of triangles without a defect becomes the mesh with the same vertices, faces and corners in
+/// the same order; (2) otherwise vertices and faces keep their order, and copies of cut vertices follow at the end; (3)
+/// no repair moves a vertex or takes away area: the points of the surface stay the same under `repair`; (4) a convex or
+/// concave polygon is cut into triangles of its own orientation, without new vertices, and where it can be along
+/// diagonals that are no edges yet.
+///
+/// At an edge of three or more faces, neighbours round the edge stay together where the surface's inside is between
+/// them; the others are cut apart. So bodies that touch in an edge stay closed, and a fin comes off. Faces of zero area
+/// whose corners differ stay: to remove them would tear the surface.
+///
+/// Throws Error{precondition} that names the first offending element, 0-based in the soup: under `error` any defect;
+/// under the others what no repair makes right: a component with one side only (a Moebius strip; under `largest` only
+/// where it is the largest), a polygon that crosses itself, coordinates beyond kLargestCoordinate or a mesh smaller
+/// than kSmallestExtent, nothing left. Cost: O(n log n) time for n corners, O(n) memory.
+CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair);
+
+/// Squared areas, products of four lengths, must neither overflow nor vanish in a double (1e308, 1e-308).
+inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units
+inline constexpr double kSmallestExtent = 1e-75;    ///< of the largest side of the bounding box, in mesh units
+
+}  // namespace gvd

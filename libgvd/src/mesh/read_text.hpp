@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// A decimal number as a double, nearest value, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf".
+/// Too small for a double is 0, too large is infinity. None where the token is anything else.
+std::optional<double> parse_double(std::string_view token);
+
+/// A decimal integer with an optional sign; none where the token is anything else or beyond 64 bits.
+std::optional<std::int64_t> parse_integer(std::string_view token);
+
+/// A token from a file as it may stand in a message: in quotes, printable, shortened.
+std::string quoted(std::string_view token);
+
+/// Walks through a text line by line and token by token, and knows where it is.
+class TextReader {
+ public:
+  /// Lines end in LF, CR LF or CR. With `comments`, '#' starts one that ends the line.
+  TextReader(std::string_view bytes, std::string_view name, bool comments);
+  TextReader(const TextReader&) = delete;
+  TextReader& operator=(const TextReader&) = delete;
+
+  /// Moves to the next line, or to the next one with a token; false at the end of the text.
+  bool next_line();
+  bool next_content_line();
+  /// The next token of the line; empty at its end.
+  std::string_view token();
+  /// Numbers the coming lines as if `count` lines came before this text.
+  void skip_line_numbers(std::int64_t count) { line_number_ += count; }
+
+  /// The next token as a number; refused where it is none or missing. `what` names it in the message.
+  double number(std::string_view what);
+  std::int64_t integer(std::string_view what);
+  /// Three coordinates, each finite. `vertex` is for messages.
+  Vec3 position(std::int64_t vertex);
+
+  std::string_view line() const { return line_; }
+  /// Characters that are not read yet.
+  std::size_t remaining() const { return text_.size(); }
+  std::int64_t line_number() const { return line_number_; }
+  /// Puts another text in the place of the current line.
+  void replace_line(std::string_view line) { line_ = line; }
+
+  /// Throws Error{unreadable_input}: "name:line: message".
+  [[noreturn]] void refuse(const std::string& message, std::int64_t element = -1) const;
+  /// Throws Error{unreadable_input} about the end of the file.
+  [[noreturn]] void refuse_end(const std::string& message, std::int64_t element = -1) const;
+
+ private:
+  std::string unix_text_;  // a copy with LF for CR, where the text needs one
+  std::string_view text_;  // what is left after the current line
+  std::string_view line_;  // what is left of the current line
+  std::string name_;
+  bool comments_;
+  std::int64_t line_number_ = 0;
+};
+
+}  // namespace gvd
