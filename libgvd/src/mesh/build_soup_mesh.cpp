@@ -140,7 +140,7 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   WorkPolygons polygons = remove_degenerate_faces(soup, weld, log);
   remove_duplicate_faces(polygons, soup.positions.size(), log);
   WorkFaces work = triangulate_polygons(polygons, soup.positions);
-  const EdgeTable edges = group_edges(work, soup.positions.size());
+  EdgeTable edges = group_edges(work, soup.positions.size());
   const std::vector<char> one_sided = orient_faces(work, edges, log);
   const std::vector<char> on_cut_edge = cut_edges(work, edges, soup.positions, one_sided, log);
   keep_largest_component(work, soup.positions, one_sided, log);

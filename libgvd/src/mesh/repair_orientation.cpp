@@ -75,7 +75,7 @@ void refuse_one_sided(const WorkFaces& work, const Component& component) {
 
 }  // namespace
 
-std::vector<char> orient_faces(WorkFaces& work, const EdgeTable& edges, DefectLog& log) {
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& edges, DefectLog& log) {
   pair_halfedges(work, edges);
   std::vector<signed char> side(work.faces.size(), -1);
   std::vector<char> one_sided(work.faces.size(), 0);
@@ -102,6 +102,9 @@ std::vector<char> orient_faces(WorkFaces& work, const EdgeTable& edges, DefectLo
     if (first < 0) first = work.origin[f];
     count += work.origin[f] != last;  // several triangles of one polygon count once
     last = work.origin[f];
+  }
+  for (std::int32_t& h : edges.halfedges) {
+    if (to_flip[static_cast<std::size_t>(h / 3)]) h = 3 * (h / 3) + 2 - h % 3;
   }
   log.add(DefectKind::inconsistent_orientation, count, first,
           fmt::format("{} against the orientation of most of their component, first face {}",

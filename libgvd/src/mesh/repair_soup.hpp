@@ -91,9 +91,9 @@ WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<
 void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, DefectLog& log);
 /// Throws Error{precondition} for a polygon that crosses itself.
 WorkFaces triangulate_polygons(const WorkPolygons& polygons, const std::vector<Vec3>& positions);
-/// Pairs the two halfedges of every edge of two faces and flips faces. Returns per face 1 where its component has one
-/// side only; under `error` and `repair` that is refused.
-std::vector<char> orient_faces(WorkFaces& work, const EdgeTable& edges, DefectLog& log);
+/// Pairs the two halfedges of every edge of two faces and flips faces; `edges` follows the flips. Returns per face 1
+/// where its component has one side only; under `error` and `repair` that is refused.
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& edges, DefectLog& log);
 /// Pairs halfedges at edges of three or more faces; what it leaves alone is cut. Faces of a component with one side
 /// only are left out. Returns per vertex whether it is on such an edge.
 std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& edges, const std::vector<Vec3>& positions,
