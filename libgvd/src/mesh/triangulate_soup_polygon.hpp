@@ -18,7 +18,7 @@ enum class PolygonShape {
 
 /// Point-in-triangle tests that one polygon may cost: about a second. Reached by concave polygons of some 20,000
 /// corners.
-inline constexpr std::int64_t kMostEarTests = 200'000'000;
+inline constexpr std::int64_t kMostEarTests = 100'000'000;
 
 /// Whether two vertices are joined by an edge already.
 using EdgeQuery = std::function<bool(std::int32_t, std::int32_t)>;
