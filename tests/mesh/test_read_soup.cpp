@@ -5,6 +5,7 @@
 #include <random>
 
 #include "mesh/soup_files.hpp"
+#include "support/shared_data.hpp"
 
 using namespace gvd;
 using namespace gvd::test;
@@ -158,5 +159,27 @@ TEST_CASE("a file with changed bytes is read or refused") {
       INFO(name_of(format) << " " << changed);
       read_anything(changed, format);
     }
+  }
+}
+
+TEST_CASE("the shared models are read with all their faces") {
+  const auto folder = shared_folder();
+  if (!folder) return;
+  struct Model {
+    const char* name;
+    std::int32_t faces, euler_characteristic, boundary_loops;
+    std::int64_t unused;
+  };
+  for (const Model& model : {Model{"lucy.obj", 20000, 2, 0, 0}, Model{"kitten_16k.obj", 16060, 0, 0, 0},
+                             Model{"rocker_arm.obj", 20088, 0, 0, 0}, Model{"fandisk.obj", 12946, 2, 0, 0},
+                             Model{"bunny_69k_boundary.obj", 69451, -3, 5, 1113}}) {
+    INFO(model.name);
+    const CheckedMesh checked = build_mesh(read_soup(*folder / "models" / model.name));
+    const MeshSummary summary = compute_mesh_summary(checked.mesh);
+    CHECK(summary.faces == model.faces);
+    CHECK(summary.euler_characteristic == model.euler_characteristic);
+    CHECK(summary.boundary_loops == model.boundary_loops);
+    CHECK(checked.defects.count(DefectKind::unused_vertices) == model.unused);
+    CHECK(checked.defects.defects.size() == (model.unused > 0 ? 1U : 0U));
   }
 }
