@@ -6,6 +6,7 @@
 
 #include "common/register_options.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/view.hpp"
 
 namespace gvd::app {
 namespace {
@@ -23,6 +24,16 @@ void check_generator_source(const GeneratorOptions& generators) {
   if (given.empty()) refuse("no generators: give one of -n, --generators, --vertices or --radius");
   if (given.size() > 1) {
     refuse(fmt::format("generators come from one source, not from {}: keep one", fmt::join(given, " and ")));
+  }
+}
+
+/// Options that this build may lack.
+void check_build(const Options& options) {
+#ifndef GVD_HAS_VERIFY
+  if (options.compute.verify) refuse("--verify: this build is without it; configure with -DGVD_WITH_CGAL_GPL=ON");
+#endif
+  if (!options.output.view.empty() && !has_viewer()) {
+    refuse("--view: this build is without the viewer; configure with -DGVD_WITH_VIEWER=ON");
   }
 }
 
@@ -76,6 +87,7 @@ void check_options(const Options& options, const std::vector<std::string>& outpu
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   check_generator_source(options.generators);
+  check_build(options);
   check_output(options.output, output_formats);
 }
 

@@ -14,6 +14,7 @@ extern "C" void raise_flag(int) { interrupted = 1; }
 }  // namespace
 
 void install_signal_handlers() {
+  interrupted = 0;
   struct sigaction once {};
   once.sa_handler = raise_flag;
   once.sa_flags = static_cast<int>(SA_RESETHAND);

@@ -4,6 +4,52 @@
 #include <sys/resource.h>
 
 namespace gvd::app {
+namespace {
+
+const char* name_of(SamplingKind kind) {
+  switch (kind) {
+    case SamplingKind::random:
+      return "random";
+    case SamplingKind::poisson:
+      return "poisson";
+    case SamplingKind::farthest:
+      break;
+  }
+  return "farthest";
+}
+
+/// The options as they were understood, defaults included; what was not given is null.
+nlohmann::ordered_json to_json(const Options& options) {
+  const auto or_null = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+  };
+  const GeneratorOptions& generators = options.generators;
+  const ComputeOptions& compute = options.compute;
+  return {{"input", options.input.path},
+          {"input_format", text_or_null(options.input.format)},
+          {"on_defect", options.input.on_defect},
+          {"n", or_null(generators.count)},
+          {"sampling", name_of(generators.sampling)},
+          {"seed", generators.seed},
+          {"generators", text_or_null(generators.file)},
+          {"vertices", or_null(generators.vertices)},
+          {"radius", or_null(generators.radius)},
+          {"max_snap", or_null(generators.max_snap)},
+          {"merge_coincident", generators.merge_coincident},
+          {"method", "gbgvd"},
+          {"front", compute.front == Front::planar ? "planar" : "circle"},
+          {"threads", compute.threads},
+          {"verify", compute.verify},
+          {"output", options.output.files},
+          {"diagram", text_or_null(options.output.diagram)},
+          {"view", text_or_null(options.output.view)},
+          {"report", text_or_null(options.output.report)}};
+}
+
+}  // namespace
 
 std::int64_t peak_memory_bytes() {
   rusage usage{};
@@ -15,8 +61,12 @@ std::int64_t peak_memory_bytes() {
 #endif
 }
 
-Run::Run(std::string command, Options options, Console& console)
-    : command_(std::move(command)), options_(std::move(options)), console_(console) {}
+Run::Run(const std::string& command, Options options, Console& console)
+    : options_(std::move(options)), console_(console), reported_options_(to_json(options_)) {
+  report_.command = command;
+  report_.version = GVD_VERSION;
+  report_.seed = options_.generators.seed;
+}
 
 Progress Run::progress() {
   return [this](std::string_view step, double fraction) {
@@ -34,7 +84,7 @@ Run::Stopwatch::~Stopwatch() {
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
   run_.console_.clear_bar();
   run_.console_.detail(fmt::format("{}: {:.1f} ms", step_, taken.count()));
-  run_.timings_.push_back({step_, taken.count()});
+  run_.report_.timings_ms.emplace_back(step_, taken.count());
 }
 
 }  // namespace gvd::app

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "common/console.hpp"
 #include "common/interrupt.hpp"
 #include "common/options.hpp"
+#include "gvd/io/run_report.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd::app {
@@ -17,26 +19,25 @@ namespace gvd::app {
 /// Largest resident memory of this process so far, in bytes.
 std::int64_t peak_memory_bytes();
 
-/// One run of a command: what it was asked, whom it tells, what its steps took.
+/// One run of a command: what it was asked, whom it tells, what it reports.
 class Run {
  public:
-  /// Wall time of a step, in milliseconds.
-  struct Timing {
-    std::string step;
-    double milliseconds = 0;
-  };
+  Run(const std::string& command, Options options, Console& console);
 
-  Run(std::string command, Options options, Console& console);
-
-  const std::string& command() const { return command_; }
   const Options& options() const { return options_; }
   Console& console() { return console_; }
-  const std::vector<Timing>& timings() const { return timings_; }
+  /// What `--report` will hold. The steps of pipeline.hpp and `timed` fill their parts.
+  RunReport& report() { return report_; }
+  /// The report's `options`: the shared ones are there already, a command adds its own.
+  nlohmann::ordered_json& reported_options() { return reported_options_; }
+  /// The report's `results`: the command's own figures.
+  nlohmann::ordered_json& results() { return results_; }
 
   /// For the library's `progress` fields: draws the bar, and cancels once a signal has come. Valid while the run lives.
   Progress progress();
 
-  /// Runs `work`, and keeps its wall time under the name `step`. A signal before or after it ends the run.
+  /// Runs `work`, and reports its wall time, in milliseconds, under the name `step`. A signal before or after it ends
+  /// the run.
   template <class Work>
   decltype(auto) timed(std::string_view step, Work&& work) {
     const Stopwatch stopwatch(*this, step);
@@ -57,10 +58,11 @@ class Run {
     std::chrono::steady_clock::time_point start_;
   };
 
-  std::string command_;
   Options options_;
   Console& console_;
-  std::vector<Timing> timings_;
+  RunReport report_;
+  nlohmann::ordered_json reported_options_;
+  nlohmann::ordered_json results_ = nlohmann::ordered_json::object();
 };
 
 }  // namespace gvd::app

@@ -44,14 +44,20 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
 }
 
 bool FaceTiling::fit() {
-  std::vector<Polygon> fitted;
-  for (const Polygon& polygon : polygons_) {
-    for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners))) {
-      fitted.push_back({polygon.generator, std::move(loop)});
+  // Pieces mostly share their corners already. Splitting at every corner near a segment comes second: in a sliver
+  // thinner than kCutWeld it would fold one side onto the other.
+  for (const double reach : {0.0, kCutWeld}) {
+    std::vector<Polygon> fitted;
+    for (const Polygon& polygon : polygons_) {
+      for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners, reach))) {
+        fitted.push_back({polygon.generator, std::move(loop)});
+      }
     }
+    if (!tiles(fitted)) continue;
+    polygons_ = std::move(fitted);
+    return true;
   }
-  polygons_ = std::move(fitted);
-  return tiles();
+  return false;
 }
 
 void FaceTiling::leave_whole(GeneratorId generator) {
@@ -61,18 +67,19 @@ void FaceTiling::leave_whole(GeneratorId generator) {
   polygons_.assign(1, whole);
 }
 
-std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon) const {
+std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, double reach) const {
   std::vector<std::size_t> split;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
     if (from == to) continue;
     split.push_back(from);
-    append_corners_between(from, to, split);
+    append_corners_between(from, to, reach, split);
   }
   return split;
 }
 
-void FaceTiling::append_corners_between(std::size_t from, std::size_t to, std::vector<std::size_t>& out) const {
+void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double reach,
+                                        std::vector<std::size_t>& out) const {
   const Vec2 start = place(from), along = place(to) - start;
   const double length = along.norm();
   std::vector<std::pair<double, std::size_t>> between;
@@ -81,18 +88,25 @@ void FaceTiling::append_corners_between(std::size_t from, std::size_t to, std::v
     const Vec2 offset = place(k) - start;
     const double t = along.dot(offset) / (length * length);
     const double away = std::abs(along.x() * offset.y() - along.y() * offset.x()) / length;
-    if (t > 0 && t < 1 && away <= kCutWeld) between.emplace_back(t, k);
+    if (t > 0 && t < 1 && (away <= reach || on_one_edge(from, to, k))) between.emplace_back(t, k);
   }
   std::sort(between.begin(), between.end());
   for (const auto& [t, k] : between) out.push_back(k);
 }
 
-bool FaceTiling::tiles() const {
+bool FaceTiling::on_one_edge(std::size_t a, std::size_t b, std::size_t c) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (corners_[a].bary[i] == 0 && corners_[b].bary[i] == 0 && corners_[c].bary[i] == 0) return true;
+  }
+  return false;
+}
+
+bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
   // Each directed segment once; its reverse belongs to the polygon beyond it, or the border runs along it.
   std::set<std::pair<std::size_t, std::size_t>> open;
   for (std::size_t i = 0; i < border_; ++i) open.insert({(i + 1) % border_, i});
   std::set<std::pair<std::size_t, std::size_t>> seen = open;
-  for (const Polygon& polygon : polygons_) {
+  for (const Polygon& polygon : polygons) {
     if (twice_area(polygon.corners) < -kCutWeld) return false;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
       const std::size_t from = polygon.corners[i], to = polygon.corners[(i + 1) % polygon.corners.size()];

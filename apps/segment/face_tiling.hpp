@@ -51,9 +51,11 @@ class FaceTiling {
   Vec2 place(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
 
  private:
-  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon) const;
-  void append_corners_between(std::size_t from, std::size_t to, std::vector<std::size_t>& out) const;
-  bool tiles() const;
+  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double reach) const;
+  /// The corners on the segment: those on the same edge of the face, and those within `reach`.
+  void append_corners_between(std::size_t from, std::size_t to, double reach, std::vector<std::size_t>& out) const;
+  bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
+  bool tiles(const std::vector<Polygon>& polygons) const;
   double twice_area(const std::vector<std::size_t>& polygon) const;
 
   std::vector<Corner> corners_;  ///< the border first

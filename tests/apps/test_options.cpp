@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -158,6 +158,24 @@ TEST_CASE("each error has its exit code") {
   CHECK(code_of(ErrorCode::interrupted) == 130);
   CHECK(run({"a.obj", "-n", "3"}, [](Run&) { throw std::bad_alloc(); }) == 5);
   CHECK(run({"a.obj", "-n", "3"}) == 0);
+}
+
+TEST_CASE("a signal cancels the work at the next step or progress") {
+  const std::vector<std::string> arguments{"a.obj", "-n", "3"};
+  CHECK(run(arguments, [](Run& run) {
+          std::raise(SIGINT);
+          report_progress(run.progress(), "work", 0.5);
+          FAIL("went on");
+        }) == 130);
+  CHECK(run(arguments, [](Run& run) {
+          std::raise(SIGTERM);
+          run.timed("step", [] { FAIL("went on"); });
+        }) == 130);
+  CHECK(run(arguments, [](Run& run) {
+          report_progress(run.progress(), "work", 0.5);
+          run.timed("step", [] {});
+          CHECK(run.report().timings_ms.size() == 1);
+        }) == 0);
 }
 
 TEST_CASE("a configuration file gives options, and the command line goes before it") {

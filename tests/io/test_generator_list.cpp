@@ -162,12 +162,13 @@ TEST_CASE("positions are snapped, and the largest distance is kept") {
   ResolveOptions options;
   const ResolvedGenerators result =
       resolve_generators(mesh, parse("p 1.25 1.5 0.5\np -1 -1 0\n0 0.2 0.3 0.5\n"), options);
-  CHECK(result.snapped == 2);
-  CHECK(result.largest_snap == Approx(std::sqrt(2.0)));
+  CHECK(result.snap_distance[0] == 0.5);
+  CHECK(*result.snap_distance[1] == Approx(std::sqrt(2.0)));
+  CHECK(!result.snap_distance[2]);
   CHECK((position(mesh, result.points[0]) - Vec3(1.25, 1.5, 0)).norm() < 1e-12);
   CHECK(result.points[1].kind() == SurfacePoint::Kind::vertex);
   options.max_snap = 0.5;
-  CHECK(resolve_generators(mesh, parse("p 1.25 1.5 0.5\n"), options).largest_snap == 0.5);
+  CHECK(resolve_generators(mesh, parse("p 1.25 1.5 0.5\n"), options).snap_distance[0] == 0.5);
   CHECK_THAT(
       refusal([&] { resolve_generators(mesh, parse("p 1 1.5 0\np 1 1 1\n"), options); }, ErrorCode::precondition),
       Catch::Matchers::StartsWith("list:2: this position is 1 from the surface, more than the 0.5"));
@@ -194,6 +195,7 @@ TEST_CASE("generators in one place are refused, or merged") {
   const ResolvedGenerators merged = resolve_generators(mesh, parse(text + "7\n"), merge);
   CHECK(merged.points.size() == 3);
   CHECK(merged.merged == 1);
+  CHECK(merged.snap_distance.size() == 3);
   GeneratorList list = parse("0\n");
   list.entries.push_back({Kind::position, 0, {p.x(), p.y(), p.z()}, 0});
   CHECK_THROWS_AS(resolve_generators(mesh, list), Error);

@@ -57,10 +57,9 @@ struct ResolveOptions {
 };
 
 struct ResolvedGenerators {
-  std::vector<SurfacePoint> points;  ///< in the order of the list
-  std::int32_t snapped = 0;          ///< entries that are positions
-  double largest_snap = 0;           ///< largest distance from a position to the surface, mesh units
-  std::int32_t merged = 0;           ///< entries left out because an earlier one is in the same place
+  std::vector<SurfacePoint> points;                  ///< in the order of the list
+  std::vector<std::optional<double>> snap_distance;  ///< of each point that was a position, to it, mesh units
+  std::int32_t merged = 0;                           ///< entries left out because an earlier one is in the same place
 };
 
 /// The entries as points of `mesh`.

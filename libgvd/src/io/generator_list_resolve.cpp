@@ -36,6 +36,7 @@ class Resolver {
     const auto count = static_cast<double>(list_.entries.size());
     for (const GeneratorEntry& entry : list_.entries) {
       report_progress(options_.progress, "generators", static_cast<double>(result_.points.size()) / count);
+      result_.snap_distance.emplace_back();
       result_.points.push_back(resolve(entry));
     }
     separate();
@@ -97,26 +98,26 @@ class Resolver {
       refuse(fmt::format("this position is {} from the surface, more than the {} allowed by --max-snap",
                          closest.distance, *options_.max_snap));
     }
-    ++result_.snapped;
-    result_.largest_snap = std::max(result_.largest_snap, closest.distance);
+    result_.snap_distance.back() = closest.distance;
     return closest.point;
   }
 
   void separate() {
     const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
-    std::vector<SurfacePoint> kept;
+    ResolvedGenerators kept;
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto twin = static_cast<std::size_t>(first[i]);
       if (twin == i) {
-        kept.push_back(result_.points[i]);
+        kept.points.push_back(result_.points[i]);
+        kept.snap_distance.push_back(result_.snap_distance[i]);
       } else if (!options_.merge_coincident) {
         refuse(i, fmt::format("generator {} is in the same place as generator {} ({}); remove one, or merge them with "
                               "--merge-coincident",
                               i, twin, place(twin)));
       }
     }
-    result_.merged = static_cast<std::int32_t>(first.size() - kept.size());
-    result_.points = std::move(kept);
+    kept.merged = static_cast<std::int32_t>(first.size() - kept.points.size());
+    result_ = std::move(kept);
   }
 
   const Mesh& mesh_;

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <sstream>
+
+#include "common/pipeline.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd::app {
+namespace {
+
+std::string name_of(const InputOptions& input) { return input.path == "-" ? "standard input" : input.path; }
+
+PolygonSoup read(const InputOptions& input) {
+  const auto format = format_from_extension(input.format);
+  if (input.path != "-") return read_soup(input.path, format);
+  std::ostringstream bytes;
+  bytes << std::cin.rdbuf();
+  check_interrupt();
+  if (std::cin.bad()) throw Error(ErrorCode::unreadable_input, "standard input: could not be read to its end");
+  return parse_soup(bytes.view(), *format, name_of(input));
+}
+
+DefectPolicy policy(const std::string& name) {
+  if (name == "error") return DefectPolicy::error;
+  return name == "largest" ? DefectPolicy::largest : DefectPolicy::repair;
+}
+
+/// build_mesh knows no file: its errors get the name here.
+CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
+  try {
+    return build_mesh(soup, policy(input.on_defect));
+  } catch (const Error& error) {
+    throw Error(error.code(), name_of(input) + ": " + error.what(), error.element());
+  }
+}
+
+}  // namespace
+
+CheckedMesh load_input(Run& run) {
+  const InputOptions& input = run.options().input;
+  const PolygonSoup soup = run.timed("read", [&] { return read(input); });
+  CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
+  for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
+  RunReport& report = run.report();
+  report.input = compute_mesh_summary(checked.mesh);
+  for (const Defect& defect : checked.defects.defects) {
+    report.defects.emplace_back(std::string(gvd::name_of(defect.kind)), defect.count);
+  }
+  run.console().detail(fmt::format("{} vertices, {} faces, {} components, {} boundary loops", report.input.vertices,
+                                   report.input.faces, report.input.components, report.input.boundary_loops));
+  return checked;
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,225 @@
+// What holds for every command: files, options, exit codes, streams.
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+std::ptrdiff_t line_count(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+/// An error: this exit code, nothing on stdout, one line on stderr.
+void require_error(const std::string& name, const std::string& arguments, int code, const std::string& part) {
+  CAPTURE(name, arguments);
+  const CommandResult result = run_command(name, arguments);
+  CAPTURE(result.err);
+  CHECK(result.exit_code == code);
+  CHECK(result.out.empty());
+  CHECK(line_count(result.err) == 1);
+  CHECK_THAT(result.err, StartsWith(name + ": error: "));
+  CHECK_THAT(result.err, Contains(part));
+}
+
+}  // namespace
+
+TEST_CASE("commands: a run reports what it did, and is silent when asked") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const std::string report = scratch / (name + ".json");
+    const CommandResult result = run_command(name, data_file("figure.obj") + " -n 40 -q --report " + report);
+    CHECK(result.exit_code == 0);
+    CHECK(result.out.empty());
+    CHECK(result.err.empty());
+    const auto content = nlohmann::json::parse(read_text(report));
+    CHECK(content["schema"] == "gvd-report/1");
+    CHECK(content["command"] == name);
+    CHECK(content["seed"] == 0);
+    CHECK(content["options"]["n"] == 40);
+    CHECK(content["input"]["faces"].get<int>() > 1000);
+    CHECK(content["generators"].size() >= 40);
+    CHECK(content["diagram"]["unresolved_ends"] == 0);
+    CHECK(content["peak_memory_bytes"].get<double>() > 1e6);
+    CHECK(content["timings_ms"].contains("diagram"));
+  }
+}
+
+TEST_CASE("commands: help and version go to standard output") {
+  for (const std::string& name : built_commands()) {
+    const CommandResult help = run_command(name, "--help");
+    CHECK(help.exit_code == 0);
+    CHECK(help.err.empty());
+    for (const char* part : {"Examples:", "--generators", "--on-defect", "--config", "--report", "Exit codes:"}) {
+      CHECK_THAT(help.out, Contains(part));
+    }
+    const CommandResult version = run_command(name, "--version");
+    CHECK(version.exit_code == 0);
+    CHECK_THAT(version.out, StartsWith(name + " "));
+    CHECK(line_count(version.out) == 1);
+    CHECK(run_command(name, "--help > /dev/full").exit_code == 6);
+  }
+}
+
+TEST_CASE("commands: a bad option is a usage error") {
+  const std::string mesh = data_file("torus.ply");
+  for (const std::string& name : built_commands()) {
+    require_error(name, "", 2, "INPUT");
+    require_error(name, mesh, 2, "no generators");
+    require_error(name, mesh + " -n 5 --radius 1", 2, "-n and --radius");
+    require_error(name, mesh + " -n five", 2, "five");
+    require_error(name, mesh + " -n 5 --method exact", 2, "not in this version");
+    require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
+    require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
+    require_error(name, "- -n 5", 2, "--input-format");
+    require_error(name, mesh + " -n 5 --config /nonexistent.toml", 2, "/nonexistent.toml");
+  }
+}
+
+TEST_CASE("commands: a bad file is one true line") {
+  const ScratchFolder scratch;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    write_text(scratch / name, text);
+    return scratch / name;
+  };
+  const std::string torus = read_text(data_file("torus.ply"));
+  const std::vector<std::pair<std::string, int>> bad{
+      {scratch / "missing.obj", 3},
+      {"/tmp", 3},
+      {file("empty.obj", ""), 3},
+      {file("empty.ply", ""), 3},
+      {file("words.obj", "this is no mesh\n"), 3},
+      {file("words.ply", "this is no mesh\n"), 3},
+      {file("bytes.stl", std::string(100, '\xff')), 3},
+      {file("short.ply", torus.substr(0, torus.size() / 2)), 3},
+      {file("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), 3},
+      {file("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), 4},
+      {file("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), 4},
+  };
+  for (const std::string& name : built_commands()) {
+    for (const auto& [path, code] : bad) require_error(name, path + " -n 1", code, path);
+    require_error(name, "- --input-format off -n 1 < " + bad[5].first, 3, "standard input");
+    require_error(name, "- --input-format off -n 1", 3, "standard input");
+  }
+}
+
+TEST_CASE("commands: a bad list of generators is one true line") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("torus.ply");
+  const auto refused = [&](const std::string& text, int code, const std::string& part) {
+    write_text(scratch / "list.txt", text);
+    for (const std::string& name : built_commands()) {
+      require_error(name, mesh + " --max-snap 0.01 --generators " + scratch / "list.txt", code, part);
+    }
+  };
+  refused("1\n2\nthree\n", 3, "list.txt:3: ");
+  refused("", 3, "list.txt:1: ");
+  refused("1\n99999999\n", 4, "list.txt:2: ");
+  refused("5\n6\n5\n", 4, "generator 2 is in the same place as generator 0");
+  refused("p 9 9 9\n", 4, "list.txt:1: ");
+  for (const std::string& name : built_commands()) {
+    require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");
+    require_error(name, mesh + " --generators " + scratch / "", 3, "is a directory");
+    require_error(name, mesh + " --vertices 1,99999999", 4, "99999999");
+  }
+}
+
+TEST_CASE("commands: what can't be written exits with 6") {
+  const std::string mesh = data_file("torus.ply") + " -n 20 ";
+  for (const std::string& name : built_commands()) {
+    require_error(name, mesh + "--report /dev/full -q", 6, "/dev/full");
+    require_error(name, mesh + "--diagram /dev/full -q", 6, "/dev/full");
+    require_error(name, mesh + "-o /nonexistent/a.json", 6, "/nonexistent");
+    require_error(name, mesh + "-o - -q > /dev/full", 6, "standard output");
+    require_error(name, mesh + "-o - -q >&-", 6, "standard output");
+    CHECK(std::filesystem::is_character_file("/dev/full"));
+  }
+}
+
+TEST_CASE("commands: standard output carries data only, and standard input is read") {
+  const std::string arguments = "- --input-format off -n 20 -o - < " + data_file("half_sphere.off");
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const CommandResult piped = run_command(name, arguments);
+    CHECK(piped.exit_code == 0);
+    CHECK(!piped.out.empty());
+    CHECK(piped.out.find("gvd-") != 0);
+    const CommandResult json = run_command(name, "--output-format json " + arguments);
+    CHECK(nlohmann::json::parse(json.out).is_object());
+  }
+}
+
+TEST_CASE("commands: the same call gives the same bytes") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    std::string arguments = data_file("figure.obj") + " -q -n 40 --seed 3";
+    std::string again = arguments + " --threads 1";
+    const std::vector<std::string> files{"a.ply", "a.obj", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"};
+    std::filesystem::create_directory(scratch / "first" + name);
+    std::filesystem::create_directory(scratch / "again" + name);
+    for (const std::string& file : files) {
+      arguments += " -o " + scratch / "first" + name + "/" + file;
+      again += " -o " + scratch / "again" + name + "/" + file;
+    }
+    REQUIRE(run_command(name, arguments + " --diagram " + scratch / "first" + name + "/d.json").exit_code == 0);
+    REQUIRE(run_command(name, again + " --diagram " + scratch / "again" + name + "/d.json").exit_code == 0);
+    for (const auto& entry : std::filesystem::directory_iterator(scratch / "first" + name)) {
+      const std::string file = entry.path().filename().string();
+      CAPTURE(name, file);
+      CHECK(std::filesystem::file_size(entry.path()) > 100);
+      CHECK(read_text(entry.path().string()) == read_text(scratch / "again" + name + "/" + file));
+    }
+  }
+}
+
+TEST_CASE("commands: options come from a file too") {
+  const ScratchFolder scratch;
+  write_text(scratch / "options.toml", "n = 12\nseed = 4\nquiet = true\nreport = \"" + scratch / "r.json" + "\"\n");
+  for (const std::string& name : built_commands()) {
+    const CommandResult result = run_command(name, data_file("figure.obj") + " --config " + scratch / "options.toml");
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["options"]["n"] == 12);
+  }
+}
+
+TEST_CASE("commands: bars are drawn on a terminal only") {
+  for (const std::string& name : built_commands()) {
+    const std::vector<std::string> arguments{data_file("figure.obj"), "-n", "40"};
+    const auto on_terminal = [&](const char* terminal, const char* no_color) {
+      setenv("TERM", terminal, 1);
+      setenv("NO_COLOR", no_color, 1);
+      return run_on_terminal(name, arguments).err;
+    };
+    const std::string bar = "\r\x1b[K", colour = "\x1b[36m";
+    const std::string with = on_terminal("xterm", "");
+    CHECK_THAT(with, Contains(bar) && Contains(colour) && Contains("%"));
+    CHECK_THAT(on_terminal("xterm", "1"), Contains(bar) && !Contains(colour));
+    CHECK_THAT(on_terminal("dumb", ""), !Contains("\x1b"));
+    CHECK_THAT(run_command(name, data_file("figure.obj") + " -n 40").err, !Contains("\r") && !Contains("\x1b"));
+  }
+}
+
+TEST_CASE("commands: an interrupted run exits with 130 and leaves the old file") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      CAPTURE(name, signal);
+      write_text(scratch / "old.json", "old");
+      const CommandResult result =
+          run_interrupted(name, {"-", "--input-format", "obj", "-n", "1", "-o", scratch / "old.json"}, signal);
+      CHECK(result.exit_code == 130);
+      CHECK(line_count(result.err) == 1);
+      CHECK(read_text(scratch / "old.json") == "old");
+    }
+  }
+}
