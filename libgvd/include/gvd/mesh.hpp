@@ -9,6 +9,12 @@
 
 namespace gvd {
 
+/// The measures of a face, together for the cache's sake.
+struct FaceShape {
+  std::array<double, 3> length{};  ///< of the halfedges of corners 0, 1 and 2, mesh units
+  double twice_area = 0;           ///< square mesh units
+};
+
 /// An oriented manifold triangle mesh, with or without boundary, of one or several components.
 ///
 /// Flat arrays; immutable once built. Halfedge 3 f + i of face f runs from its corner i to its corner
@@ -61,10 +67,11 @@ class Mesh {
   bool is_boundary(VertexId v) const { return !twin(halfedge(v)).valid(); }
 
   /// Edge length in mesh units, > 0.
-  double length(EdgeId e) const { return length_[e]; }
-  double length(HalfedgeId h) const { return length_[edge(h)]; }
+  double length(EdgeId e) const { return length(halfedge(e)); }
+  double length(HalfedgeId h) const { return shape_[face(h)].length[static_cast<std::size_t>(corner(h))]; }
   /// Area in square mesh units, >= 0.
-  double area(FaceId f) const;
+  double area(FaceId f) const { return 0.5 * shape_[f].twice_area; }
+  const FaceShape& shape(FaceId f) const { return shape_[f]; }
   /// Arithmetic mean of the edge lengths, in mesh units.
   double mean_edge_length() const { return mean_edge_length_; }
   /// Diagonal of the axis-aligned bounding box, in mesh units.
@@ -77,6 +84,7 @@ class Mesh {
   void number_edges();
   void find_vertex_halfedges();
   void measure();
+  void measure_face(FaceId f);
 
   IdVector<VertexId, Vec3> positions_;
   IdVector<FaceId, std::array<VertexId, 3>> faces_;
@@ -84,7 +92,7 @@ class Mesh {
   IdVector<HalfedgeId, EdgeId> halfedge_edge_;
   IdVector<EdgeId, HalfedgeId> edge_halfedge_;
   IdVector<VertexId, HalfedgeId> vertex_halfedge_;
-  IdVector<EdgeId, double> length_;
+  IdVector<FaceId, FaceShape> shape_;
   double mean_edge_length_ = 0;
   double bbox_diagonal_ = 0;
 };

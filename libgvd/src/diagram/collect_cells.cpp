@@ -38,10 +38,9 @@ class CellCollector {
     collect_faces();
     sort_pieces();
     find_neighbours();
-    const auto components = CellParts(working_, traced_).count_components();
     const auto loops = count_boundary_loops(working_, traced_);
     for (Cell& c : diagram_.cells) {
-      c.components = components[c.generator];
+      c.components = traced_.cell_components[c.generator];
       c.boundary_loops = loops[c.generator];
     }
   }
@@ -60,14 +59,11 @@ class CellCollector {
 
   void count_edges() {
     for (std::int32_t i = 0; i < mesh_.edge_count(); ++i) {
-      const EdgeId e(i);
-      const GeneratorId first = traced_.labels.label[mesh_.from(mesh_.halfedge(e))];
-      if (mesh_.is_boundary(e) || !first.valid()) continue;
-      --diagram_.cells[first].euler_characteristic;
-      for (std::int32_t k = 0; k < traced_.crossings.count(e); ++k) {
-        const CrossingId id(traced_.crossings.first(e).value() + k);
-        --diagram_.cells[traced_.crossings[id].after].euler_characteristic;
-      }
+      const GeneratorId first = traced_.labels.label[mesh_.from(mesh_.halfedge(EdgeId(i)))];
+      if (first.valid() && !mesh_.is_boundary(EdgeId(i))) --diagram_.cells[first].euler_characteristic;
+    }
+    for (const Crossing& c : traced_.crossings.items()) {
+      if (!mesh_.is_boundary(c.edge)) --diagram_.cells[c.after].euler_characteristic;
     }
   }
 

@@ -13,6 +13,8 @@ struct TracedDiagram {
   NearestLabels labels;
   Crossings crossings;
   FaceDiagram faces;
+  std::vector<VertexId> moved;                          ///< vertices whose label growth changed
+  IdVector<GeneratorId, std::int32_t> cell_components;  ///< 1 where a cell is connected
 };
 
 /// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their length, in the

@@ -6,24 +6,12 @@
 #include <tuple>
 #include <vector>
 
+#include "mesh/vertex_ring.hpp"
+
 namespace gvd {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Calls visit(halfedge) for every halfedge between v and a neighbour, in v's faces; boundary edges included.
-template <class Visit>
-void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
-  const HalfedgeId start = mesh.halfedge(v);
-  HalfedgeId h = start;
-  do {
-    visit(mesh.to(h), mesh.length(h));
-    const HalfedgeId incoming = Mesh::previous(h);
-    const HalfedgeId twin = mesh.twin(incoming);
-    if (!twin.valid()) visit(mesh.from(incoming), mesh.length(incoming));
-    h = twin;
-  } while (h.valid() && h != start);
-}
 
 class Labeller {
  public:
@@ -58,11 +46,18 @@ class Labeller {
 
   bool is_generator_of(VertexId v, GeneratorId g) const { return working_.vertex(g) == v; }
 
+  bool supports(VertexId u, VertexId v) const {
+    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
+  }
+
   bool is_supported(VertexId v) const {
     if (is_generator_of(v, result_.label[v])) return true;
+    // Mostly one of the two corners that the distance came from has the same label.
+    const HalfedgeId via = table_.distance(v.value()).via;
+    if (via.valid() && (supports(mesh_.from(via), v) || supports(mesh_.to(via), v))) return true;
     bool supported = false;
-    for_each_neighbour(mesh_, v, [&](VertexId u, double) {
-      supported = supported || (result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v]);
+    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) {
+      supported = supported || supports(u, v);
     });
     return supported;
   }
@@ -75,7 +70,7 @@ class Labeller {
       result_.label[v] = GeneratorId();
       result_.distance[v] = kInfinity;
       orphans.push_back(v);
-      for_each_neighbour(mesh_, v, [&](VertexId u, double) { suspects.push_back(u); });
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
     };
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) examine(VertexId(i));
     while (!suspects.empty()) {
@@ -100,7 +95,7 @@ class Labeller {
       offers.emplace(known > result_.distance[from] ? std::min(known, along_edge) : along_edge, g, to);
     };
     for (const VertexId v : orphans) {
-      for_each_neighbour(mesh_, v, [&](VertexId u, double length) { offer(v, u, length); });
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh_.length(h)); });
     }
     while (!offers.empty()) {
       const auto [distance, g, v] = offers.top();
@@ -108,7 +103,7 @@ class Labeller {
       if (result_.label[v].valid()) continue;
       result_.label[v] = g;
       result_.distance[v] = distance;
-      for_each_neighbour(mesh_, v, [&](VertexId u, double length) { offer(u, v, length); });
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(u, v, mesh_.length(h)); });
     }
   }
 

@@ -74,7 +74,10 @@ void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, 
       traced.faces.arcs.push_back({arc.face, ends[c][static_cast<std::size_t>(arc.begin)],
                                    ends[c][static_cast<std::size_t>(arc.end)], arc.left, arc.right});
     }
-    for (const auto& [v, g] : grown.labels) traced.labels.label[v] = g;
+    for (const auto& [v, g] : grown.labels) {
+      traced.labels.label[v] = g;
+      traced.moved.push_back(v);
+    }
   }
 }
 
@@ -90,7 +93,7 @@ class Tracer {
     report.relabelled_samples = labels.relabelled;
     report.gaps = static_cast<std::int64_t>(gaps_.size());
     while (true) {
-      TracedDiagram traced{labels, find_rough_crossings(working_, table_, labels, front_, plain_), {}};
+      TracedDiagram traced{labels, find_rough_crossings(working_, table_, labels, front_, plain_), {}, {}, {}};
       weld_crossings(refine_bisectors(working_, table_, labels, traced.crossings), traced.crossings);
       report.gaps_grown = grow(traced);
       report.gaps_assembled = report.gaps - report.gaps_grown;
@@ -128,8 +131,10 @@ class Tracer {
   /// A run inside an edge, or a vertex that growth moved, may hang together with no part of its cell. Then the gaps there
   /// are assembled, and edges there that no growth moved are crossed plainly, between the labels of their ends, whose cells
   /// are connected by construction. Every round takes at least one gap or edge. False where there is no island.
-  bool give_way_to_islands(const TracedDiagram& traced) {
-    const std::vector<EdgeId> islands = CellParts(working_, traced).island_edges();
+  bool give_way_to_islands(TracedDiagram& traced) {
+    CellParts parts(working_, traced);
+    traced.cell_components = parts.count_components();
+    const std::vector<EdgeId> islands = parts.island_edges();
     if (islands.empty()) return false;
     bool gave_way = false;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {

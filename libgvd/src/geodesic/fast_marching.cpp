@@ -6,6 +6,7 @@
 
 #include "geodesic/bucket_queue.hpp"
 #include "geodesic/local_update.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -26,12 +27,6 @@ constexpr double kMaxBuckets = 1 << 16;
 /// An improvement below this part of the distance is rounding: it is not propagated again.
 constexpr double kImprovement = 1e-13;
 
-/// Lengths and area of a face, together for the cache's sake.
-struct FaceShape {
-  std::array<double, 3> length;  // of the halfedges of corners 0, 1, 2
-  double twice_area;
-};
-
 class Marcher {
  public:
   Marcher(const WorkingMesh& working, Front front, const Progress& progress)
@@ -41,7 +36,6 @@ class Marcher {
         table_(mesh_.vertex_count(), mesh_.face_count()),
         queue_(kBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
         offset_step_(kTieOffset * mesh_.mean_edge_length() / static_cast<double>(working.generator_vertices().size())) {
-    measure_faces();
     place_generators(working);
   }
 
@@ -63,30 +57,17 @@ class Marcher {
     return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / (kBucketWidth * mesh.mean_edge_length()) + 3));
   }
 
-  void measure_faces() {
-    shapes_.resize(static_cast<std::size_t>(mesh_.face_count()));
-    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
-      const FaceId f(i);
-      shapes_[f].length = {mesh_.length(Mesh::halfedge(f, 0)), mesh_.length(Mesh::halfedge(f, 1)),
-                           mesh_.length(Mesh::halfedge(f, 2))};
-      shapes_[f].twice_area = 2 * mesh_.area(f);
-    }
-  }
-
   /// Every generator reaches the faces round its vertex along their edges.
   void place_generators(const WorkingMesh& working) {
     for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
       const GeneratorId g(static_cast<std::int64_t>(i));
       const double offset = static_cast<double>(i + 1) * offset_step_;
       table_.add(working.vertex(g), g, offset, HalfedgeId());
-      const HalfedgeId start = mesh_.halfedge(working.vertex(g));
-      HalfedgeId h = start;
-      do {
+      for_each_outgoing(mesh_, working.vertex(g), [&](HalfedgeId h) {
         reach_along(mesh_.to(h), g, offset + mesh_.length(h));
         reach_along(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
         add_entry(Mesh::face(h), g);
-        h = mesh_.twin(Mesh::previous(h));
-      } while (h.valid() && h != start);
+      });
     }
   }
 
@@ -186,20 +167,17 @@ class Marcher {
 
   /// Distance at the corner opposite side i of a face.
   double update(FaceId f, std::size_t i, double distance_a, double distance_b) const {
-    const FaceShape& s = shapes_[f];
+    const FaceShape& s = mesh_.shape(f);
     const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
     return front_ == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
   }
 
   /// The distance at the vertex that h leaves improved: its triangles have to go through the queue again.
   void requeue_round(HalfedgeId h, GeneratorId g) {
-    const HalfedgeId start = mesh_.halfedge(mesh_.from(h));
-    h = start;
-    do {
-      const std::int32_t e = table_.find(Mesh::face(h), g);
+    for_each_outgoing(mesh_, mesh_.from(h), [&](HalfedgeId outgoing) {
+      const std::int32_t e = table_.find(Mesh::face(outgoing), g);
       if (e >= 0) queue_.push(key(table_.entry(e)), e);
-      h = mesh_.twin(Mesh::previous(h));
-    } while (h.valid() && h != start);
+    });
   }
 
   void report() const {
@@ -213,7 +191,6 @@ class Marcher {
   GeneratorTable table_;
   BucketQueue<std::int32_t> queue_;
   double offset_step_;
-  IdVector<FaceId, FaceShape> shapes_;
   std::int64_t pops_ = 0, events_ = 0;
 };
 
@@ -221,13 +198,13 @@ class Marcher {
 
 double midpoint_distance(const Mesh& mesh, const GeneratorTable& table, const TableEntry& entry, int side, Front front) {
   const auto i = static_cast<std::size_t>(side);
-  const HalfedgeId h = Mesh::halfedge(entry.face, side);
   const auto d = table.corner_distances(entry);
   const double a = d[i], b = d[(i + 1) % 3], c = d[(i + 2) % 3];
-  const double length = mesh.length(h), bc = mesh.length(Mesh::next(h)), ca = mesh.length(Mesh::previous(h));
+  const FaceShape& shape = mesh.shape(entry.face);
+  const double length = shape.length[i], bc = shape.length[(i + 1) % 3], ca = shape.length[(i + 2) % 3];
   // The median from C, by the parallelogram law.
   const double median = std::sqrt(std::max(0.0, 0.5 * (bc * bc + ca * ca) - 0.25 * length * length));
-  const double twice_area = mesh.area(entry.face);  // the half triangle's
+  const double twice_area = 0.5 * shape.twice_area;  // the half triangle's
   const auto through = [&](double base, double far, double near) {
     // Base from C to a corner of the edge; the midpoint is half the edge away from that corner.
     const auto t = make_update_triangle(base, median, 0.5 * length, twice_area);

@@ -131,19 +131,18 @@ void Mesh::find_vertex_halfedges() {
 }
 
 void Mesh::measure() {
-  length_.resize(edge_halfedge_.size());
+  shape_.resize(faces_.size());
+  for (std::int32_t f = 0; f < face_count(); ++f) measure_face(FaceId(f));
   double sum = 0;
   for (std::int32_t i = 0; i < edge_count(); ++i) {
     const EdgeId e(i);
     const HalfedgeId h = halfedge(e);
-    // stableNorm: the squares of very large or very small coordinates neither overflow nor vanish.
-    const double length = (position(to(h)) - position(from(h))).stableNorm();
+    const double length = this->length(e);
     if (!(length > 0) || !std::isfinite(length)) {
       refuse("edge " + std::to_string(from(h).value()) + "-" + std::to_string(to(h).value()) + " of face " +
                  std::to_string(face(h).value()) + " has length " + (length > 0 ? "infinity" : "0"),
              face(h).value());
     }
-    length_[e] = length;
     sum += length;
   }
   mean_edge_length_ = edge_count() > 0 ? sum / edge_count() : 0;
@@ -157,9 +156,11 @@ void Mesh::measure() {
   bbox_diagonal_ = (high - low).stableNorm();
 }
 
-double Mesh::area(FaceId f) const {
+// stableNorm: the squares of very large or very small coordinates neither overflow nor vanish.
+void Mesh::measure_face(FaceId f) {
   const auto& [a, b, c] = vertices(f);
-  return 0.5 * (position(b) - position(a)).cross(position(c) - position(a)).stableNorm();
+  const Vec3 ab = position(b) - position(a), bc = position(c) - position(b), ca = position(a) - position(c);
+  shape_[f] = {{ab.stableNorm(), bc.stableNorm(), ca.stableNorm()}, ab.cross(ca).stableNorm()};
 }
 
 }  // namespace gvd

@@ -7,11 +7,11 @@ FaceId MeshEditor::add_face() {
     mesh_.twin_.push_back(HalfedgeId());
     mesh_.halfedge_edge_.push_back(EdgeId());
   }
+  mesh_.shape_.push_back({});
   return mesh_.faces_.push_back({});
 }
 
 EdgeId MeshEditor::add_edge() {
-  mesh_.length_.push_back(0);
   return mesh_.edge_halfedge_.push_back(HalfedgeId());
 }
 
@@ -20,7 +20,10 @@ VertexId MeshEditor::add_vertex(const Vec3& position) {
   return mesh_.positions_.push_back(position);
 }
 
-void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) { mesh_.faces_[f] = {a, b, c}; }
+void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) {
+  mesh_.faces_[f] = {a, b, c};
+  mesh_.measure_face(f);
+}
 
 void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
   mesh_.twin_[h] = t;
@@ -30,11 +33,6 @@ void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
     mesh_.twin_[t] = h;
     mesh_.halfedge_edge_[t] = e;
   }
-}
-
-void MeshEditor::measure(EdgeId e) {
-  const HalfedgeId h = mesh_.halfedge(e);
-  mesh_.length_[e] = (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).stableNorm();
 }
 
 void MeshEditor::anchor(VertexId v, HalfedgeId h) {
@@ -62,7 +60,6 @@ VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {
   glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), spokes[0]);
   glue(Mesh::halfedge(g, 1), Mesh::halfedge(k, 2), spokes[1]);
   glue(Mesh::halfedge(k, 1), Mesh::halfedge(f, 2), spokes[2]);
-  for (const EdgeId e : spokes) measure(e);
   anchor(v, Mesh::halfedge(f, 2));
   anchor(a, ab);
   anchor(b, Mesh::halfedge(g, 0));
@@ -89,7 +86,6 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
     glue(Mesh::halfedge(g, 1), twin_qr, edge_qr);
     const EdgeId edge_vr = add_edge();
     glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
-    measure(edge_vr);
     return std::pair(Mesh::halfedge(f, 0), Mesh::halfedge(g, 0));
   };
   const VertexId c = mesh_.opposite(h);
@@ -99,8 +95,6 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
   if (t.valid()) std::tie(bv, va) = split_side(t, b, a);
   glue(av, va, edge_av);
   glue(vb, bv, edge_vb);
-  measure(edge_av);
-  measure(edge_vb);
   anchor(v, vb);
   anchor(a, av);
   anchor(b, Mesh::next(vb));
@@ -128,7 +122,6 @@ void MeshEditor::flip_edge(HalfedgeId h) {
   glue(Mesh::halfedge(g, 0), side_ca.twin, side_ca.edge);
   glue(Mesh::halfedge(g, 1), side_ad.twin, side_ad.edge);
   glue(Mesh::halfedge(f, 2), Mesh::halfedge(g, 2), diagonal);
-  measure(diagonal);
   anchor(a, Mesh::halfedge(g, 1));
   anchor(b, Mesh::halfedge(f, 1));
   anchor(c, Mesh::halfedge(g, 0));

@@ -30,7 +30,6 @@ class MeshEditor {
   void set_face(FaceId f, VertexId a, VertexId b, VertexId c);
   /// Makes h and t (may be invalid) the two sides of edge e.
   void glue(HalfedgeId h, HalfedgeId t, EdgeId e);
-  void measure(EdgeId e);
   /// Points the vertex at halfedge h, or, on the boundary, at the one whose predecessor round the vertex is missing.
   void anchor(VertexId v, HalfedgeId h);
 
