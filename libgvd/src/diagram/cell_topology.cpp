@@ -72,11 +72,7 @@ void CellParts::cut(FaceId f, std::span<const FaceArc> arcs) {
   const auto base = static_cast<std::int32_t>(run_pieces_.size());
   cut_index_[f] = base / 3;
   run_pieces_.resize(run_pieces_.size() + 3);
-  std::vector<std::int32_t> piece_of_run(boundary.size());
-  for (const WorkingPiece& piece : trace_pieces(boundary, arcs, traced_.faces.branches)) {
-    const std::int32_t id = add_part(piece.generator, f);
-    for (const int run : piece.runs) piece_of_run[static_cast<std::size_t>(run)] = id;
-  }
+  const std::vector<std::int32_t> piece_of_run = number_pieces(f, boundary, arcs);
   // A halfedge begins in the run of the last crossing before it; every crossing on it begins another.
   std::int32_t current = piece_of_run.back();
   std::size_t next = 0;
@@ -86,6 +82,25 @@ void CellParts::cut(FaceId f, std::span<const FaceArc> arcs) {
     pieces.push_back(current);
     for (; next < boundary.size() && boundary[next].corner == corner; ++next) pieces.push_back(current = piece_of_run[next]);
   }
+}
+
+std::vector<std::int32_t> CellParts::number_pieces(FaceId f, const std::vector<BoundaryCrossing>& boundary,
+                                                   std::span<const FaceArc> arcs) {
+  std::vector<std::int32_t> piece_of_run;
+  bool distinct = true;
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) distinct = distinct && boundary[i].next != boundary[j].next;
+  }
+  if (distinct) {  // every run has a piece of its own: nothing to trace
+    for (const BoundaryCrossing& c : boundary) piece_of_run.push_back(add_part(c.next, f));
+    return piece_of_run;
+  }
+  piece_of_run.resize(boundary.size());
+  for (const WorkingPiece& piece : trace_pieces(boundary, arcs, traced_.faces.branches)) {
+    const std::int32_t id = add_part(piece.generator, f);
+    for (const int run : piece.runs) piece_of_run[static_cast<std::size_t>(run)] = id;
+  }
+  return piece_of_run;
 }
 
 std::int32_t CellParts::part_of(VertexId v) const {

@@ -36,6 +36,9 @@ class CellParts {
   void find_loose_vertices();
   bool is_anchored(VertexId v) const;
   void cut(FaceId f, std::span<const FaceArc> arcs);
+  /// A part for every piece of f; returns the piece of every run of its boundary.
+  std::vector<std::int32_t> number_pieces(FaceId f, const std::vector<BoundaryCrossing>& boundary,
+                                          std::span<const FaceArc> arcs);
   void join_loose_vertices();
   void join_across_edges();
   std::int32_t part_of(VertexId v) const;

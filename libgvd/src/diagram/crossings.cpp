@@ -1,18 +1,18 @@
 #include "diagram/crossings.hpp"
 
-#include <algorithm>
-
 namespace gvd {
 
 std::vector<FaceId> crossed_faces(const Mesh& mesh, const Crossings& crossings) {
-  std::vector<FaceId> faces;
+  std::vector<char> is_crossed(static_cast<std::size_t>(mesh.face_count()), 0);
   for (const Crossing& c : crossings.items()) {
-    const HalfedgeId h = mesh.halfedge(c.edge);
-    faces.push_back(Mesh::face(h));
-    if (mesh.twin(h).valid()) faces.push_back(Mesh::face(mesh.twin(h)));
+    const HalfedgeId h = mesh.halfedge(c.edge), twin = mesh.twin(h);
+    is_crossed[Mesh::face(h).index()] = 1;
+    if (twin.valid()) is_crossed[Mesh::face(twin).index()] = 1;
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<FaceId> faces;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    if (is_crossed[FaceId(f).index()]) faces.push_back(FaceId(f));
+  }
   return faces;
 }
 

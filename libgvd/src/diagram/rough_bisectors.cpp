@@ -27,7 +27,9 @@ class EdgeEnvelope {
     const GeneratorId first = labels_.label[mesh_.from(mesh_.halfedge(e))];
     const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
     if (plain && first == last) return;
-    collect(e);
+    collect_ends(e);
+    if (first == last && !may_be_poked(first, mesh_.length(e))) return;
+    collect_midpoints(e);
     if (plain) std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
     const GeneratorId middle = nearest(1);
     breaks_.clear();
@@ -37,25 +39,47 @@ class EdgeEnvelope {
   }
 
  private:
-  /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
-  void collect(EdgeId e) {
-    candidates_.clear();
+  template <class Visit>
+  void for_each_entry(EdgeId e, Visit visit) {
     const HalfedgeId h = mesh_.halfedge(e);
     for (const HalfedgeId side : {h, mesh_.twin(h)}) {
       if (!side.valid()) continue;
       table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
-        if (entry.dominated) return;
-        EdgeCandidate& c = candidate(entry.generator);
-        const auto d = table_.corner_distances(entry);
-        const auto i = static_cast<std::size_t>(Mesh::corner(side));
-        const double from = d[i], to = d[(i + 1) % 3];
-        c.value[0] = side == h ? from : to;
-        c.value[2] = side == h ? to : from;
-        c.value[1] = std::min(c.value[1], midpoint_distance(mesh_, table_, entry, Mesh::corner(side), front_));
+        if (!entry.dominated) visit(entry, side);
       });
     }
+  }
+
+  /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
+  void collect_ends(EdgeId e) {
+    candidates_.clear();
+    const HalfedgeId h = mesh_.halfedge(e);
+    for_each_entry(e, [&](const TableEntry& entry, HalfedgeId side) {
+      EdgeCandidate& c = candidate(entry.generator);
+      const auto d = table_.corner_distances(entry);
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const double from = d[i], to = d[(i + 1) % 3];
+      c.value[0] = side == h ? from : to;
+      c.value[2] = side == h ? to : from;
+    });
     require_label(mesh_.from(h), 0, mesh_.length(e));
     require_label(mesh_.to(h), 2, mesh_.length(e));
+  }
+
+  /// Whether another cell could own the inside of an edge whose ends belong to `own`: a distance changes by half a length
+  /// at the most from an end to the midpoint.
+  bool may_be_poked(GeneratorId own, double length) {
+    const EdgeCandidate mine = candidate(own);
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const EdgeCandidate& c) {
+      return c.generator != own && std::max(c.value[0], c.value[2]) < std::min(mine.value[0], mine.value[2]) + length;
+    });
+  }
+
+  void collect_midpoints(EdgeId e) {
+    for_each_entry(e, [&](const TableEntry& entry, HalfedgeId side) {
+      double& middle = candidate(entry.generator).value[1];
+      middle = std::min(middle, midpoint_distance(mesh_, table_, entry, Mesh::corner(side), front_));
+    });
     for (EdgeCandidate& c : candidates_) {
       // The midpoint is reached along the edge at the latest.
       c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));
@@ -140,30 +164,68 @@ class EdgeEnvelope {
 
 /// Edges of faces with several generators in their table or at their corners, ascending.
 std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels) {
-  std::vector<EdgeId> edges;
+  std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
     if (!table.reached(f)) continue;
     const auto& [a, b, c] = mesh.vertices(f);
     const bool one_label = labels.label[a] == labels.label[b] && labels.label[b] == labels.label[c];
     if (one_label && table.entry(i).next < 0) continue;
-    for (int corner = 0; corner < 3; ++corner) edges.push_back(mesh.edge(Mesh::halfedge(f, corner)));
+    for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<EdgeId> edges;
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
+    if (is_near[EdgeId(e).index()]) edges.push_back(EdgeId(e));
+  }
   return edges;
 }
 
 }  // namespace
 
 Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                               Front front, const std::vector<EdgeId>& plain) {
+                               Front front) {
   std::vector<Crossing> crossings;
   EdgeEnvelope envelope(working, table, labels, front);
-  for (const EdgeId e : edges_near_bisectors(working.mesh(), table, labels)) {
-    envelope.find(e, std::binary_search(plain.begin(), plain.end(), e), crossings);
-  }
+  for (const EdgeId e : edges_near_bisectors(working.mesh(), table, labels)) envelope.find(e, false, crossings);
   return Crossings(working.mesh().edge_count(), std::move(crossings));
+}
+
+std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings) {
+  // Whether cell g shows on the boundary of h's face apart from h itself.
+  const auto shows_beside = [&](HalfedgeId h, GeneratorId g) {
+    if (!h.valid()) return false;
+    if (labels.label[mesh.opposite(h)] == g) return true;
+    for (const HalfedgeId side : {Mesh::next(h), Mesh::previous(h)}) {
+      const EdgeId e = mesh.edge(side);
+      for (std::int32_t k = 0; k < crossings.count(e); ++k) {
+        const Crossing& c = crossings[CrossingId(crossings.first(e).value() + k)];
+        if (c.before == g || c.after == g) return true;
+      }
+    }
+    return false;
+  };
+  std::vector<EdgeId> lonely;
+  const auto& items = crossings.items();
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const EdgeId e = items[i].edge;
+    if (items[i - 1].edge != e || (!lonely.empty() && lonely.back() == e)) continue;
+    const HalfedgeId h = mesh.halfedge(e);
+    if (!shows_beside(h, items[i].before) && !shows_beside(mesh.twin(h), items[i].before)) lonely.push_back(e);
+  }
+  return lonely;
+}
+
+void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
+                   const std::vector<EdgeId>& edges, Crossings& crossings) {
+  std::vector<Crossing> items;
+  EdgeEnvelope envelope(working, table, labels, front);
+  auto next = edges.begin();
+  for (const Crossing& c : crossings.items()) {
+    for (; next != edges.end() && *next < c.edge; ++next) envelope.find(*next, true, items);
+    if (next == edges.end() || *next != c.edge) items.push_back(c);
+  }
+  for (; next != edges.end(); ++next) envelope.find(*next, true, items);
+  crossings = Crossings(working.mesh().edge_count(), std::move(items));
 }
 
 }  // namespace gvd

@@ -12,10 +12,16 @@ namespace gvd {
 ///
 /// Source: section 4.2 (rough bisectors) and 4.1 (auxiliary distances). A cell that pokes through the inside of an edge
 /// whose two ends belong to others shows at the midpoint.
-/// Edges of `plain` (ascending) are crossed at most once, between the labels of their ends: an edge sees its two faces only,
-/// and a run on it that nothing joins to the rest of its cell has to go.
 /// Cost: O(k) for the k edges near bisectors.
 Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                               Front front, const std::vector<EdgeId>& plain = {});
+                               Front front);
+
+/// Edges with a run of a cell that no corner and no other edge of the two faces knows, ascending: an edge sees the tables of
+/// its two faces only, and what the tables promise there may hang together with nothing.
+std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings);
+
+/// Crosses the given edges (ascending) at most once, between the labels of their ends.
+void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
+                   const std::vector<EdgeId>& edges, Crossings& crossings);
 
 }  // namespace gvd

@@ -84,17 +84,23 @@ void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, 
 class Tracer {
  public:
   Tracer(const WorkingMesh& working, const GeneratorTable& table, Front front)
-      : working_(working), mesh_(working.mesh()), table_(table), front_(front), gaps_(find_gaps(mesh_, table)) {
-    may_grow_.assign(gaps_.size(), 1);
+      : working_(working),
+        mesh_(working.mesh()),
+        table_(table),
+        front_(front),
+        labels_(compute_nearest_labels(working, table)),
+        rough_(find_rough_crossings(working, table, labels_, front)),
+        gaps_(find_gaps(mesh_, table)),
+        may_grow_(gaps_.size(), 1) {
+    while (cross_plainly(find_lonely_runs(mesh_, labels_, rough_))) {}
   }
 
   TracedDiagram run(DiagramReport& report) {
-    const NearestLabels labels = compute_nearest_labels(working_, table_);
-    report.relabelled_samples = labels.relabelled;
+    report.relabelled_samples = labels_.relabelled;
     report.gaps = static_cast<std::int64_t>(gaps_.size());
     while (true) {
-      TracedDiagram traced{labels, find_rough_crossings(working_, table_, labels, front_, plain_), {}, {}, {}};
-      weld_crossings(refine_bisectors(working_, table_, labels, traced.crossings), traced.crossings);
+      TracedDiagram traced{labels_, rough_, {}, {}, {}};
+      weld_crossings(refine_bisectors(working_, table_, labels_, traced.crossings), traced.crossings);
       report.gaps_grown = grow(traced);
       report.gaps_assembled = report.gaps - report.gaps_grown;
       assemble_rest(traced);
@@ -103,6 +109,17 @@ class Tracer {
   }
 
  private:
+  /// Takes away the runs inside these edges; false where that has been done to all of them before.
+  bool cross_plainly(const std::vector<EdgeId>& edges) {
+    std::vector<EdgeId> fresh, all;
+    std::set_difference(edges.begin(), edges.end(), plain_.begin(), plain_.end(), std::back_inserter(fresh));
+    if (fresh.empty()) return false;
+    gvd::cross_plainly(working_, table_, labels_, front_, fresh, rough_);
+    std::merge(plain_.begin(), plain_.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
+    plain_ = std::move(all);
+    return true;
+  }
+
   /// Grows every gap that may; returns how many closed.
   std::int64_t grow(TracedDiagram& traced) {
     std::vector<ClosedGap> closed;
@@ -129,8 +146,8 @@ class Tracer {
   }
 
   /// A run inside an edge, or a vertex that growth moved, may hang together with no part of its cell. Then the gaps there
-  /// are assembled, and edges there that no growth moved are crossed plainly, between the labels of their ends, whose cells
-  /// are connected by construction. Every round takes at least one gap or edge. False where there is no island.
+  /// are assembled, and the edges there are crossed plainly, between the labels of their ends, whose cells are connected by
+  /// construction. Every round takes at least one gap or edge. False where there is no island.
   bool give_way_to_islands(TracedDiagram& traced) {
     CellParts parts(working_, traced);
     traced.cell_components = parts.count_components();
@@ -138,30 +155,29 @@ class Tracer {
     if (islands.empty()) return false;
     bool gave_way = false;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      if (!may_grow_[i]) continue;
-      for (const EdgeId e : islands) {
-        const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
-        if (!gaps_[i].contains(Mesh::face(h)) && !(twin.valid() && gaps_[i].contains(Mesh::face(twin)))) continue;
-        may_grow_[i] = 0;
-        gave_way = true;
-        break;
-      }
+      if (!may_grow_[i] || !touches(gaps_[i], islands)) continue;
+      may_grow_[i] = 0;
+      gave_way = true;
     }
-    if (gave_way) return true;
-    std::vector<EdgeId> more;
-    std::set_union(plain_.begin(), plain_.end(), islands.begin(), islands.end(), std::back_inserter(more));
-    gave_way = more.size() > plain_.size();
-    plain_ = std::move(more);
-    return gave_way;
+    return cross_plainly(islands) || gave_way;
+  }
+
+  bool touches(const Gap& gap, const std::vector<EdgeId>& edges) const {
+    return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) {
+      const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+      return gap.contains(Mesh::face(h)) || (twin.valid() && gap.contains(Mesh::face(twin)));
+    });
   }
 
   const WorkingMesh& working_;
   const Mesh& mesh_;
   const GeneratorTable& table_;
   Front front_;
+  NearestLabels labels_;
+  Crossings rough_;
   std::vector<Gap> gaps_;
   std::vector<char> may_grow_;  // per gap: growth has not failed there
-  std::vector<EdgeId> plain_;
+  std::vector<EdgeId> plain_;   // edges whose inside runs were taken away
 };
 
 }  // namespace

@@ -120,7 +120,11 @@ class Marcher {
   }
 
   bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
+    const auto own = table_.corner_distances(entry), theirs = table_.corner_distances(other);
     for (int side = 0; side < 3; ++side) {
+      // A distance changes by half a length at the most from a corner to the midpoint.
+      const auto i = static_cast<std::size_t>(side), j = (i + 1) % 3;
+      if (std::min(theirs[i], theirs[j]) + mesh_.shape(entry.face).length[i] < std::max(own[i], own[j])) continue;
       if (!(midpoint_distance(mesh_, table_, other, side, front_) <
             midpoint_distance(mesh_, table_, entry, side, front_))) {
         return false;
