@@ -32,7 +32,7 @@ std::int32_t CellParts::add_part(GeneratorId g, FaceId f) {
 }
 
 void CellParts::find_loose_vertices() {
-  std::vector<VertexId> doubtful;
+  std::vector<VertexId> doubtful = traced_.labels.unsupported;
   const auto& items = traced_.crossings.items();
   for (std::size_t i = 0; i < items.size(); ++i) {
     const HalfedgeId h = mesh_.halfedge(items[i].edge);
@@ -152,6 +152,14 @@ std::vector<EdgeId> CellParts::island_edges() {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+std::vector<VertexId> CellParts::island_vertices() {
+  std::vector<VertexId> vertices;
+  for (const auto& [v, part] : loose_) {
+    if (sets_.find(part) != traced_.labels.label[v].value()) vertices.push_back(v);
+  }
+  return vertices;
 }
 
 }  // namespace gvd

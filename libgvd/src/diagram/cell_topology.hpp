@@ -14,8 +14,8 @@ namespace gvd {
 ///
 /// Away from the bisectors nothing has to be looked at: a vertex whose nearest generator is g has a neighbour that is
 /// nearer to g (see NearestLabels), so a chain of uncut edges joins it to g's own vertex, its cell's home. Only where that
-/// chain may be cut, because an edge between two vertices of one cell is crossed or growth moved a vertex to another cell,
-/// are vertices loose and joined to their neighbours one by one. Cost: O(k) for k crossings, and 4 bytes a face.
+/// chain may be missing, because a vertex is unsupported, an edge between two vertices of one cell is crossed or growth moved
+/// a vertex to another cell, are vertices loose and joined to their neighbours one by one. Cost: O(k) for k crossings, and 4 bytes a face.
 class CellParts {
  public:
   CellParts(const WorkingMesh& working, const TracedDiagram& traced);
@@ -25,6 +25,8 @@ class CellParts {
 
   /// All edges of the faces that hold a component without its own generator's vertex, ascending. Empty in a sound diagram.
   std::vector<EdgeId> island_edges();
+  /// The vertices in such components, ascending.
+  std::vector<VertexId> island_vertices();
 
  private:
   struct Part {

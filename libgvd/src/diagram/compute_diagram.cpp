@@ -28,9 +28,8 @@ void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels,
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   const WorkingMesh working(mesh, generators);
   const FastMarchingResult marched = march(working, options.front, options.progress);
-  report_progress(options.progress, "bisectors", 0);
   Diagram diagram;
-  const TracedDiagram traced = trace_diagram(working, marched.table, options.front, diagram.report);
+  const TracedDiagram traced = trace_diagram(working, marched.table, options, diagram.report);
   report_progress(options.progress, "cells", 0);
   diagram.generators = generators;
   diagram.report.propagation_events = marched.events;

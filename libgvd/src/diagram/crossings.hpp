@@ -11,8 +11,8 @@ namespace gvd {
 
 using CrossingId = Id<struct CrossingTag>;
 
-/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge; a cell that owns
-/// less of the inside of an edge is not seen there. A thousand times the tie offset, and far above rounding.
+/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge: a hundred
+/// times the tie offset, and far above rounding.
 inline constexpr double kCrossingGap = 1e-7;
 
 /// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about it.

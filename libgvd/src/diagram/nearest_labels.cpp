@@ -15,23 +15,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Labeller {
  public:
-  Labeller(const WorkingMesh& working, const GeneratorTable& table)
-      : working_(working), mesh_(working.mesh()), table_(table) {
+  Labeller(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& labels)
+      : working_(working), mesh_(working.mesh()), table_(table), result_(labels) {}
+
+  void take_nearest() {
     const auto n = static_cast<std::size_t>(mesh_.vertex_count());
     result_.label.resize(n);
     result_.distance.assign(n, kInfinity);
-  }
-
-  NearestLabels run() {
-    take_nearest();
-    std::vector<VertexId> orphans = take_away_unsupported();
-    result_.relabelled = static_cast<std::int64_t>(orphans.size());
-    adopt(orphans);
-    return std::move(result_);
-  }
-
- private:
-  void take_nearest() {
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
       const VertexId v(i);
       table_.for_each(v, [&](const VertexDistance& d) {
@@ -44,22 +34,15 @@ class Labeller {
     }
   }
 
-  bool is_generator_of(VertexId v, GeneratorId g) const { return working_.vertex(g) == v; }
-
-  bool supports(VertexId u, VertexId v) const {
-    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
+  void list_unsupported() {
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      if (result_.label[VertexId(i)].valid() && !is_supported(VertexId(i))) result_.unsupported.push_back(VertexId(i));
+    }
   }
 
-  bool is_supported(VertexId v) const {
-    if (is_generator_of(v, result_.label[v])) return true;
-    // Mostly one of the two corners that the distance came from has the same label.
-    const HalfedgeId via = table_.distance(v.value()).via;
-    if (via.valid() && (supports(mesh_.from(via), v) || supports(mesh_.to(via), v))) return true;
-    bool supported = false;
-    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) {
-      supported = supported || supports(u, v);
-    });
-    return supported;
+  void strip(VertexId v) {
+    result_.label[v] = GeneratorId();
+    result_.distance[v] = kInfinity;
   }
 
   /// Strips the label of every vertex that no chain joins to its generator; returns them.
@@ -67,8 +50,7 @@ class Labeller {
     std::vector<VertexId> orphans, suspects;
     const auto examine = [&](VertexId v) {
       if (!result_.label[v].valid() || is_supported(v)) return;
-      result_.label[v] = GeneratorId();
-      result_.distance[v] = kInfinity;
+      strip(v);
       orphans.push_back(v);
       for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
     };
@@ -107,16 +89,54 @@ class Labeller {
     }
   }
 
+ private:
+  bool is_generator_of(VertexId v, GeneratorId g) const { return working_.vertex(g) == v; }
+
+  bool supports(VertexId u, VertexId v) const {
+    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
+  }
+
+  bool is_supported(VertexId v) const {
+    if (is_generator_of(v, result_.label[v])) return true;
+    // Mostly one of the two corners that the distance came from has the same label.
+    const HalfedgeId via = table_.distance(v.value()).via;
+    if (via.valid() && (supports(mesh_.from(via), v) || supports(mesh_.to(via), v))) return true;
+    bool supported = false;
+    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) {
+      supported = supported || supports(u, v);
+    });
+    return supported;
+  }
+
   const WorkingMesh& working_;
   const Mesh& mesh_;
   const GeneratorTable& table_;
-  NearestLabels result_;
+  NearestLabels& result_;
 };
 
 }  // namespace
 
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
-  return Labeller(working, table).run();
+  NearestLabels labels;
+  Labeller labeller(working, table, labels);
+  labeller.take_nearest();
+  labeller.list_unsupported();
+  return labels;
+}
+
+void relabel_from_neighbours(const WorkingMesh& working, const GeneratorTable& table, const std::vector<VertexId>& vertices,
+                             NearestLabels& labels) {
+  Labeller labeller(working, table, labels);
+  for (const VertexId v : vertices) labeller.strip(v);
+  labeller.adopt(vertices);
+}
+
+std::int64_t relabel_unsupported(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& labels) {
+  Labeller labeller(working, table, labels);
+  const std::vector<VertexId> orphans = labeller.take_away_unsupported();
+  labeller.adopt(orphans);
+  labels.unsupported.clear();
+  return static_cast<std::int64_t>(orphans.size());
 }
 
 }  // namespace gvd

@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off by
+/// about a hundredth of an edge, so that such a run says nothing.
+constexpr double kShortestRun = 1e-3;
+
 /// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
 struct EdgeCandidate {
   GeneratorId generator;
@@ -142,7 +146,7 @@ class EdgeEnvelope {
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
     std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
-      while (runs.size() > 1 && t - runs.back().first < kCrossingGap) runs.pop_back();
+      while (runs.size() > 1 && t - runs.back().first < kShortestRun) runs.pop_back();
       const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
       if (runs.back().second != g) runs.emplace_back(start, g);
     }
@@ -191,26 +195,39 @@ Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable&
 }
 
 std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings) {
-  // Whether cell g shows on the boundary of h's face apart from h itself.
-  const auto shows_beside = [&](HalfedgeId h, GeneratorId g) {
+  // A run inside an edge lies between crossing i - 1 and crossing i; it is anchored when a face of the edge shows its cell
+  // at a corner, or in an anchored run of another edge.
+  const auto& items = crossings.items();
+  std::vector<char> anchored(items.size(), 0);
+  const auto shows_in_face = [&](HalfedgeId h, GeneratorId g) {
     if (!h.valid()) return false;
-    if (labels.label[mesh.opposite(h)] == g) return true;
+    for (const VertexId v : mesh.vertices(Mesh::face(h))) {
+      if (labels.label[v] == g) return true;
+    }
     for (const HalfedgeId side : {Mesh::next(h), Mesh::previous(h)}) {
       const EdgeId e = mesh.edge(side);
-      for (std::int32_t k = 0; k < crossings.count(e); ++k) {
-        const Crossing& c = crossings[CrossingId(crossings.first(e).value() + k)];
-        if (c.before == g || c.after == g) return true;
+      const std::int32_t first = crossings.first(e).value();
+      for (std::int32_t k = first + 1; k < first + crossings.count(e); ++k) {
+        if (items[static_cast<std::size_t>(k)].before == g && anchored[static_cast<std::size_t>(k)]) return true;
       }
     }
     return false;
   };
-  std::vector<EdgeId> lonely;
-  const auto& items = crossings.items();
+  std::vector<std::size_t> runs;
   for (std::size_t i = 1; i < items.size(); ++i) {
-    const EdgeId e = items[i].edge;
-    if (items[i - 1].edge != e || (!lonely.empty() && lonely.back() == e)) continue;
-    const HalfedgeId h = mesh.halfedge(e);
-    if (!shows_beside(h, items[i].before) && !shows_beside(mesh.twin(h), items[i].before)) lonely.push_back(e);
+    if (items[i - 1].edge == items[i].edge) runs.push_back(i);
+  }
+  for (std::size_t before = runs.size() + 1; runs.size() < before;) {
+    before = runs.size();
+    std::erase_if(runs, [&](std::size_t i) {
+      const HalfedgeId h = mesh.halfedge(items[i].edge);
+      anchored[i] = shows_in_face(h, items[i].before) || shows_in_face(mesh.twin(h), items[i].before);
+      return anchored[i] != 0;
+    });
+  }
+  std::vector<EdgeId> lonely;
+  for (const std::size_t i : runs) {
+    if (lonely.empty() || lonely.back() != items[i].edge) lonely.push_back(items[i].edge);
   }
   return lonely;
 }

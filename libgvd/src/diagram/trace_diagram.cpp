@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <tuple>
 
 #include "diagram/assemble_faces.hpp"
@@ -9,9 +10,13 @@
 #include "diagram/growth.hpp"
 #include "diagram/refine_bisectors.hpp"
 #include "diagram/rough_bisectors.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
+
+/// Rounds of local repair before the last resort; on the meshes of docs/performance.md one or two are taken.
+constexpr int kMaxRounds = 12;
 
 /// A gap and what grew in it.
 struct ClosedGap {
@@ -83,41 +88,42 @@ void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, 
 
 class Tracer {
  public:
-  Tracer(const WorkingMesh& working, const GeneratorTable& table, Front front)
+  Tracer(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options)
       : working_(working),
         mesh_(working.mesh()),
         table_(table),
-        front_(front),
+        front_(options.front),
+        progress_(options.progress),
         labels_(compute_nearest_labels(working, table)),
-        rough_(find_rough_crossings(working, table, labels_, front)),
+        rough_(find_rough_crossings(working, table, labels_, front_)),
         gaps_(find_gaps(mesh_, table)),
         may_grow_(gaps_.size(), 1) {
-    while (cross_plainly(find_lonely_runs(mesh_, labels_, rough_))) {}
+    recross_plainly(find_lonely_runs(mesh_, labels_, rough_));
   }
 
   TracedDiagram run(DiagramReport& report) {
-    report.relabelled_samples = labels_.relabelled;
     report.gaps = static_cast<std::int64_t>(gaps_.size());
     while (true) {
       TracedDiagram traced{labels_, rough_, {}, {}, {}};
       weld_crossings(refine_bisectors(working_, table_, labels_, traced.crossings), traced.crossings);
+      report_progress(progress_, "growth", 0);
       report.gaps_grown = grow(traced);
       report.gaps_assembled = report.gaps - report.gaps_grown;
+      report_progress(progress_, "bisectors", 0.5);
       assemble_rest(traced);
-      if (!give_way_to_islands(traced)) return traced;
+      if (give_way_to_islands(traced)) continue;
+      report.relabelled_samples = relabelled_;
+      return traced;
     }
   }
 
  private:
-  /// Takes away the runs inside these edges; false where that has been done to all of them before.
-  bool cross_plainly(const std::vector<EdgeId>& edges) {
-    std::vector<EdgeId> fresh, all;
-    std::set_difference(edges.begin(), edges.end(), plain_.begin(), plain_.end(), std::back_inserter(fresh));
-    if (fresh.empty()) return false;
-    gvd::cross_plainly(working_, table_, labels_, front_, fresh, rough_);
-    std::merge(plain_.begin(), plain_.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
+  /// Crosses these edges and those that were plain before at most once, between the present labels of their ends.
+  void recross_plainly(const std::vector<EdgeId>& edges) {
+    std::vector<EdgeId> all;
+    std::set_union(edges.begin(), edges.end(), plain_.begin(), plain_.end(), std::back_inserter(all));
     plain_ = std::move(all);
-    return true;
+    cross_plainly(working_, table_, labels_, front_, plain_, rough_);
   }
 
   /// Grows every gap that may; returns how many closed.
@@ -145,21 +151,41 @@ class Tracer {
                      [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
   }
 
-  /// A run inside an edge, or a vertex that growth moved, may hang together with no part of its cell. Then the gaps there
-  /// are assembled, and the edges there are crossed plainly, between the labels of their ends, whose cells are connected by
-  /// construction. Every round takes at least one gap or edge. False where there is no island.
+  /// A vertex or a run inside an edge may hang together with no part of its cell. Then the gaps there are assembled, such
+  /// vertices take the label of a neighbour, and the edges there are crossed plainly, between the labels of their ends. False
+  /// where there is no island.
   bool give_way_to_islands(TracedDiagram& traced) {
     CellParts parts(working_, traced);
     traced.cell_components = parts.count_components();
     const std::vector<EdgeId> islands = parts.island_edges();
     if (islands.empty()) return false;
-    bool gave_way = false;
-    for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      if (!may_grow_[i] || !touches(gaps_[i], islands)) continue;
-      may_grow_[i] = 0;
-      gave_way = true;
+    if (++rounds_ > kMaxRounds) {
+      give_way_everywhere();
+      return true;
     }
-    return cross_plainly(islands) || gave_way;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      if (may_grow_[i] && touches(gaps_[i], islands)) may_grow_[i] = 0;
+    }
+    std::vector<VertexId> stranded = parts.island_vertices();
+    std::erase_if(stranded, [&](VertexId v) { return labels_.label[v] != traced.labels.label[v]; });  // growth moved it
+    relabelled_ += static_cast<std::int64_t>(stranded.size());
+    relabel_from_neighbours(working_, table_, stranded, labels_);
+    std::set<EdgeId> edges(islands.begin(), islands.end());
+    for (const VertexId v : stranded) {
+      for_each_neighbour(mesh_, v, [&](VertexId, HalfedgeId h) { edges.insert(mesh_.edge(h)); });
+    }
+    recross_plainly({edges.begin(), edges.end()});
+    return true;
+  }
+
+  /// The last resort, whose cells are connected by construction: no growth, every vertex joined to its generator by edges,
+  /// and every edge near a bisector crossed at most once.
+  void give_way_everywhere() {
+    std::fill(may_grow_.begin(), may_grow_.end(), 0);
+    relabelled_ += relabel_unsupported(working_, table_, labels_);
+    std::vector<EdgeId> all;
+    for (std::int32_t e = 0; e < mesh_.edge_count(); ++e) all.push_back(EdgeId(e));
+    recross_plainly(all);
   }
 
   bool touches(const Gap& gap, const std::vector<EdgeId>& edges) const {
@@ -173,17 +199,22 @@ class Tracer {
   const Mesh& mesh_;
   const GeneratorTable& table_;
   Front front_;
+  const Progress& progress_;
   NearestLabels labels_;
   Crossings rough_;
   std::vector<Gap> gaps_;
   std::vector<char> may_grow_;  // per gap: growth has not failed there
-  std::vector<EdgeId> plain_;   // edges whose inside runs were taken away
+  std::vector<EdgeId> plain_;   // edges whose inside runs were taken away, ascending
+  std::int64_t relabelled_ = 0;
+  int rounds_ = 0;
 };
 
 }  // namespace
 
-TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, Front front, DiagramReport& report) {
-  return Tracer(working, table, front).run(report);
+TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
+                            DiagramReport& report) {
+  report_progress(options.progress, "bisectors", 0);
+  return Tracer(working, table, options).run(report);
 }
 
 }  // namespace gvd

@@ -10,7 +10,8 @@ namespace gvd {
 ///
 /// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is closed by the
 /// assembly of its edge crossings. Cells are connected: a run of a cell that hangs together with nothing is taken away.
-/// Counts gaps and relabelled samples in `report`. Cost: O(n).
-TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, Front front, DiagramReport& report);
+/// Counts gaps and relabelled samples in `report`; reports the steps "bisectors" and "growth". Cost: O(n).
+TracedDiagram trace_diagram(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
+                            DiagramReport& report);
 
 }  // namespace gvd
