@@ -105,7 +105,7 @@ class Tracer {
     report.gaps = static_cast<std::int64_t>(gaps_.size());
     while (true) {
       TracedDiagram traced{labels_, rough_, {}, {}, {}};
-      weld_crossings(refine_bisectors(working_, table_, labels_, traced.crossings), traced.crossings);
+      refine(traced.crossings);
       report_progress(progress_, "growth", 0);
       report.gaps_grown = grow(traced);
       report.gaps_assembled = report.gaps - report.gaps_grown;
@@ -124,6 +124,14 @@ class Tracer {
     std::set_union(edges.begin(), edges.end(), plain_.begin(), plain_.end(), std::back_inserter(all));
     plain_ = std::move(all);
     cross_plainly(working_, table_, labels_, front_, plain_, rough_);
+  }
+
+  /// With planar fronts the rough crossings interpolate distances, and unfolding makes them better. With circles they come
+  /// from sources that were unfolded over the very edge, the same for both of its faces: there is nothing to refine or weld,
+  /// and images unfolded over other edges would make them worse (docs/performance.md has the figures).
+  void refine(Crossings& crossings) const {
+    if (front_ == Front::circle) return;
+    weld_crossings(refine_bisectors(working_, table_, labels_, crossings), crossings);
   }
 
   /// Grows every gap that may; returns how many closed.
