@@ -1,6 +1,6 @@
 // gvd-bench: what a diagram and its steps cost, in multiples of a plain Dijkstra on the same mesh in the same run.
 //
-// Each row is one mesh and one number of generators m (random vertices, seeded). Times are medians; the Dijkstra runs
+// Each row is one mesh and one number of generators m (random vertices, seeded). Times are medians of processor time; the Dijkstra runs
 // on a graph that is built beforehand, the diagram starts from the mesh. Memory is what the diagram holds at its peak,
 // without the input mesh, counted in a run of its own.
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "cpu_clock.hpp"
 #include "dijkstra.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/soup.hpp"
@@ -51,9 +52,9 @@ double median(std::vector<double> values) {
 }
 
 double milliseconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = cpu_milliseconds();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return cpu_milliseconds() - start;
 }
 
 /// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
@@ -82,10 +83,9 @@ StepTimes median_steps(const std::vector<StepTimes>& runs) {
 }
 
 double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  reset_heap_peak();
-  const std::int64_t before = heap_use().live;
+  const HeapMeter meter;
   const Diagram diagram = compute_diagram(mesh, generators, options);
-  return static_cast<double>(heap_use().peak - before) / mesh.face_count();
+  return static_cast<double>(meter.peak()) / mesh.face_count();
 }
 
 Row measure(const std::string& name, const Mesh& mesh, int count, const Settings& settings) {

@@ -12,9 +12,11 @@ namespace {
 
 std::atomic<std::int64_t> g_live{0};
 std::atomic<std::int64_t> g_peak{0};
+std::atomic<bool> g_counting{false};
 
 void* counted(void* block) {
   if (block == nullptr) throw std::bad_alloc();
+  if (!g_counting.load(std::memory_order_relaxed)) return block;
   const auto bytes = static_cast<std::int64_t>(malloc_usable_size(block));
   const std::int64_t live = g_live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
   std::int64_t peak = g_peak.load(std::memory_order_relaxed);
@@ -24,8 +26,9 @@ void* counted(void* block) {
 }
 
 void release(void* block) noexcept {
-  if (block == nullptr) return;
-  g_live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
+  if (block != nullptr && g_counting.load(std::memory_order_relaxed)) {
+    g_live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
+  }
   std::free(block);
 }
 
@@ -34,9 +37,15 @@ std::size_t padded(std::size_t size, std::size_t alignment) { return (size + ali
 
 }  // namespace
 
-HeapUse heap_use() { return {g_live.load(), g_peak.load()}; }
+HeapMeter::HeapMeter() {
+  g_live.store(0);
+  g_peak.store(0);
+  g_counting.store(true);
+}
 
-void reset_heap_peak() { g_peak.store(g_live.load()); }
+HeapMeter::~HeapMeter() { g_counting.store(false); }
+
+std::int64_t HeapMeter::peak() const { return g_peak.load(); }
 
 std::int64_t peak_resident_bytes() {
   rusage usage{};

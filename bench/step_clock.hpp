@@ -1,16 +1,16 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "cpu_clock.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd::bench {
 
-/// Wall times in milliseconds, by step.
+/// Processor times in milliseconds, by step.
 using StepTimes = std::vector<std::pair<std::string, double>>;
 
 /// Times the steps that a run names through its progress callback: a step lasts until another one is named.
@@ -41,21 +41,19 @@ class StepClock {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void begin(std::string_view step) {
     end_step();
     times_.emplace_back(step, 0.0);
   }
 
   void end_step() {
-    const Clock::time_point now = Clock::now();
-    if (!times_.empty()) times_.back().second += std::chrono::duration<double, std::milli>(now - start_).count();
+    const double now = cpu_milliseconds();
+    if (!times_.empty()) times_.back().second += now - start_;
     start_ = now;
   }
 
   StepTimes times_;
-  Clock::time_point start_ = Clock::now();
+  double start_ = cpu_milliseconds();
 };
 
 }  // namespace gvd::bench

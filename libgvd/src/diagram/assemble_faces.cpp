@@ -78,9 +78,14 @@ std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& tab
 void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
                     const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram) {
   const Mesh& mesh = working.mesh();
+  std::vector<BoundaryCrossing> boundary;
   for (const FaceId f : crossed_faces(mesh, crossings)) {
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
-    const auto boundary = boundary_crossings(mesh, crossings, f);
+    boundary_crossings(mesh, crossings, f, boundary);
+    if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for
+      diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
+      continue;
+    }
     const auto forms = face_forms(mesh, table, labels, f, boundary, front);
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
     assemble_face(f, boundary, forms, diagram);

@@ -68,39 +68,36 @@ bool CellParts::is_anchored(VertexId v) const {
 }
 
 void CellParts::cut(FaceId f, std::span<const FaceArc> arcs) {
-  const auto boundary = boundary_crossings(mesh_, traced_.crossings, f);
-  const auto base = static_cast<std::int32_t>(run_pieces_.size());
-  cut_index_[f] = base / 3;
-  run_pieces_.resize(run_pieces_.size() + 3);
-  const std::vector<std::int32_t> piece_of_run = number_pieces(f, boundary, arcs);
+  boundary_crossings(mesh_, traced_.crossings, f, boundary_);
+  number_pieces(f, arcs);
+  cut_index_[f] = static_cast<std::int32_t>(first_run_.size() / 3);
   // A halfedge begins in the run of the last crossing before it; every crossing on it begins another.
-  std::int32_t current = piece_of_run.back();
+  std::int32_t current = piece_of_run_.back();
   std::size_t next = 0;
   for (int corner = 0; corner < 3; ++corner) {
     sets_.unite(current, part_of(mesh_.vertices(f)[static_cast<std::size_t>(corner)]));
-    auto& pieces = run_pieces_[static_cast<std::size_t>(base + corner)];
-    pieces.push_back(current);
-    for (; next < boundary.size() && boundary[next].corner == corner; ++next) pieces.push_back(current = piece_of_run[next]);
+    first_run_.push_back(static_cast<std::int32_t>(run_pieces_.size()));
+    run_pieces_.push_back(current);
+    for (; next < boundary_.size() && boundary_[next].corner == corner; ++next) {
+      run_pieces_.push_back(current = piece_of_run_[next]);
+    }
   }
 }
 
-std::vector<std::int32_t> CellParts::number_pieces(FaceId f, const std::vector<BoundaryCrossing>& boundary,
-                                                   std::span<const FaceArc> arcs) {
-  std::vector<std::int32_t> piece_of_run;
+void CellParts::number_pieces(FaceId f, std::span<const FaceArc> arcs) {
+  piece_of_run_.assign(boundary_.size(), -1);
   bool distinct = true;
-  for (std::size_t i = 0; i < boundary.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) distinct = distinct && boundary[i].next != boundary[j].next;
+  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) distinct = distinct && boundary_[i].next != boundary_[j].next;
   }
   if (distinct) {  // every run has a piece of its own: nothing to trace
-    for (const BoundaryCrossing& c : boundary) piece_of_run.push_back(add_part(c.next, f));
-    return piece_of_run;
+    for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = add_part(boundary_[i].next, f);
+    return;
   }
-  piece_of_run.resize(boundary.size());
-  for (const WorkingPiece& piece : trace_pieces(boundary, arcs, traced_.faces.branches)) {
+  for (const WorkingPiece& piece : trace_pieces(boundary_, arcs, traced_.faces.branches)) {
     const std::int32_t id = add_part(piece.generator, f);
-    for (const int run : piece.runs) piece_of_run[static_cast<std::size_t>(run)] = id;
+    for (const int run : piece.runs) piece_of_run_[static_cast<std::size_t>(run)] = id;
   }
-  return piece_of_run;
 }
 
 std::int32_t CellParts::part_of(VertexId v) const {
@@ -130,7 +127,7 @@ void CellParts::join_across_edges() {
 
 std::int32_t CellParts::piece(HalfedgeId h, std::int32_t run) const {
   const auto place = static_cast<std::size_t>(3 * cut_index_[Mesh::face(h)] + Mesh::corner(h));
-  return run_pieces_[place][static_cast<std::size_t>(run)];
+  return run_pieces_[static_cast<std::size_t>(first_run_[place] + run)];
 }
 
 IdVector<GeneratorId, std::int32_t> CellParts::count_components() {

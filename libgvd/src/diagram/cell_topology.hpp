@@ -38,9 +38,8 @@ class CellParts {
   void find_loose_vertices();
   bool is_anchored(VertexId v) const;
   void cut(FaceId f, std::span<const FaceArc> arcs);
-  /// A part for every piece of f; returns the piece of every run of its boundary.
-  std::vector<std::int32_t> number_pieces(FaceId f, const std::vector<BoundaryCrossing>& boundary,
-                                          std::span<const FaceArc> arcs);
+  /// A part for every piece of f, whose boundary_ is at hand; fills in piece_of_run_.
+  void number_pieces(FaceId f, std::span<const FaceArc> arcs);
   void join_loose_vertices();
   void join_across_edges();
   std::int32_t part_of(VertexId v) const;
@@ -53,8 +52,11 @@ class CellParts {
   UnionFind sets_;           // parts 0 .. generators - 1 are the homes
   std::vector<Part> parts_;
   std::map<VertexId, std::int32_t> loose_;            // vertices that no chain of uncut edges is known to join to their home
-  IdVector<FaceId, std::int32_t> cut_index_;          // place in run_pieces_ / 3, or -1 for a whole face
-  std::vector<std::vector<std::int32_t>> run_pieces_;  // three for every cut face: the piece at each run of the halfedge
+  IdVector<FaceId, std::int32_t> cut_index_;  // place in first_run_ / 3, or -1 for a whole face
+  std::vector<std::int32_t> first_run_;       // three for every cut face: where the runs of the halfedge begin in
+  std::vector<std::int32_t> run_pieces_;      // the piece at each run
+  std::vector<BoundaryCrossing> boundary_;    // of the face at work
+  std::vector<std::int32_t> piece_of_run_;    // and the pieces of its runs
 };
 
 /// Loops of bisectors and of the mesh's boundary round every cell. Cost: O(k) for k arcs and boundary edges.

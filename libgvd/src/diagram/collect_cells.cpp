@@ -95,7 +95,8 @@ class CellCollector {
 
   void take_pieces(FaceId f, std::span<const FaceArc> arcs) {
     const double area = mesh_.area(f);
-    for (WorkingPiece& piece : trace_pieces(boundary_crossings(mesh_, traced_.crossings, f), arcs, traced_.faces.branches)) {
+    boundary_crossings(mesh_, traced_.crossings, f, boundary_);
+    for (WorkingPiece& piece : trace_pieces(boundary_, arcs, traced_.faces.branches)) {
       Cell& owner = diagram_.cells[piece.generator];
       ++owner.euler_characteristic;
       owner.area += area * area_share(piece.corners);
@@ -129,6 +130,7 @@ class CellCollector {
   const Mesh& mesh_;
   const TracedDiagram& traced_;
   Diagram& diagram_;
+  std::vector<BoundaryCrossing> boundary_;  // of the face at work
 };
 
 }  // namespace

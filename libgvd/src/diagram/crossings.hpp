@@ -64,9 +64,11 @@ struct BoundaryCrossing {
   GeneratorId next;      ///< and after it
 };
 
-/// The crossings on the boundary of f, counter-clockwise from its corner 0.
-inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f) {
-  std::vector<BoundaryCrossing> result;
+/// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; a loop over faces
+/// hands in the same one again and saves the allocations.
+inline void boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f,
+                               std::vector<BoundaryCrossing>& result) {
+  result.clear();
   for (int corner = 0; corner < 3; ++corner) {
     const HalfedgeId h = Mesh::halfedge(f, corner);
     const EdgeId e = mesh.edge(h);
@@ -82,6 +84,11 @@ inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const 
       }
     }
   }
+}
+
+inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f) {
+  std::vector<BoundaryCrossing> result;
+  boundary_crossings(mesh, crossings, f, result);
   return result;
 }
 

@@ -20,8 +20,9 @@ std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const
                                                const NearestLabels& labels, const Crossings& crossings) {
   const Mesh& mesh = working.mesh();
   std::vector<CrossingEstimate> estimates;
+  std::vector<BoundaryCrossing> boundary;
   for (const FaceId f : crossed_faces(mesh, crossings)) {
-    const auto boundary = boundary_crossings(mesh, crossings, f);
+    boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() != 2) continue;
     const auto corner = flatten_face(mesh, f);
     const Vec2 p = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].next));
