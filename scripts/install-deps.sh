@@ -16,7 +16,7 @@ packages_of() {
     test)  echo catch2 ;;
     bench) echo ;;
     lint)  echo clang-format clang-tidy clang-tools ;;
-    ci)    echo clang libclang-rt-14-dev ccache chromium ;;
+    ci)    echo clang libclang-rt-14-dev ccache chromium libcgal-demo ;;
     *)     echo "install-deps.sh: no group '$1' (one of: build test bench lint ci)" >&2; exit 2 ;;
   esac
 }

@@ -1,0 +1,75 @@
+// Real meshes: those of Debian's package libcgal-demo. GVD_CORPUS names the folder that they are unpacked in.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/error.hpp"
+#include "gvd/soup.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// Files of the corpus, by name; empty, with a word, where there is none.
+std::vector<std::filesystem::path> corpus() {
+  const char* folder = std::getenv("GVD_CORPUS");
+  std::vector<std::filesystem::path> files;
+  if (folder != nullptr && std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const auto extension = entry.path().extension();
+      if (extension == ".off" || extension == ".ply" || extension == ".stl" || extension == ".obj") files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) WARN("skipped: no meshes in GVD_CORPUS (Debian's libcgal-demo carries them)");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("every mesh of the corpus is read, or refused with one line that names its place") {
+  for (const auto& file : corpus()) {
+    INFO(file);
+    try {
+      const CheckedMesh checked = build_mesh(read_soup(file));
+      CHECK(checked.mesh.face_count() > 0);
+    } catch (const Error& error) {
+      const std::string line = error.what();
+      CHECK((error.code() == ErrorCode::unreadable_input || error.code() == ErrorCode::precondition));
+      CHECK(line.find('\n') == std::string::npos);
+      CHECK(line.size() > 20);
+    }
+  }
+}
+
+TEST_CASE("the diagram is complete on every mesh of the corpus") {
+  int diagrams = 0;
+  for (const auto& file : corpus()) {
+    CheckedMesh checked;
+    try {
+      checked = build_mesh(read_soup(file));
+    } catch (const Error&) {
+      continue;  // the test above looks at these
+    }
+    for (const int count : {2, 5, 30, 100, 300}) {
+      for (const unsigned seed : {1u, 2u}) {
+        INFO(file << ", " << count << " generators, seed " << seed);
+        DiagramOptions options;
+        options.front = seed % 2 == 0 ? Front::circle : Front::planar;
+        const Diagram diagram = compute_diagram(checked.mesh, test::random_generators(checked.mesh, count, seed), options);
+        const DiagramCheck check = check_diagram(checked.mesh, diagram);
+        for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
+        REQUIRE(check.ok());
+        REQUIRE(diagram.report.unresolved_ends == 0);
+        ++diagrams;
+      }
+    }
+  }
+  std::cout << diagrams << " diagrams\n";
+}
