@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTieOffset = 1e-9;
 
 /// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
-constexpr double kBucketWidth = 2;
+constexpr double kBucketWidth = 1;
 
 /// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
 constexpr double kMaxBuckets = 1 << 16;
