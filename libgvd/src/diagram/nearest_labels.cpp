@@ -85,7 +85,7 @@ class Labeller {
       if (result_.label[v].valid()) continue;
       result_.label[v] = g;
       result_.distance[v] = distance;
-      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(u, v, mesh_.length(h)); });
+      for_each_neighbour(mesh_, v, [&, from = v](VertexId u, HalfedgeId h) { offer(u, from, mesh_.length(h)); });
     }
   }
 
