@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace gvd {
@@ -19,25 +18,32 @@ class LazyMaxHeap {
     bool operator<(const Item& other) const { return key < other.key || (key == other.key && id > other.id); }
   };
 
-  explicit LazyMaxHeap(std::vector<Item> items) : items_(std::move(items)) {
+  /// Holds the ids [0, count). `key(id)` gives the true key.
+  template <class Key>
+  LazyMaxHeap(std::int32_t count, Key key) {
+    items_.reserve(static_cast<std::size_t>(count));
+    for (std::int32_t id = 0; id < count; ++id) items_.push_back({key(id), id});
     std::make_heap(items_.begin(), items_.end());
   }
 
   bool empty() const { return items_.empty(); }
 
-  /// Takes the item with the largest key out. `key(id)` gives the true one. The heap must not be empty.
+  /// The item with the largest key. The heap must not be empty.
   template <class Key>
-  Item pop(Key key) {
+  const Item& top(Key key) {
     for (;;) {
+      const Item item = items_.front();
+      const double now = key(item.id);
+      if (!(now < item.key)) return items_.front();
       std::pop_heap(items_.begin(), items_.end());
-      const double now = key(items_.back().id);
-      if (!(now < items_.back().key)) break;
       items_.back().key = now;
       std::push_heap(items_.begin(), items_.end());
     }
-    const Item top = items_.back();
+  }
+
+  void pop() {
+    std::pop_heap(items_.begin(), items_.end());
     items_.pop_back();
-    return top;
   }
 
  private:

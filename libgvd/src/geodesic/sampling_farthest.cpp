@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
+#include "geodesic/face_reach.hpp"
 #include "geodesic/lazy_max_heap.hpp"
 #include "geodesic/nearest_field.hpp"
 #include "geodesic/sampling_mesh.hpp"
@@ -19,9 +19,9 @@ namespace {
 /// Edges longer than this many even spacings are split: a generator fits between the ends, a spacing from each.
 constexpr double kLongEdge = 2;
 
-/// For covering, edges longer than this part of the radius are split: a face then adds at most 1 / sqrt(3) of it, 7 %
-/// of the radius, to the bound below.
-constexpr double kCoveringEdge = 0.125;
+/// For covering, edges longer than this part of the radius are split: what is known of the inside of a face from its
+/// corners is then at most an eighth of the radius above the truth.
+constexpr double kCoveringEdge = 0.25;
 
 /// How often vertices that rounding can't tell apart make the sampling start again with twice as many.
 constexpr int kMaxRounds = 4;
@@ -46,19 +46,29 @@ class FarthestSampler {
     }
   }
 
-  /// Inserts the vertex where distance + margin is largest, as long as more(that sum, its distance) says so.
+  /// Inserts the farthest vertex as long as more(its distance) says so.
   template <class More>
-  void insert_farthest(const IdVector<VertexId, double>* margin, More more) {
-    const auto key = [&](std::int32_t v) {
-      return field_.distance(VertexId(v)) + (margin == nullptr ? 0 : (*margin)[VertexId(v)]);
-    };
-    std::vector<LazyMaxHeap::Item> items(static_cast<std::size_t>(mesh_.vertex_count()));
-    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) items[static_cast<std::size_t>(v)] = {key(v), v};
-    LazyMaxHeap heap(std::move(items));
-    while (!heap.empty()) {
-      const auto top = heap.pop(key);
-      if (!more(top.key, field_.distance(VertexId(top.id)))) return;
+  void insert_farthest(More more) {
+    const auto key = [&](std::int32_t v) { return field_.distance(VertexId(v)); };
+    LazyMaxHeap heap(mesh_.vertex_count(), key);
+    for (; !heap.empty(); heap.pop()) {
+      const auto& top = heap.top(key);
+      if (!more(top.key)) return;
       insert(VertexId(top.id));
+    }
+  }
+
+  /// Inserts the farthest vertex of the face that reaches farthest, as long as more(that reach, the vertex's distance)
+  /// says so.
+  template <class More>
+  void insert_in_farthest_face(More more) {
+    const auto key = [&](std::int32_t f) { return reach(FaceId(f)); };
+    LazyMaxHeap heap(mesh_.face_count(), key);
+    while (!heap.empty()) {
+      const auto& top = heap.top(key);
+      const VertexId v = farthest_corner(FaceId(top.id));
+      if (!more(top.key, field_.distance(v))) return;
+      insert(v);
     }
   }
 
@@ -79,6 +89,20 @@ class FarthestSampler {
     return faces;
   }
 
+  VertexId farthest_corner(FaceId f) const {
+    const auto& corners = mesh_.vertices(f);
+    return *std::max_element(corners.begin(), corners.end(),
+                             [&](VertexId v, VertexId w) { return field_.distance(v) < field_.distance(w); });
+  }
+
+  /// No point of the face is farther than this from its nearest generator.
+  double reach(FaceId f) const {
+    const auto length = [&](int corner) { return mesh_.length(Mesh::halfedge(f, corner)); };
+    const auto& [a, b, c] = mesh_.vertices(f);
+    return compute_reach({length(0), length(1), length(2)}, 2 * mesh_.area(f),
+                         {field_.distance(a), field_.distance(b), field_.distance(c)});
+  }
+
   const Mesh& mesh_;
   NearestField field_;
   std::vector<std::size_t> first_face_;  // of each component in faces_, and the end
@@ -93,7 +117,7 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& positions, const Samp
   const double least = kLeastSpacing * mesh.bbox_diagonal();
   FarthestSampler sampler(mesh, options);
   sampler.start_components(options.count);
-  sampler.insert_farthest(nullptr, [&](double, double distance) {
+  sampler.insert_farthest([&](double distance) {
     // An insertion changes about a share of n / i vertices, so the work done grows with the logarithm.
     const auto done = static_cast<double>(sampler.chosen().size());
     report_progress(options.progress, "sampling", std::log1p(done) / std::log1p(double(options.count) + 1));
@@ -102,32 +126,6 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& positions, const Samp
   std::vector<SurfacePoint> points;
   for (const VertexId v : sampler.chosen()) points.push_back(positions.to_input(v));
   return points;
-}
-
-/// Largest distance that a point of the face has from the corner that is nearest to it.
-double face_radius(double a, double b, double c, double twice_area) {
-  if (a > c) std::swap(a, c);
-  if (b > c) std::swap(b, c);
-  // Acute: at the circumcentre. Else on the longest side, where the perpendicular bisectors of the others meet it, at
-  // b / (2 cos A) from A and a / (2 cos B) from B.
-  const bool acute = a * a + b * b > c * c;
-  const double radius = acute ? a * b * c / (2 * twice_area)
-                              : std::max(b * b * c / (b * b + c * c - a * a), a * a * c / (a * a + c * c - b * b));
-  const double most =
-      c / std::numbers::sqrt3;  // that of the equilateral triangle; also where rounding leaves no number
-  return radius < most ? radius : most;
-}
-
-/// For each vertex the largest radius of its faces: a point whose nearest corner it is, is no farther from it.
-IdVector<VertexId, double> compute_margins(const Mesh& mesh) {
-  IdVector<VertexId, double> margin(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId f(i);
-    const auto length = [&](int corner) { return mesh.length(Mesh::halfedge(f, corner)); };
-    const double radius = face_radius(length(0), length(1), length(2), 2 * mesh.area(f));
-    for (const VertexId v : mesh.vertices(f)) margin[v] = std::max(margin[v], radius);
-  }
-  return margin;
 }
 
 /// A lower bound on the splits until no edge is longer than `longest`: those of each edge that is there.
@@ -166,12 +164,11 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
   if (least_splits(mesh, longest) > kMaxSamplingVertices) throw_too_small(options.radius);
   const SamplingMesh positions(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
   if (longest_edge(positions.mesh()) > longest) throw_too_small(options.radius);
-  const auto margin = compute_margins(positions.mesh());
   FarthestSampler sampler(positions.mesh(), options);
   sampler.start_components(std::numeric_limits<std::int64_t>::max());
-  sampler.insert_farthest(&margin, [&](double reach, double distance) {
+  sampler.insert_in_farthest_face([&](double reach, double distance) {
     if (reach <= options.radius) return false;
-    if (distance == 0) throw_too_small(options.radius);  // a generator already: only a margin beyond the radius is left
+    if (!(distance > 0)) throw_too_small(options.radius);  // where lengths overflow
     // The number of generators goes with the inverse square of the reach, and so does the logarithm of the work.
     report_progress(options.progress, "sampling", std::min(0.99, options.radius / reach));
     return true;

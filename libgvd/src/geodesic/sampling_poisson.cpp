@@ -65,15 +65,25 @@ float compute_weight(double distance, double least, double diameter) {
   return static_cast<float>(w4 * w4);
 }
 
+std::vector<Vec3> compute_positions(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : points) positions.push_back(position(mesh, p));
+  return positions;
+}
+
 /// All pairs of candidates whose geodesic distance is below `diameter`.
 class PairFinder {
  public:
   PairFinder(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, Front front)
       : mesh_(mesh),
         candidates_(candidates),
+        positions_(compute_positions(mesh, candidates)),
         lists_(mesh, candidates),
         march_(mesh, front),
         seen_(static_cast<std::size_t>(mesh.face_count()), -1) {}
+
+  /// The candidates in the order of their faces: the order to visit them in, since it keeps to the same memory.
+  const std::vector<std::int32_t>& by_face() const { return lists_.items; }
 
   /// Calls visit(j, distance) for the candidates j > i that are near i.
   template <class Visit>
@@ -97,6 +107,9 @@ class PairFinder {
     for (std::size_t k = lists_.begin[f.index()]; k < lists_.begin[f.index() + 1]; ++k) {
       const std::int32_t j = lists_.items[k];
       if (j <= i) continue;
+      // No path is shorter than the straight line through space.
+      if ((positions_[static_cast<std::size_t>(i)] - positions_[static_cast<std::size_t>(j)]).norm() >= diameter)
+        continue;
       const double distance = march_.distance(candidates_[static_cast<std::size_t>(j)]);
       if (distance < diameter) visit(j, distance);
     }
@@ -104,6 +117,7 @@ class PairFinder {
 
   const Mesh& mesh_;
   const std::vector<SurfacePoint>& candidates_;
+  std::vector<Vec3> positions_;
   FaceLists lists_;
   LocalMarch march_;
   IdVector<FaceId, std::int32_t> seen_;  // the last candidate for which the face was looked at
@@ -132,10 +146,9 @@ Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>
   const double least = diameter * kBeta * (1 - share * std::sqrt(share));
   PairFinder finder(mesh, candidates, options.front);
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    report_progress(options.progress, "sampling",
-                    0.9 * static_cast<double>(i) / static_cast<double>(candidates.size()));
-    const auto first = static_cast<std::int32_t>(i);
+  std::int64_t done = 0;
+  for (const std::int32_t first : finder.by_face()) {
+    report_progress(options.progress, "sampling", 0.9 * double(done++) / double(candidates.size()));
     finder.for_each_after(first, diameter, [&](std::int32_t second, double distance) {
       pairs.push_back({first, second, compute_weight(distance, least, diameter)});
     });
@@ -147,16 +160,15 @@ Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>
 std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
   const std::size_t candidates = lists.begin.size() - 1;
   std::vector<double> weight(candidates, 0);
-  std::vector<LazyMaxHeap::Item> items(candidates);
   for (std::size_t i = 0; i < candidates; ++i) {
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) weight[i] += double(lists.neighbours[k].weight);
-    items[i] = {weight[i], static_cast<std::int32_t>(i)};
   }
-  LazyMaxHeap heap(std::move(items));
+  const auto key = [&](std::int32_t i) { return weight[static_cast<std::size_t>(i)]; };
+  LazyMaxHeap heap(static_cast<std::int32_t>(candidates), key);
   std::vector<char> kept(candidates, 1);
   for (auto left = static_cast<std::int64_t>(candidates); left > count; --left) {
-    const auto top = heap.pop([&](std::int32_t i) { return weight[static_cast<std::size_t>(i)]; });
-    const auto i = static_cast<std::size_t>(top.id);
+    const auto i = static_cast<std::size_t>(heap.top(key).id);
+    heap.pop();
     kept[i] = 0;
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) {
       const Neighbour& n = lists.neighbours[k];
