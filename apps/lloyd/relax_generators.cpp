@@ -1,0 +1,202 @@
+// Lloyd's method on a surface, with backtracking: the energy falls or the step is not taken.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "cell_integrals.hpp"
+#include "cell_regions.hpp"
+#include "gvd/error.hpp"
+#include "gvd/geodesic_tracing.hpp"
+#include "gvd/lloyd.hpp"
+#include "keep_apart.hpp"
+
+namespace gvd {
+namespace {
+
+/// Halvings of one generator's own step, and of all steps together, before they are given up: 1/16 and 1/32 of a step.
+constexpr int kOwnHalvings = 4;
+constexpr int kCommonHalvings = 5;
+
+/// Generators stay farther apart than this part of the mean cell radius: a thousand times closer than any two cells of
+/// a relaxed diagram, and far above the distance at which two points count as one.
+constexpr double kGap = 1e-6;
+
+void check_options(const LloydOptions& o) {
+  const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
+  if (o.max_iterations < 0) refuse("the number of iterations must not be negative");
+  if (!(o.energy_tolerance >= 0) || !std::isfinite(o.energy_tolerance))
+    refuse("the energy tolerance must be 0 or more");
+  if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
+  if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
+}
+
+/// A diagram and the integrals over its cells.
+struct State {
+  std::vector<SurfacePoint> generators;
+  Diagram diagram;
+  IdVector<GeneratorId, CellMoments> moments;
+  double energy = 0;
+};
+
+struct Move {
+  std::vector<SurfacePoint> to;
+  std::vector<double> length;  // way walked, mesh units
+  double scale = 1;
+  std::int32_t held = 0;
+};
+
+class Relaxer {
+ public:
+  Relaxer(const Mesh& mesh, const LloydOptions& options) : mesh_(mesh), options_(options), integrals_(mesh) {}
+
+  LloydResult run(const std::vector<SurfacePoint>& generators) {
+    report();
+    State state = evaluate(generators);
+    result_.initial_energy = state.energy;
+    result_.stop = iterate(state);
+    result_.generators = std::move(state.generators);
+    result_.diagram = std::move(state.diagram);
+    result_.final_energy = state.energy;
+    return std::move(result_);
+  }
+
+ private:
+  LloydStop iterate(State& state) {
+    while (true) {
+      const std::vector<Vec2> steps = find_steps(state);
+      if (result_.residual <= options_.move_tolerance * result_.mean_cell_radius) return LloydStop::centroids;
+      if (result_.iterations.size() >= static_cast<std::size_t>(options_.max_iterations)) {
+        return LloydStop::max_iterations;
+      }
+      const double before = state.energy;
+      if (!descend(state, steps)) return LloydStop::no_descent;
+      if (before - state.energy < options_.energy_tolerance * before) {
+        find_steps(state);
+        return LloydStop::energy;
+      }
+    }
+  }
+
+  State evaluate(const std::vector<SurfacePoint>& generators) {
+    State state;
+    state.generators = generators;
+    DiagramOptions diagram_options = options_.diagram;
+    diagram_options.progress = [this](std::string_view, double) {
+      report();
+      return true;
+    };
+    state.diagram = compute_diagram(mesh_, generators, diagram_options);
+    ++result_.diagrams;
+    const CellRegions regions(state.diagram);
+    state.moments.resize(generators.size());
+    for (std::size_t i = 0; i < generators.size(); ++i) {
+      const GeneratorId g(static_cast<std::int64_t>(i));
+      state.moments[g] = integrals_.compute(generators[i], regions.parts(g));
+      state.energy += state.moments[g].energy;
+    }
+    return state;
+  }
+
+  /// The tangent vectors to the centroids, led along the boundary where they would leave the surface.
+  std::vector<Vec2> find_steps(const State& state) {
+    std::vector<Vec2> steps;
+    double area = 0;
+    result_.residual = 0;
+    for (std::size_t i = 0; i < state.generators.size(); ++i) {
+      const CellMoments& m = state.moments[GeneratorId(static_cast<std::int64_t>(i))];
+      area += m.area;
+      steps.push_back(project_to_surface(mesh_, state.generators[i], m.centroid));
+      result_.residual = std::max(result_.residual, steps.back().norm());
+    }
+    result_.mean_cell_radius = std::sqrt(area / (std::numbers::pi * static_cast<double>(steps.size())));
+    return steps;
+  }
+
+  /// One iteration: the first move that lowers the energy, if any.
+  bool descend(State& state, const std::vector<Vec2>& steps) {
+    std::vector<double> scale(steps.size(), options_.step);
+    if (take_if_lower(state, move(state, steps, scale))) return true;
+    scale = find_own_scales(state, steps);
+    for (int halving = 0; halving <= kCommonHalvings; ++halving) {
+      Move next = move(state, steps, scale);
+      next.scale = std::ldexp(1.0, -halving);
+      if (take_if_lower(state, std::move(next))) return true;
+      for (double& s : scale) s *= 0.5;
+    }
+    return false;
+  }
+
+  Move move(const State& state, const std::vector<Vec2>& steps, const std::vector<double>& scale) const {
+    Move next;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const GeodesicTrace trace = trace_geodesic(mesh_, state.generators[i], scale[i] * steps[i]);
+      next.to.push_back(trace.points.back());
+      next.length.push_back(trace.length);
+      next.held += scale[i] == 0;
+    }
+    next.held += keep_apart(mesh_, state.generators, kGap * result_.mean_cell_radius, next.to);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (next.to[i] == state.generators[i]) next.length[i] = 0;
+    }
+    return next;
+  }
+
+  bool take_if_lower(State& state, Move next) {
+    if (next.to == state.generators) return false;
+    State moved = evaluate(next.to);
+    if (!(moved.energy < state.energy)) return false;
+    LloydIteration iteration;
+    iteration.energy = moved.energy;
+    for (const double length : next.length) {
+      iteration.largest_move = std::max(iteration.largest_move, length);
+      iteration.mean_move += length / static_cast<double>(next.length.size());
+    }
+    iteration.scale = next.scale;
+    iteration.held = next.held;
+    result_.iterations.push_back(iteration);
+    state = std::move(moved);
+    return true;
+  }
+
+  /// For each generator the largest part of its step, out of 1, 1/2, ... and 0, that lowers the energy of its cell kept
+  /// as it is. The diagram of the moved generators has no more energy than those cells together, but for what the
+  /// distances' errors make of it.
+  std::vector<double> find_own_scales(const State& state, const std::vector<Vec2>& steps) {
+    const CellRegions regions(state.diagram);
+    std::vector<double> scales;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      report();
+      const GeneratorId g(static_cast<std::int64_t>(i));
+      double scale = options_.step;
+      int tries = 0;
+      const auto lowers = [&] {
+        const SurfacePoint to = trace_geodesic(mesh_, state.generators[i], scale * steps[i]).points.back();
+        return integrals_.compute(to, regions.parts(g)).energy < state.moments[g].energy;
+      };
+      while (scale > 0 && !lowers()) scale = ++tries > kOwnHalvings ? 0 : 0.5 * scale;
+      scales.push_back(scale);
+    }
+    return scales;
+  }
+
+  void report() const {
+    const double done = static_cast<double>(result_.iterations.size());
+    report_progress(options_.progress, "relaxation", done / std::max(1.0, double(options_.max_iterations)));
+  }
+
+  const Mesh& mesh_;
+  const LloydOptions& options_;
+  CellIntegrals integrals_;
+  LloydResult result_;
+};
+
+}  // namespace
+
+LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             const LloydOptions& options) {
+  check_options(options);
+  return Relaxer(mesh, options).run(generators);
+}
+
+}  // namespace gvd

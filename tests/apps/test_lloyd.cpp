@@ -1,0 +1,167 @@
+// Lloyd's relaxation as a library: energies, centroids, and what must never happen.
+#include <algorithm>
+#include <cmath>
+
+#include "gvd/check.hpp"
+#include "gvd/error.hpp"
+#include "gvd/lloyd.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// The point of a grid of unit squares at a position.
+SurfacePoint grid_point(const Mesh& mesh, double x, double y) {
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.vertices(FaceId(f));
+    const Vec3 pa = mesh.position(a), u = mesh.position(b) - pa, v = mesh.position(c) - pa, w = Vec3(x, y, 0) - pa;
+    const double area = u.cross(v).z(), s = w.cross(v).z() / area, t = u.cross(w).z() / area;
+    if (s >= -1e-12 && t >= -1e-12 && s + t <= 1 + 1e-12) return make_surface_point(FaceId(f), {1 - s - t, s, t});
+  }
+  return {};
+}
+
+void require_falling(const LloydResult& result) {
+  double energy = result.initial_energy;
+  for (const LloydIteration& i : result.iterations) {
+    REQUIRE(i.energy <= energy);
+    REQUIRE(i.largest_move >= i.mean_move);
+    energy = i.energy;
+  }
+  REQUIRE(result.final_energy == energy);
+}
+
+}  // namespace
+
+TEST_CASE("lloyd: the moments of a rectangle about any of its points are exact") {
+  const Mesh mesh = test::make_grid(6, 4);
+  for (const auto& [x, y] : {std::pair(3.0, 2.0), std::pair(1.3, 0.9), std::pair(0.0, 4.0), std::pair(2.5, 2.5)}) {
+    const Diagram diagram = compute_diagram(mesh, {grid_point(mesh, x, y)});
+    const CellMoments m = compute_cell_moments(mesh, diagram)[GeneratorId(0)];
+    CHECK(m.area == Approx(24));
+    CHECK(m.centroid.norm() == Approx(std::hypot(3 - x, 2 - y)).margin(1e-9));
+    const auto second = [](double low, double high) { return (std::pow(high, 3) - std::pow(low, 3)) / 3; };
+    CHECK(m.energy == Approx(4 * second(-x, 6 - x) + 6 * second(-y, 4 - y)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("lloyd: one generator goes to the centre of its square in one step") {
+  const Mesh mesh = test::make_grid(8, 8);
+  const LloydResult result = relax_generators(mesh, {grid_point(mesh, 1.2, 2.7)});
+  REQUIRE(result.iterations.size() == 1);
+  CHECK(result.stop == LloydStop::centroids);
+  CHECK((position(mesh, result.generators[0]) - Vec3(4, 4, 0)).norm() < 1e-9);
+}
+
+TEST_CASE("lloyd: four generators of a square go to the centres of its quarters") {
+  const Mesh mesh = test::make_grid(12, 12);
+  LloydOptions options;
+  options.energy_tolerance = 0;
+  options.move_tolerance = 1e-4;
+  options.max_iterations = 400;
+  const std::vector<SurfacePoint> start{grid_point(mesh, 2.3, 3.1), grid_point(mesh, 8.4, 2.2),
+                                        grid_point(mesh, 3.6, 9.7), grid_point(mesh, 10.1, 8.3)};
+  const LloydResult result = relax_generators(mesh, start, options);
+  require_falling(result);
+  CHECK(result.final_energy == Approx(4 * (6 * 6 * 6 * 6) / 6.0).epsilon(1e-5));
+  const std::vector<Vec3> centres{{3, 3, 0}, {9, 3, 0}, {3, 9, 0}, {9, 9, 0}};
+  for (std::size_t i = 0; i < 4; ++i) CHECK((position(mesh, result.generators[i]) - centres[i]).norm() < 0.01);
+}
+
+TEST_CASE("lloyd: energies fall, and generators stay on the surface, apart, and in a sound diagram") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const int count : {1, 2, 5, 30}) {
+      for (unsigned seed = 0; seed < 3; ++seed) {
+        CAPTURE(name, count, seed);
+        LloydOptions options;
+        options.max_iterations = 12;
+        const LloydResult result = relax_generators(mesh, test::random_generators(mesh, count, seed), options);
+        require_falling(result);
+        REQUIRE(result.generators.size() == static_cast<std::size_t>(count));
+        for (const SurfacePoint& p : result.generators) {
+          REQUIRE((p.face.valid() && p.face.value() < mesh.face_count()));
+          REQUIRE(p.kind() == make_surface_point(p.face, p.bary).kind());
+        }
+        REQUIRE(check_diagram(mesh, result.diagram).ok());
+        if (count == 30) REQUIRE(result.final_energy < 0.9 * result.initial_energy);
+      }
+    }
+  }
+}
+
+TEST_CASE("lloyd: both fronts, and the same bytes twice") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 7);
+  const auto start = test::random_generators(mesh, 20, 5);
+  for (const Front front : {Front::circle, Front::planar}) {
+    LloydOptions options;
+    options.diagram.front = front;
+    options.max_iterations = 8;
+    const LloydResult first = relax_generators(mesh, start, options), again = relax_generators(mesh, start, options);
+    require_falling(first);
+    CHECK(first.generators == again.generators);
+    CHECK(first.final_energy == again.final_energy);
+  }
+}
+
+TEST_CASE("lloyd: generators that start side by side move apart") {
+  const Mesh mesh = test::make_sphere(3);
+  std::vector<SurfacePoint> start;
+  for (int i = 0; i < 6; ++i) start.push_back(make_surface_point(FaceId(17), {0.3 + 1e-5 * i, 0.3, 0.4 - 1e-5 * i}));
+  LloydOptions options;
+  options.max_iterations = 200;
+  options.energy_tolerance = 1e-7;
+  const LloydResult result = relax_generators(mesh, start, options);
+  require_falling(result);
+  double nearest = 10;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      nearest = std::min(nearest, (position(mesh, result.generators[i]) - position(mesh, result.generators[k])).norm());
+    }
+  }
+  CHECK(nearest > 0.8);  // an octahedron's corners are 1.41 apart
+}
+
+TEST_CASE("lloyd: on a ring a generator on the boundary slides, and one cell stays where it is") {
+  const Mesh mesh = test::make_ring(24, 6);
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 3, seed));
+    require_falling(result);
+    for (const SurfacePoint& p : result.generators) CHECK(position(mesh, p).z() == Approx(0.25).margin(0.02));
+  }
+}
+
+TEST_CASE("lloyd: no iteration is one of the choices, and options out of range are refused") {
+  const Mesh mesh = test::make_sphere(2);
+  const auto start = test::random_generators(mesh, 5, 1);
+  LloydOptions options;
+  options.max_iterations = 0;
+  const LloydResult result = relax_generators(mesh, start, options);
+  CHECK(result.stop == LloydStop::max_iterations);
+  CHECK(result.generators == start);
+  CHECK(result.final_energy == result.initial_energy);
+  const auto refused = [&](auto change) {
+    LloydOptions bad;
+    change(bad);
+    CHECK_THROWS_AS(relax_generators(mesh, start, bad), Error);
+  };
+  refused([](LloydOptions& o) { o.max_iterations = -1; });
+  refused([](LloydOptions& o) { o.energy_tolerance = -1; });
+  refused([](LloydOptions& o) { o.move_tolerance = std::nan(""); });
+  refused([](LloydOptions& o) { o.step = 0; });
+  refused([](LloydOptions& o) { o.step = 2; });
+}
+
+TEST_CASE("lloyd: cancelling throws") {
+  const Mesh mesh = test::make_sphere(2);
+  LloydOptions options;
+  int calls = 0;
+  options.progress = [&](std::string_view, double fraction) {
+    CHECK((fraction >= 0 && fraction <= 1));
+    return ++calls < 5;
+  };
+  CHECK_THROWS_AS(relax_generators(mesh, test::random_generators(mesh, 5, 1), options), Error);
+  CHECK(calls == 5);
+}
