@@ -1,0 +1,127 @@
+// OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <algorithm>
+#include <map>
+
+#include "gvd/error.hpp"
+#include "gvd/openmesh.hpp"
+#include "gvd/remesh.hpp"
+
+namespace gvd {
+namespace {
+
+/// A second opinion that shares nothing with the constructor of Mesh.
+bool is_manifold(const Mesh& mesh) {
+  try {
+    const OpenMeshTriMesh peer = to_openmesh(mesh);
+    return std::all_of(peer.vertices_begin(), peer.vertices_end(),
+                       [&](const auto v) { return !peer.is_isolated(v) && peer.is_manifold(v); });
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+struct ComponentTopology {
+  std::int32_t euler_characteristic = 0;
+  std::int32_t boundary_loops = 0;
+  bool operator==(const ComponentTopology&) const = default;
+};
+
+HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) {
+  HalfedgeId next = Mesh::next(h);
+  while (mesh.twin(next).valid()) next = Mesh::next(mesh.twin(next));
+  return next;
+}
+
+/// Of every component, in the order of compute_face_components.
+std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component) {
+  std::vector<ComponentTopology> result;
+  const auto of = [&](HalfedgeId h) -> ComponentTopology& {
+    const auto c = static_cast<std::size_t>(component[Mesh::face(h)]);
+    if (result.size() <= c) result.resize(c + 1);
+    return result[c];
+  };
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) ++of(mesh.halfedge(VertexId(v))).euler_characteristic;
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) --of(mesh.halfedge(EdgeId(e))).euler_characteristic;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) ++of(Mesh::halfedge(FaceId(f), 0)).euler_characteristic;
+  std::vector<char> seen(static_cast<std::size_t>(mesh.halfedge_count()), 0);
+  for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    HalfedgeId h(i);
+    if (mesh.twin(h).valid() || seen[h.index()]) continue;
+    ++of(h).boundary_loops;
+    for (; !seen[h.index()]; h = next_on_boundary(mesh, h)) seen[h.index()] = 1;
+  }
+  return result;
+}
+
+/// For every component of the remesh the one of the surface that its generators lie on; empty where they do not pair.
+std::vector<std::int32_t> pair_components(const IdVector<FaceId, std::int32_t>& surface_component, const Mesh& remesh,
+                                          const IdVector<FaceId, std::int32_t>& remesh_component,
+                                          const std::vector<SurfacePoint>& generators) {
+  std::map<std::int32_t, std::int32_t> there, back;
+  for (std::int32_t f = 0; f < remesh.face_count(); ++f) {
+    for (const VertexId v : remesh.vertices(FaceId(f))) {
+      const std::int32_t a = remesh_component[FaceId(f)], b = surface_component[generators[v.index()].face];
+      if (there.try_emplace(a, b).first->second != b || back.try_emplace(b, a).first->second != a) return {};
+    }
+  }
+  std::vector<std::int32_t> pairs;
+  for (const auto& [a, b] : there) pairs.push_back(b);
+  return pairs;
+}
+
+void compare_components(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                        RemeshCertificate& certificate) {
+  const auto surface_component = compute_face_components(surface), remesh_component = compute_face_components(remesh);
+  const auto pairs = pair_components(surface_component, remesh, remesh_component, generators);
+  certificate.same_components = certificate.input.components == certificate.output.components &&
+                                pairs.size() == static_cast<std::size_t>(certificate.input.components);
+  if (!certificate.same_components) return;
+  const auto wanted = component_topologies(surface, surface_component);
+  const auto found = component_topologies(remesh, remesh_component);
+  certificate.same_in_each_component = true;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] != wanted[static_cast<std::size_t>(pairs[i])]) certificate.same_in_each_component = false;
+  }
+}
+
+}  // namespace
+
+std::string RemeshCertificate::first_failure() const {
+  if (!manifold) return "it is no manifold";
+  if (!closed_as_input) return "it is not closed where the input is closed";
+  if (!same_components) return "its components are not those of the input";
+  if (!same_euler_characteristic) return "its Euler characteristic is not that of the input";
+  if (!same_boundary_loops) return "it does not have the boundary loops of the input";
+  if (!same_in_each_component) return "a component does not have the topology of its component of the input";
+  if (flipped_faces > 0) return "faces are flipped: " + std::to_string(flipped_faces);
+  if (unused_generators > 0) return "generators are not used: " + std::to_string(unused_generators);
+  return {};
+}
+
+bool RemeshCertificate::ok() const { return first_failure().empty(); }
+
+RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                                 const std::vector<SurfacePoint>& face_points) {
+  RemeshCertificate certificate;
+  certificate.input = compute_mesh_summary(surface);
+  certificate.output = compute_mesh_summary(remesh);
+  const MeshSummary &in = certificate.input, &out = certificate.output;
+  certificate.manifold = is_manifold(remesh);
+  certificate.closed_as_input = (in.boundary_loops == 0) == (out.boundary_loops == 0);
+  certificate.same_euler_characteristic = in.euler_characteristic == out.euler_characteristic;
+  certificate.same_boundary_loops = in.boundary_loops == out.boundary_loops;
+  compare_components(surface, remesh, generators, certificate);
+  std::vector<char> used(generators.size(), 0);
+  for (std::int32_t f = 0; f < remesh.face_count(); ++f) {
+    for (const VertexId v : remesh.vertices(FaceId(f))) used[v.index()] = 1;
+  }
+  certificate.unused_generators = std::count(used.begin(), used.end(), 0);
+  certificate.flipped_faces =
+      static_cast<std::int64_t>(find_flipped_faces(surface, remesh, generators, face_points).size());
+  return certificate;
+}
+
+}  // namespace gvd

@@ -1,0 +1,193 @@
+#include "place_generators.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "boundary_runs.hpp"
+#include "cell_loops.hpp"
+
+namespace gvd {
+namespace {
+
+class Placer {
+ public:
+  Placer(const Mesh& mesh, const Diagram& diagram, std::size_t room)
+      : mesh_(mesh), diagram_(diagram), room_(room), taken_(diagram.generators.size(), 0) {
+    for (const SurfacePoint& g : diagram.generators) occupied_.push_back(position(mesh, g));
+  }
+
+  std::vector<SurfacePoint> place(const std::vector<DualDefect>& defects) {
+    for (const DualDefect& defect : defects) {
+      if (points_.size() == room_) break;
+      const bool taken =
+          std::any_of(defect.cells.begin(), defect.cells.end(), [&](GeneratorId g) { return taken_[g]; });
+      if (taken) continue;
+      const std::size_t before = points_.size();
+      repair(defect);
+      if (points_.size() == before) continue;
+      for (const GeneratorId g : defect.cells) taken_[g] = 1;
+    }
+    return std::move(points_);
+  }
+
+ private:
+  void repair(const DualDefect& defect) {
+    switch (defect.property) {
+      case DualProperty::component_reached:
+        return reach_component(defect.component);
+      case DualProperty::cell_is_disc:
+        return part_loop(defect.cells[0]);
+      case DualProperty::one_boundary_run:
+        return part_boundary(defect.cells[0]);
+      case DualProperty::bisector_has_face:
+        return give_face(diagram_.bisectors[defect.bisector]);
+      case DualProperty::one_bisector:
+        return part_pair(defect.cells[0], defect.cells[1]);
+      case DualProperty::enough_neighbours:
+        return add_farthest(defect.cells[0]);
+      case DualProperty::one_branch_point:
+        return part_triple(defect.branch_point);
+      case DualProperty::different_cells:
+      case DualProperty::polygon_fits:
+      case DualProperty::not_flipped:
+        add(diagram_.branch_points[defect.branch_point].point);
+    }
+  }
+
+  bool add(const SurfacePoint& point) {
+    const Vec3 at = position(mesh_, point);
+    const double least = kLeastSpacing * mesh_.bbox_diagonal();
+    const bool free = std::all_of(occupied_.begin(), occupied_.end(),
+                                  [&](const Vec3& p) { return (p - at).squaredNorm() > least * least; });
+    if (!free || points_.size() == room_) return false;
+    occupied_.push_back(at);
+    points_.push_back(point);
+    return true;
+  }
+
+  double distance(const SurfacePoint& point, GeneratorId g) const {
+    return (position(mesh_, point) - occupied_[g.index()]).norm();
+  }
+
+  void reach_component(std::int32_t component) {
+    const auto components = compute_face_components(mesh_);
+    const FaceId f(std::find(components.begin(), components.end(), component) - components.begin());
+    add(vertex_point(mesh_, mesh_.vertices(f)[0]));
+  }
+
+  void part_loop(GeneratorId g) {
+    if (!loops_) loops_.emplace(mesh_, diagram_);
+    const std::size_t before = points_.size();
+    for (const SurfacePoint& p : loops_->find(g)) add(p);
+    if (points_.size() == before) add_farthest(g);
+  }
+
+  void part_boundary(GeneratorId g) {
+    if (!runs_) runs_ = list_boundary_runs(mesh_, diagram_);
+    std::vector<SurfacePoint> middles;
+    for (const BoundaryRun& run : *runs_) {
+      if (run.cell == g) middles.push_back(run.middle);
+    }
+    add_best(middles, [&](const SurfacePoint& p) { return distance(p, g); });
+  }
+
+  void give_face(const Bisector& b) {
+    const auto farther = [&](const SurfacePoint& p) { return distance(p, b.left) + distance(p, b.right); };
+    if (b.closed) return add_best(b.points, farther);
+    add_best({b.points.front(), b.points.back()}, farther);
+  }
+
+  void part_pair(GeneratorId a, GeneratorId b) {
+    const Bisector* best = nullptr;
+    double most = -1;
+    for (const Bisector& c : diagram_.bisectors) {
+      if (std::minmax(c.left, c.right) != std::minmax(a, b)) continue;
+      // A new cell reaches about half as far along the bisector as its generator is from theirs.
+      const double ratio = distance(middle(c), a) / std::max(length(c), std::numeric_limits<double>::min());
+      if (ratio > most) std::tie(most, best) = std::tuple(ratio, &c);
+    }
+    if (!add(middle(*best))) add_best(best->points, [&](const SurfacePoint& p) { return distance(p, a); });
+  }
+
+  void part_triple(BranchPointId branch) {
+    const auto sorted = [&](const BranchPoint& b) {
+      std::vector<GeneratorId> cells = b.generators;
+      std::sort(cells.begin(), cells.end());
+      return cells;
+    };
+    const auto cells = sorted(diagram_.branch_points[branch]);
+    std::vector<SurfacePoint> places;
+    for (const BranchPoint& b : diagram_.branch_points) {
+      if (sorted(b) == cells) places.push_back(b.point);
+    }
+    add_best(places, [&](const SurfacePoint& p) { return distance(p, cells[0]); });
+  }
+
+  /// The cell's farthest vertex; where it has none that is free, the farthest point of its bisectors.
+  void add_farthest(GeneratorId g) {
+    VertexId best;
+    double most = 0;
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const VertexId v(i);
+      if (diagram_.vertex_label[v] != g || !(diagram_.vertex_distance[v] > most)) continue;
+      std::tie(most, best) = std::tuple(diagram_.vertex_distance[v], v);
+    }
+    if (best.valid() && add(vertex_point(mesh_, best))) return;
+    std::vector<SurfacePoint> places;
+    for (const Bisector& b : diagram_.bisectors) {
+      if (b.left == g || b.right == g) places.insert(places.end(), b.points.begin(), b.points.end());
+    }
+    add_best(places, [&](const SurfacePoint& p) { return distance(p, g); });
+  }
+
+  /// Adds the first free one of `places` in the order of falling `value`.
+  template <class Value>
+  void add_best(const std::vector<SurfacePoint>& places, Value value) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < places.size(); ++i) order.emplace_back(-value(places[i]), i);
+    std::sort(order.begin(), order.end());
+    for (const auto& [ignored, i] : order) {
+      if (add(places[i])) return;
+    }
+  }
+
+  double length(const Bisector& b) const {
+    double sum = 0;
+    for (std::size_t i = 1; i < b.points.size(); ++i) {
+      sum += (position(mesh_, b.points[i]) - position(mesh_, b.points[i - 1])).norm();
+    }
+    return sum;
+  }
+
+  /// Half way along an open bisector.
+  SurfacePoint middle(const Bisector& b) const {
+    const double half = 0.5 * length(b);
+    double sum = 0;
+    for (std::size_t i = 1; i < b.points.size(); ++i) {
+      const double step = (position(mesh_, b.points[i]) - position(mesh_, b.points[i - 1])).norm();
+      if (sum + step >= half) return half - sum < 0.5 * step ? b.points[i - 1] : b.points[i];
+      sum += step;
+    }
+    return b.points.back();
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  std::size_t room_;
+  IdVector<GeneratorId, char> taken_;
+  std::vector<Vec3> occupied_;  // the generators' positions, then those of the new ones
+  std::vector<SurfacePoint> points_;
+  std::optional<CellLoops> loops_;
+  std::optional<std::vector<BoundaryRun>> runs_;
+};
+
+}  // namespace
+
+std::vector<SurfacePoint> place_generators(const Mesh& mesh, const Diagram& diagram,
+                                           const std::vector<DualDefect>& defects, std::size_t room) {
+  return Placer(mesh, diagram, room).place(defects);
+}
+
+}  // namespace gvd

@@ -1,0 +1,134 @@
+#include "gvd/remesh.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "gvd/error.hpp"
+#include "place_generators.hpp"
+
+namespace gvd {
+namespace {
+
+std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : points) positions.push_back(position(mesh, p));
+  return positions;
+}
+
+class Remesher {
+ public:
+  Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        given_(generators.size()),
+        max_added_(options.max_added.value_or(default_max_added(generators.size()))) {
+    result_.generators = generators;
+  }
+
+  RemeshResult run() {
+    while (true) {
+      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
+      ++result_.rounds;
+      const std::vector<DualDefect> defects = find_defects();
+      if (defects.empty()) break;
+      refine(defects);
+    }
+    measure();
+    return std::move(result_);
+  }
+
+ private:
+  /// Where the dual is proper, builds the mesh and looks for flipped faces.
+  std::vector<DualDefect> find_defects() {
+    std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);
+    if (!defects.empty()) return defects;
+    const DualMesh dual = build_dual(mesh_, result_.diagram);
+    build_mesh(dual);
+    for (const FaceId f : find_flipped_faces(mesh_, result_.mesh, result_.generators, result_.face_points)) {
+      defects.push_back(flipped(dual, f));
+    }
+    return defects;
+  }
+
+  void build_mesh(const DualMesh& dual) {
+    std::vector<std::array<VertexId, 3>> faces;
+    result_.face_points.clear();
+    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+      const auto& [a, b, c] = dual.faces[i];
+      faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
+      result_.face_points.push_back(result_.diagram.branch_points[dual.branch_points[i]].point);
+    }
+    try {
+      result_.mesh = Mesh(positions_of(mesh_, result_.generators), std::move(faces));
+    } catch (const Error& error) {
+      throw Error(ErrorCode::no_valid_result,
+                  std::string("the dual of the generators is no mesh: ") + error.what() + "; move or remove generators",
+                  error.element());
+    }
+  }
+
+  DualDefect flipped(const DualMesh& dual, FaceId f) const {
+    DualDefect defect;
+    defect.property = DualProperty::not_flipped;
+    defect.branch_point = dual.branch_points[f.index()];
+    const auto& [a, b, c] = dual.faces[f.index()];
+    defect.cells = {a, b, c};
+    const Vec3& at = result_.diagram.branch_points[defect.branch_point].position;
+    defect.message =
+        fmt::format("(10) the triangle of the generators {}, {} and {} is flipped, near ({:.6g}, {:.6g}, {:.6g})",
+                    a.value(), b.value(), c.value(), at.x(), at.y(), at.z());
+    return defect;
+  }
+
+  void refine(const std::vector<DualDefect>& defects) {
+    const std::string& first = defects.front().message;
+    const std::string count =
+        fmt::format("the dual of {} generators is no proper mesh: {}", result_.generators.size(), first);
+    if (!options_.refine) {
+      throw Error(ErrorCode::no_valid_result, count + "; give more generators there or let some be added");
+    }
+    const std::int64_t room = max_added_ - result_.added;
+    if (room <= 0) {
+      throw Error(ErrorCode::no_valid_result,
+                  fmt::format("{}; {} generators were added already: give more of them or allow to add more", count,
+                              result_.added));
+    }
+    const auto points = place_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(room));
+    if (points.empty()) {
+      throw Error(ErrorCode::no_valid_result, count + "; there is no room to add one: give other generators there");
+    }
+    result_.generators.insert(result_.generators.end(), points.begin(), points.end());
+    result_.added += static_cast<std::int64_t>(points.size());
+  }
+
+  void measure() {
+    result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points);
+    if (!result_.certificate.ok()) {
+      throw Error(ErrorCode::no_valid_result, "the remesh of " + std::to_string(result_.generators.size()) +
+                                                  " generators can't be certified: " +
+                                                  result_.certificate.first_failure() + "; give other generators");
+    }
+    result_.input_quality = compute_triangle_quality(mesh_);
+    result_.output_quality = compute_triangle_quality(result_.mesh);
+  }
+
+  const Mesh& mesh_;
+  const RemeshOptions& options_;
+  std::size_t given_;
+  std::int64_t max_added_;
+  RemeshResult result_;
+};
+
+}  // namespace
+
+std::int64_t default_max_added(std::size_t generators) { return 10 * static_cast<std::int64_t>(generators) + 100; }
+
+RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
+  if (options.max_added && *options.max_added < 0) {
+    throw Error(ErrorCode::invalid_option, "max_added must not be negative", *options.max_added);
+  }
+  return Remesher(mesh, generators, options).run();
+}
+
+}  // namespace gvd

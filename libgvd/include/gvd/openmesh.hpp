@@ -1,0 +1,72 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
+
+// Header only, so that libgvd itself does not link OpenMesh: who includes this links OpenMeshCore.
+
+namespace gvd {
+
+/// Double precision, so that a mesh comes back bit by bit.
+struct OpenMeshTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using OpenMeshTriMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
+
+/// The mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
+///
+/// `TriMesh` is any triangle mesh of OpenMesh's whose points are made of three numbers; those with fewer digits than a
+/// double round. Throws Error{precondition} where OpenMesh refuses a face, which it does for no valid mesh. Cost: O(n).
+template <class TriMesh = OpenMeshTriMesh>
+TriMesh to_openmesh(const Mesh& mesh) {
+  using Point = typename TriMesh::Point;
+  using Scalar = typename TriMesh::Scalar;
+  TriMesh result;
+  result.reserve(static_cast<std::size_t>(mesh.vertex_count()), static_cast<std::size_t>(mesh.edge_count()),
+                 static_cast<std::size_t>(mesh.face_count()));
+  for (const Vec3& p : mesh.positions()) {
+    result.add_vertex(Point(static_cast<Scalar>(p.x()), static_cast<Scalar>(p.y()), static_cast<Scalar>(p.z())));
+  }
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.vertices(FaceId(f));
+    const auto added = result.add_face(OpenMesh::VertexHandle(a.value()), OpenMesh::VertexHandle(b.value()),
+                                       OpenMesh::VertexHandle(c.value()));
+    if (!added.is_valid()) throw Error(ErrorCode::precondition, "OpenMesh refuses a face of the mesh", f);
+  }
+  return result;
+}
+
+/// The mesh of an OpenMesh triangle mesh. Deleted elements and vertices without a face are left out; the others keep
+/// their order. Throws what the constructor of Mesh throws. Cost: O(n).
+template <class TriMesh>
+Mesh from_openmesh(const TriMesh& source) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  std::vector<VertexId> renamed(source.n_vertices());
+  for (const auto v : source.vertices()) {  // the range skips what is deleted
+    const OpenMesh::VertexHandle handle = v;
+    if (source.is_isolated(handle)) continue;
+    renamed[static_cast<std::size_t>(handle.idx())] = VertexId(static_cast<std::int64_t>(positions.size()));
+    const auto& p = source.point(handle);
+    positions.emplace_back(p[0], p[1], p[2]);
+  }
+  for (const auto f : source.faces()) {
+    const OpenMesh::FaceHandle handle = f;
+    std::array<VertexId, 3> corners;
+    std::size_t i = 0;
+    for (auto v = source.cfv_ccwbegin(handle); v != source.cfv_ccwend(handle) && i < 3; ++v) {
+      corners[i++] = renamed[static_cast<std::size_t>(v->idx())];
+    }
+    faces.push_back(corners);
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+}  // namespace gvd
