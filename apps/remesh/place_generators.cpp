@@ -52,7 +52,7 @@ class Placer {
       case DualProperty::different_cells:
       case DualProperty::polygon_fits:
       case DualProperty::not_flipped:
-        add(diagram_.branch_points[defect.branch_point].point);
+        return part_branch(defect.branch_point);
     }
   }
 
@@ -123,6 +123,26 @@ class Placer {
       if (sorted(b) == cells) places.push_back(b.point);
     }
     add_best(places, [&](const SurfacePoint& p) { return distance(p, cells[0]); });
+  }
+
+  /// The point of the branch point or of the bisectors between its cells that is farthest from all generators. Where
+  /// distances are accurate that is hardly ever far from the branch point; where they are not, it may lie near one of
+  /// its generators, and another one beside it would help nobody.
+  void part_branch(BranchPointId branch) {
+    std::vector<GeneratorId> cells = diagram_.branch_points[branch].generators;
+    const auto among = [&](GeneratorId g) { return std::find(cells.begin(), cells.end(), g) != cells.end(); };
+    std::vector<SurfacePoint> places{diagram_.branch_points[branch].point};
+    for (const Bisector& b : diagram_.bisectors) {
+      if (among(b.left) && among(b.right)) places.insert(places.end(), b.points.begin(), b.points.end());
+    }
+    add_best(places, [&](const SurfacePoint& p) { return clearance(p); });
+  }
+
+  double clearance(const SurfacePoint& point) const {
+    const Vec3 at = position(mesh_, point);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3& p : occupied_) least = std::min(least, (p - at).squaredNorm());
+    return least;
   }
 
   /// The cell's farthest vertex; where it has none that is free, the farthest point of its bisectors.
