@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/pipeline.hpp"
-#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/sampling.hpp"
 
 namespace gvd::app {
 namespace {
@@ -37,14 +37,31 @@ ResolvedGenerators resolve(Run& run, const CheckedMesh& input) {
   return resolved;
 }
 
+ResolvedGenerators sample(Run& run, const Mesh& mesh) {
+  const GeneratorOptions& asked = run.options().generators;
+  SamplingOptions options;
+  options.seed = asked.seed;
+  options.front = run.options().compute.front;
+  options.progress = run.progress();
+  if (asked.count) options.count = *asked.count;
+  if (asked.radius) options.radius = *asked.radius;
+  options.kind = asked.radius                              ? Sampling::covering_radius
+                 : asked.sampling == SamplingKind::random  ? Sampling::random
+                 : asked.sampling == SamplingKind::poisson ? Sampling::poisson
+                                                           : Sampling::farthest;
+  ResolvedGenerators sampled;
+  sampled.points = sample_generators(mesh, options);
+  sampled.snap_distance.resize(sampled.points.size());
+  return sampled;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
   const GeneratorOptions& asked = run.options().generators;
-  if (!asked.vertices && asked.file.empty()) {
-    throw Error(ErrorCode::invalid_option, "-n and --radius are not in this version; use --vertices or --generators");
-  }
-  ResolvedGenerators found = run.timed("generators", [&] { return resolve(run, input); });
+  const bool listed = asked.vertices || !asked.file.empty();
+  ResolvedGenerators found =
+      run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh); });
   for (std::size_t i = 0; i < found.points.size(); ++i) {
     run.report().generators.push_back({found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
   }
