@@ -16,7 +16,8 @@ namespace gvd {
 /// keeps what remains convex: so the arcs can't cross, whatever the distances say.
 ///
 /// `boundary` has 0 or at least 2 crossings; `forms` holds the distance forms of the generators on the boundary.
-/// Source: sections 4.2 and 4.3; closed by construction, see docs/algorithm.md. Cost: O(k^3) for k crossings; k is small.
+/// Source: sections 4.2 and 4.3; closed by construction, see docs/algorithm.md.
+/// Cost: O(k^5) for k crossings at worst (k rounds, each over all pairs of runs and all cells there); k is seldom above 4.
 void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const std::vector<DistanceForm>& forms,
                    FaceDiagram& diagram);
 

@@ -45,7 +45,7 @@ struct GrownGap {
 /// Source: section 4.3.
 /// Returns nothing where the ends do not meet up, or do so in a way that contradicts itself: ends left over, arcs that
 /// cross, an edge or a vertex between two labels. Then the gap is closed by assembly, which can't fail.
-/// Cost: O(k^2) for the k ends of the gap, a few.
+/// Cost: O(k^3) for k ends, grown ones included: every event looks at all pairs. k is bounded by the faces of the gap.
 std::optional<GrownGap> grow_gap(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
                                  const Crossings& crossings, const Gap& gap);
 

@@ -13,7 +13,8 @@ struct VertexDistance {
   double distance;        ///< mesh units, with the generator's symbolic offset
   GeneratorId generator;  ///< invalid in the first place of a vertex that nothing reaches
   std::int32_t next;      ///< the vertex's next one, or -1
-  HalfedgeId via;         ///< halfedge of the triangle that gave the distance, opposite to the vertex; invalid at a source
+  HalfedgeId via;         ///< halfedge of the triangle that gave the distance, opposite to the vertex; invalid at the
+                          ///< generator's own vertex, and beside it where the distance is that along the edge
 };
 
 /// One line of a triangle's generator table (section 4.1): a generator that may own a part of the triangle.

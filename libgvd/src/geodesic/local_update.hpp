@@ -32,7 +32,8 @@ inline double update_along_edges(const UpdateTriangle& t, double distance_a, dou
 ///
 /// Source:  section 4.1 of the paper, with a point source in place of its linear front.
 /// Inputs:  distances >= 0 in mesh units
-/// Returns: mesh units; never less than min(distance_a, distance_b)
+/// Returns: mesh units; never less than (distance_a + distance_b - base) / 2, for the ray meets the base between A and
+///   B. It may be less than both distances: a source close behind a long base is nearer to D than to A and B.
 /// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) where the
 ///   distances break the triangle inequality, or the source does not see D through A B (obtuse triangles), it falls back
 ///   to the edges: an acausal update would be worth less than that upper bound.
