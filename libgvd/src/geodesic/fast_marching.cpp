@@ -147,8 +147,9 @@ class Marcher {
     const auto i = static_cast<std::size_t>(Mesh::corner(twin));
     std::int32_t place_d = neighbour >= 0 ? table_.entry(neighbour).corner[(i + 2) % 3] : table_.find(mesh_.opposite(twin), g);
     bool improved = false;
-    // No update gives less than the smaller of its two distances.
-    if (place_d < 0 || table_.distance(place_d).distance > std::min(distance_a, distance_b)) {
+    // By the triangle inequality no point of the edge is nearer than this, and so is no corner beyond it.
+    const double least = 0.5 * (distance_a + distance_b - mesh_.shape(face).length[i]);
+    if (place_d < 0 || table_.distance(place_d).distance > least) {
       const double distance_d = update(face, i, distance_a, distance_b);
       if (place_d < 0) {
         place_d = table_.add(mesh_.opposite(twin), g, distance_d, twin);
