@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "diagram/face_assembly.hpp"
+#include "diagram/face_pieces.hpp"
+#include "support/random.hpp"
+
+namespace gvd::test {
+
+/// A crossing on the boundary of a face, and the cell that follows it on the way round.
+struct BoundaryRun {
+  int corner;
+  double t;
+  int next;
+};
+
+inline DistanceForm form(int generator, double a, double b, double c) { return {GeneratorId(generator), {a, b, c}}; }
+
+/// Forms of `count` generators that say little: almost the same everywhere.
+inline std::vector<DistanceForm> flat_forms(int count) {
+  std::vector<DistanceForm> forms;
+  for (int g = 0; g < count; ++g) forms.push_back(form(g, 1 + 0.01 * g, 1 - 0.02 * g, 1 + 0.01 * (g % 2)));
+  return forms;
+}
+
+/// Part of the face's area that a polygon in barycentric coordinates has.
+inline double area_share(const std::vector<std::array<double, 3>>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+    const auto &p = polygon[i], &q = polygon[(i + 1) % n];
+    twice += p[1] * q[2] - p[2] * q[1];
+  }
+  return twice;
+}
+
+/// One face, assembled. `runs` go once round the face.
+struct AssembledFace {
+  std::vector<BoundaryCrossing> boundary;
+  FaceDiagram diagram;
+
+  AssembledFace(const std::vector<BoundaryRun>& runs, const std::vector<DistanceForm>& forms) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const int previous = runs[(i + runs.size() - 1) % runs.size()].next;
+      boundary.push_back({CrossingId(static_cast<std::int64_t>(i)), runs[i].corner, runs[i].t, GeneratorId(previous),
+                          GeneratorId(runs[i].next)});
+    }
+    assemble_face(FaceId(0), boundary, forms, diagram);
+  }
+
+  std::vector<WorkingPiece> pieces() const { return trace_pieces(boundary, diagram.arcs, diagram.branches); }
+
+  std::array<double, 3> place(const ArcEnd& end) const {
+    if (end.branch.valid()) return diagram.branches[end.branch].bary;
+    const BoundaryCrossing& c = boundary[end.crossing.index()];
+    std::array<double, 3> bary{0, 0, 0};
+    bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
+    bary[static_cast<std::size_t>((c.corner + 1) % 3)] = c.t;
+    return bary;
+  }
+};
+
+/// `count` crossings at random places, some of them close together or close to a corner, between random ones of `cells`
+/// cells. Empty where chance left no room.
+inline std::vector<BoundaryRun> random_runs(Random& random, int count, int cells) {
+  std::vector<BoundaryRun> runs;
+  const int edges = 1 + random.below(3);
+  for (int i = 0; i < count; ++i) {
+    const double t = random.below(4) == 0 ? (random.below(2) == 0 ? 1e-7 + random.real(0, 1e-5) : 1 - 1e-7 - random.real(0, 1e-5))
+                                          : random.real(0.001, 0.999);
+    runs.push_back({random.below(edges), t, random.below(cells)});
+  }
+  std::sort(runs.begin(), runs.end(),
+            [](const BoundaryRun& a, const BoundaryRun& b) { return std::pair(a.corner, a.t) < std::pair(b.corner, b.t); });
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const BoundaryRun& before = runs[(i + runs.size() - 1) % runs.size()];
+    for (int tries = 0; runs[i].next == before.next || (i + 1 == runs.size() && runs[i].next == runs[0].next); ++tries) {
+      if (tries == 20) return {};
+      runs[i].next = random.below(cells);
+    }
+    if (i > 0 && before.corner == runs[i].corner && runs[i].t - before.t < kCrossingGap) return {};
+  }
+  return runs;
+}
+
+/// The crossings of the lower envelope of linear forms with the boundary of the face.
+inline std::vector<BoundaryRun> envelope_runs(const std::vector<DistanceForm>& forms) {
+  std::vector<BoundaryRun> runs;
+  for (int corner = 0; corner < 3; ++corner) {
+    const auto from = static_cast<std::size_t>(corner), to = static_cast<std::size_t>((corner + 1) % 3);
+    int current = 0;
+    for (std::size_t g = 1; g < forms.size(); ++g) {
+      if (forms[g].corner[from] < forms[static_cast<std::size_t>(current)].corner[from]) current = static_cast<int>(g);
+    }
+    for (double t = 0;;) {
+      double soonest = 1;
+      int next = current;
+      const DistanceForm& own = forms[static_cast<std::size_t>(current)];
+      for (std::size_t g = 0; g < forms.size(); ++g) {
+        const double a = forms[g].corner[from] - own.corner[from], b = forms[g].corner[to] - own.corner[to];
+        if (b >= 0 || a / (a - b) <= t || a / (a - b) >= soonest) continue;
+        soonest = a / (a - b);
+        next = static_cast<int>(g);
+      }
+      if (next == current) break;
+      runs.push_back({corner, soonest, next});
+      t = soonest;
+      current = next;
+    }
+  }
+  return runs;
+}
+
+}  // namespace gvd::test

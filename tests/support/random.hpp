@@ -1,0 +1,22 @@
+#pragma once
+
+#include <random>
+
+namespace gvd::test {
+
+/// Seeded numbers that are the same with every standard library: the engine's own output, scaled.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  /// In [low, high].
+  double real(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()));
+  }
+  /// In 0 .. count - 1.
+  int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace gvd::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "support/random.hpp"
+
+namespace gvd::test {
+
+inline Mesh make_mesh(std::vector<Vec3> positions, const std::vector<std::array<int, 3>>& faces) {
+  std::vector<std::array<VertexId, 3>> ids;
+  for (const auto& [a, b, c] : faces) ids.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  return Mesh(std::move(positions), std::move(ids));
+}
+
+/// One face.
+inline Mesh make_triangle() { return make_mesh({{0, 0, 0}, {2, 0, 0}, {0.5, 1.5, 0}}, {{0, 1, 2}}); }
+
+/// Two faces, back to back: closed, a sphere.
+inline Mesh make_pillow() { return make_mesh({{0, 0, 0}, {2, 0, 0}, {0.5, 1.5, 0}}, {{0, 1, 2}, {0, 2, 1}}); }
+
+inline Mesh make_tetrahedron() {
+  return make_mesh({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+}
+
+/// The same mesh, `scale` times as large.
+inline Mesh scaled(const Mesh& mesh, double scale) {
+  std::vector<Vec3> positions = mesh.positions();
+  for (Vec3& p : positions) p *= scale;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < mesh.face_count(); ++f) faces.push_back(mesh.vertices(FaceId(f)));
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+/// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` < 0.5: obtuse triangles abound.
+inline Mesh make_jittered_grid(int nx, int ny, double shift, unsigned seed) {
+  Random random(seed);
+  std::vector<Vec3> positions;
+  for (int j = 0; j <= ny; ++j) {
+    for (int i = 0; i <= nx; ++i) {
+      const bool inner = i > 0 && j > 0 && i < nx && j < ny;
+      const double x = random.real(-shift, shift), y = random.real(-shift, shift);
+      positions.emplace_back(i + (inner ? x : 0), j + (inner ? y : 0), 0);
+    }
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      const int a = j * (nx + 1) + i, b = a + 1, c = b + nx + 1, d = a + nx + 1;
+      faces.push_back({a, b, c});
+      faces.push_back({a, c, d});
+    }
+  }
+  return make_mesh(std::move(positions), faces);
+}
+
+}  // namespace gvd::test
