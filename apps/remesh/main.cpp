@@ -4,6 +4,7 @@
 #include "common/numbers.hpp"
 #include "common/pipeline.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/io/diagram_json.hpp"
 #include "gvd/io/run_report.hpp"
 #include "gvd/remesh.hpp"
 
@@ -90,7 +91,7 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<Surf
   settings.remesh.diagram.method = run.options().compute.method;
   settings.remesh.diagram.front = run.options().compute.front;
   settings.remesh.diagram.progress = run.progress();
-  RemeshResult result = run.timed("remesh", [&] { return remesh(mesh, generators, settings.remesh); });
+  RemeshResult result = run.timed("diagram", [&] { return remesh(mesh, generators, settings.remesh); });
   report_remesh(run, mesh, result);
   return result;
 }
@@ -115,7 +116,9 @@ void run_remesh(app::Run& run, const Settings& settings) {
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> generators = app::make_generators(run, input);
   const RemeshResult result = make_remesh(run, mesh, generators, settings);
-  app::write_output_files(run, LabelledMesh{result.mesh});
+  // As JSON, the diagram whose dual the mesh is.
+  app::write_output_files(run, LabelledMesh{result.mesh},
+                          {{"json", [&](std::ostream& out) { write_diagram_json(out, mesh, result.diagram); }}});
   app::write_diagram_file(run, mesh, result.diagram);
   app::write_view_file(run, "gvd-remesh", [&] {
     return std::vector{coarse_scene(result), make_view_scene("Diagram", mesh, result.diagram)};
@@ -131,7 +134,7 @@ int main(int argc, char** argv) {
   app::Command command({"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb"}});
+                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
   register_options(command.cli(), settings);
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

@@ -65,28 +65,6 @@ TEST_CASE("a source unfolds to where it is, on the right of the edge") {
   CHECK(std::abs(unfold_source({0, 0}, {1, 0}, 0.2, 0.2).y()) == 0);
 }
 
-TEST_CASE("on a flat grid both faces of an edge estimate the perpendicular bisector") {
-  const Mesh mesh = test::make_grid(20, 13);
-  const int a = 3 * 21 + 4, b = 8 * 21 + 13;
-  const test::Stages stages(mesh, test::at_vertices(mesh, {a, b}), Front::circle);
-  const auto estimates = refine_bisectors(stages.working, stages.table(), stages.labels, stages.rough);
-  std::map<CrossingId, std::vector<double>> by_crossing;
-  for (const CrossingEstimate& e : estimates) by_crossing[e.crossing].push_back(e.t);
-  std::size_t inner = 0, twice = 0;
-  for (const auto& [id, ts] : by_crossing) {
-    const HalfedgeId h = mesh.halfedge(stages.rough[id].edge);
-    for (const double t : ts) {
-      const Vec3 x = (1 - t) * mesh.position(mesh.from(h)) + t * mesh.position(mesh.to(h));
-      REQUIRE(std::abs((x - mesh.position(VertexId(a))).norm() - (x - mesh.position(VertexId(b))).norm()) < kOffset);
-    }
-    REQUIRE(ts.size() <= 2);
-    inner += mesh.is_boundary(stages.rough[id].edge) ? 0 : 1;
-    twice += ts.size() == 2 ? 1 : 0;
-  }
-  CHECK(by_crossing.size() == stages.rough.size());
-  CHECK(twice == inner);
-}
-
 TEST_CASE("estimates lie inside their edge, ascending by face, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
