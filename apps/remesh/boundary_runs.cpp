@@ -1,24 +1,16 @@
 #include "boundary_runs.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <map>
-#include <optional>
 
 namespace gvd {
 namespace {
 
-/// Where a bisector ends on the boundary.
+/// Where a bisector ends on a boundary halfedge.
 struct BoundaryEnd {
-  double at = 0;      ///< parameter along its halfedge, later arc length along the loop
+  double at = 0;      ///< parameter along the halfedge
   GeneratorId after;  ///< the cell ahead of it, along the halfedge
-};
-
-/// One loop of boundary halfedges, with the arc length at which each begins.
-struct BoundaryLoop {
-  std::vector<HalfedgeId> halfedges;
-  std::vector<double> start;
-  double length = 0;
 };
 
 class RunLister {
@@ -32,10 +24,13 @@ class RunLister {
       if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
       if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
     }
+    for (auto& [h, ends] : ends_) {
+      std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+    }
     std::vector<char> seen(static_cast<std::size_t>(mesh_.halfedge_count()), 0);
     for (std::int32_t i = 0; i < mesh_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
-      if (!mesh_.twin(h).valid() && !seen[h.index()]) cut_loop(walk(h, seen));
+      if (!mesh_.twin(h).valid() && !seen[h.index()]) cut_loop(h, seen);
     }
     return std::move(runs_);
   }
@@ -50,47 +45,32 @@ class RunLister {
     }
   }
 
-  BoundaryLoop walk(HalfedgeId first, std::vector<char>& seen) const {
-    BoundaryLoop loop;
+  /// Walks once round the loop of `first`. What comes before the first end belongs to the run after the last one.
+  void cut_loop(HalfedgeId first, std::vector<char>& seen) {
+    const std::size_t before = runs_.size();
+    BoundaryRun head;
+    BoundaryRun* run = &head;
     for (HalfedgeId h = first; !seen[h.index()];) {
       seen[h.index()] = 1;
-      loop.halfedges.push_back(h);
-      loop.start.push_back(loop.length);
-      loop.length += mesh_.length(h);
+      double begin = 0;
+      const auto here = ends_.find(h);
+      for (std::size_t i = 0; here != ends_.end() && i < here->second.size(); ++i) {
+        const BoundaryEnd& end = here->second[i];
+        run->pieces.push_back({h, begin, end.at});
+        runs_.push_back({end.after, {}});
+        run = &runs_.back();
+        begin = end.at;
+      }
+      run->pieces.push_back({h, begin, 1});
       h = Mesh::next(h);
       while (mesh_.twin(h).valid()) h = Mesh::next(mesh_.twin(h));
     }
-    return loop;
-  }
-
-  void cut_loop(const BoundaryLoop& loop) {
-    std::vector<BoundaryEnd> ends;
-    for (std::size_t i = 0; i < loop.halfedges.size(); ++i) {
-      const auto here = ends_.find(loop.halfedges[i]);
-      if (here == ends_.end()) continue;
-      std::stable_sort(here->second.begin(), here->second.end(),
-                       [](const auto& a, const auto& b) { return a.at < b.at; });
-      for (const BoundaryEnd& end : here->second) {
-        ends.push_back({loop.start[i] + end.at * mesh_.length(loop.halfedges[i]), end.after});
-      }
+    if (runs_.size() > before) {
+      run->pieces.insert(run->pieces.end(), head.pieces.begin(), head.pieces.end());
+    } else if (const GeneratorId whole = diagram_.vertex_label[mesh_.from(first)]; whole.valid()) {
+      head.cell = whole;
+      runs_.push_back(std::move(head));
     }
-    if (ends.empty()) {
-      const GeneratorId whole = diagram_.vertex_label[mesh_.from(loop.halfedges[0])];
-      if (whole.valid()) runs_.push_back({whole, point_at(loop, 0)});
-    }
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const double stop = i + 1 < ends.size() ? ends[i + 1].at : ends[0].at + loop.length;
-      runs_.push_back({ends[i].after, point_at(loop, std::fmod(0.5 * (ends[i].at + stop), loop.length))});
-    }
-  }
-
-  SurfacePoint point_at(const BoundaryLoop& loop, double at) const {
-    const auto next = std::upper_bound(loop.start.begin() + 1, loop.start.end(), at);
-    const auto i = static_cast<std::size_t>(next - loop.start.begin()) - 1;
-    const HalfedgeId h = loop.halfedges[i];
-    const double t = std::clamp((at - loop.start[i]) / mesh_.length(h), 0.0, 1.0);
-    const SurfacePoint p = edge_point(h, t);
-    return make_surface_point(p.face, p.bary);
   }
 
   const Mesh& mesh_;
@@ -103,6 +83,21 @@ class RunLister {
 
 std::vector<BoundaryRun> list_boundary_runs(const Mesh& mesh, const Diagram& diagram) {
   return RunLister(mesh, diagram).list();
+}
+
+SurfacePoint nearest_point(const Mesh& mesh, const BoundaryRun& run, const Vec3& to) {
+  SurfacePoint best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BoundaryRun::Piece& piece : run.pieces) {
+    const Vec3 from = mesh.position(mesh.from(piece.halfedge));
+    const Vec3 along = mesh.position(mesh.to(piece.halfedge)) - from;
+    const double t = std::clamp((to - from).dot(along) / along.squaredNorm(), piece.begin, piece.end);
+    const double distance = (from + t * along - to).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best = edge_point(piece.halfedge, t);
+  }
+  return make_surface_point(best.face, best.bary);
 }
 
 }  // namespace gvd

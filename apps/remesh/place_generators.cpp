@@ -21,9 +21,7 @@ class Placer {
   std::vector<SurfacePoint> place(const std::vector<DualDefect>& defects) {
     for (const DualDefect& defect : defects) {
       if (points_.size() == room_) break;
-      const bool taken =
-          std::any_of(defect.cells.begin(), defect.cells.end(), [&](GeneratorId g) { return taken_[g]; });
-      if (taken) continue;
+      if (is_taken(defect)) continue;
       const std::size_t before = points_.size();
       repair(defect);
       if (points_.size() == before) continue;
@@ -33,6 +31,15 @@ class Placer {
   }
 
  private:
+  /// Whether a repair of this call touches the defect's cells, or the neighbours of a cell that has too few.
+  bool is_taken(const DualDefect& defect) const {
+    const auto any = [&](const std::vector<GeneratorId>& cells) {
+      return std::any_of(cells.begin(), cells.end(), [&](GeneratorId g) { return taken_[g] != 0; });
+    };
+    return any(defect.cells) ||
+           (defect.property == DualProperty::enough_neighbours && any(diagram_.cells[defect.cells[0]].neighbours));
+  }
+
   void repair(const DualDefect& defect) {
     switch (defect.property) {
       case DualProperty::component_reached:
@@ -84,13 +91,14 @@ class Placer {
     if (points_.size() == before) add_farthest(g);
   }
 
+  /// A generator opposite to g, on the run that is farthest from it, takes that run and leaves g another one.
   void part_boundary(GeneratorId g) {
     if (!runs_) runs_ = list_boundary_runs(mesh_, diagram_);
-    std::vector<SurfacePoint> middles;
+    std::vector<SurfacePoint> places;
     for (const BoundaryRun& run : *runs_) {
-      if (run.cell == g) middles.push_back(run.middle);
+      if (run.cell == g) places.push_back(nearest_point(mesh_, run, occupied_[g.index()]));
     }
-    add_best(middles, [&](const SurfacePoint& p) { return distance(p, g); });
+    add_best(places, [&](const SurfacePoint& p) { return distance(p, g); });
   }
 
   void give_face(const Bisector& b) {

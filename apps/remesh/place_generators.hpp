@@ -19,12 +19,12 @@ inline constexpr double kLeastSpacing = 1e-6;
 /// | property that fails   | new generators                                                                          |
 /// | component_reached     | the component's first vertex                                                            |
 /// | cell_is_disc          | in thirds round the cell's shortest loop that can't be contracted, else farthest        |
-/// | one_boundary_run      | the middle of the run that is farthest from the generator                               |
+/// | one_boundary_run      | the point nearest to the generator on the run that is farthest from it                  |
 /// | bisector_has_face     | closed: the point farthest from its generators; else its end on the boundary that is    |
 /// | one_bisector          | the middle of that bisector of the two that is longest for its distance                 |
 /// | one_branch_point      | the branch point that is farther from its generators                                    |
 /// | enough_neighbours     | the farthest point of the cell                                                          |
-/// | the others            | the branch point                                                                        |
+/// | the others            | at the branch point or on its bisectors, the point farthest from all generators         |
 ///
 /// In one call each cell is part of one repaired defect at most, for the others may go away with it; the order is that
 /// of `defects`. At most `room` points. Empty where no place is far enough from all generators (kLeastSpacing).
