@@ -51,11 +51,18 @@ void check_target(const std::string& option, const std::string& path) {
   }
 }
 
+/// One name for every way to spell a path ("a.ply", "./a.ply", a link to it), so that no target overwrites another.
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  const fs::path target = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  return failed ? path : target.string();
+}
+
 void check_output(const OutputOptions& output, const std::vector<std::string>& formats) {
   std::set<std::string> targets;
   const auto claim = [&](const std::string& option, const std::string& path) {
     if (path.empty()) return;
-    if (!targets.insert(path).second) refuse(fmt::format("{} {}: this file is named twice", option, path));
+    if (!targets.insert(path == "-" ? path : one_name(path)).second) refuse(fmt::format("{} {}: this file is named twice", option, path));
     if (path != "-") return check_target(option, path);
     if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
   };

@@ -130,6 +130,7 @@ TEST_CASE("usage errors exit with 2") {
       {"a.obj", "-n", "3", "-o", "a.doc"},
       {"a.obj", "-n", "3", "-o", "a"},
       {"a.obj", "-n", "3", "-o", "a.ply", "-o", "a.ply"},
+      {"a.obj", "-n", "3", "-o", "a.json", "--report", "./a.json"},
       {"a.obj", "-n", "3", "--report", "-"},
       {"a.obj", "-n", "3", "--nonsense"},
       {"a.obj", "b.obj", "-n", "3"},
