@@ -15,9 +15,6 @@ using namespace gvd;
 
 namespace {
 
-/// See kTieOffset in fast_marching.cpp: offsets of 1e-9 mean edges, unfolded.
-constexpr double kOffset = 1e-8;
-
 const GeneratorId kA(0), kB(1), kC(2);
 
 /// Three crossings on edge 0 and one on edge 2.
