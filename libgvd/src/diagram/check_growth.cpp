@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "diagram/growing_end.hpp"
 #include "diagram/growth.hpp"
@@ -16,7 +17,8 @@ class GrowthCheck {
 
   bool run() {
     collect_edges();
-    return edges_keep_gaps() && find_labels() && edges_agree() && branches_turn_left() && arcs_stay_apart();
+    return nodes_are_met() && edges_keep_gaps() && find_labels() && edges_agree() && branches_turn_left() &&
+           arcs_stay_apart();
   }
 
  private:
@@ -46,8 +48,56 @@ class GrowthCheck {
     }
   }
 
+  const Crossing& crossing_of(const GapNode& node) const {
+    return node.kind == GapNode::Kind::rim ? crossings_[node.rim] : node.crossing;
+  }
+
+  /// Whether a node lies in the face of an arc that leaves it, or comes to it, between these cells.
+  bool fits(const GapNode& node, FaceId f, GeneratorId left, GeneratorId right) const {
+    if (!gap_.contains(f)) return false;
+    if (node.kind == GapNode::Kind::branch)
+      return node.face == f && *std::min_element(node.bary.begin(), node.bary.end()) >= 0;
+    const Crossing& c = crossing_of(node);
+    const HalfedgeId h = mesh_.halfedge(c.edge), twin = mesh_.twin(h);
+    // Into its first halfedge's face, the edge's beginning lies on the left.
+    if (Mesh::face(h) == f) return left == c.before && right == c.after;
+    return twin.valid() && Mesh::face(twin) == f && left == c.after && right == c.before;
+  }
+
+  /// Every crossing of the rim is a node and ends one arc, every new one an arc in each of its faces, every branch
+  /// point three.
+  bool nodes_are_met() const {
+    std::vector<std::vector<FaceId>> faces(grown_.nodes.size());
+    for (const GapArc& arc : grown_.arcs) {
+      const auto begin = static_cast<std::size_t>(arc.begin), end = static_cast<std::size_t>(arc.end);
+      if (!fits(grown_.nodes[begin], arc.face, arc.left, arc.right)) return false;
+      if (!fits(grown_.nodes[end], arc.face, arc.right, arc.left)) return false;
+      faces[begin].push_back(arc.face);
+      faces[end].push_back(arc.face);
+    }
+    std::set<CrossingId> rim;
+    for (std::size_t n = 0; n < grown_.nodes.size(); ++n) {
+      const GapNode& node = grown_.nodes[n];
+      if (node.kind == GapNode::Kind::rim && !rim.insert(node.rim).second) return false;
+      if (faces[n].size() != arc_count(node)) return false;
+      if (node.kind == GapNode::Kind::crossing && faces[n].size() == 2 && faces[n][0] == faces[n][1]) return false;
+    }
+    std::size_t rim_crossings = 0;
+    for (const auto& [e, runs] : edges_) rim_crossings += runs.rim ? runs.crossings.size() : 0;
+    return rim.size() == rim_crossings;
+  }
+
+  std::size_t arc_count(const GapNode& node) const {
+    if (node.kind == GapNode::Kind::branch) return 3;
+    return node.kind == GapNode::Kind::rim || mesh_.is_boundary(node.crossing.edge) ? 1 : 2;
+  }
+
   bool edges_keep_gaps() const {
     for (const auto& [e, runs] : edges_) {
+      if (!runs.crossings.empty() &&
+          (runs.crossings.front().t < kCrossingGap || runs.crossings.back().t > 1 - kCrossingGap)) {
+        return false;
+      }
       for (std::size_t i = 1; i < runs.crossings.size(); ++i) {
         if (runs.crossings[i].t - runs.crossings[i - 1].t < kCrossingGap) return false;
         if (runs.crossings[i].before != runs.crossings[i - 1].after) return false;
@@ -77,8 +127,9 @@ class GrowthCheck {
         const HalfedgeId h = mesh_.halfedge(e);
         const bool first = mesh_.from(h) == v;
         const GeneratorId own = label_[v];
-        learn(first ? mesh_.to(h) : mesh_.from(h),
-              crossings.empty() ? own : first ? crossings.back().after : crossings.front().before);
+        learn(first ? mesh_.to(h) : mesh_.from(h), crossings.empty() ? own
+                                                   : first           ? crossings.back().after
+                                                                     : crossings.front().before);
       }
     }
     for (const auto& [v, g] : label_) {
@@ -91,8 +142,9 @@ class GrowthCheck {
     for (const auto& [e, runs] : edges_) {
       const auto from = label_.find(mesh_.from(mesh_.halfedge(e))), to = label_.find(mesh_.to(mesh_.halfedge(e)));
       if (from == label_.end() || to == label_.end()) return false;
-      if (runs.crossings.empty() ? from->second != to->second
-                                 : runs.crossings.front().before != from->second || runs.crossings.back().after != to->second) {
+      if (runs.crossings.empty()
+              ? from->second != to->second
+              : runs.crossings.front().before != from->second || runs.crossings.back().after != to->second) {
         return false;
       }
     }
@@ -105,7 +157,7 @@ class GrowthCheck {
     if (node.kind == GapNode::Kind::branch) {
       return node.bary[0] * corner[0] + node.bary[1] * corner[1] + node.bary[2] * corner[2];
     }
-    const Crossing& c = node.kind == GapNode::Kind::rim ? crossings_[node.rim] : node.crossing;
+    const Crossing& c = crossing_of(node);
     HalfedgeId h = mesh_.halfedge(c.edge);
     const bool own = Mesh::face(h) == arc.face;
     if (!own) h = mesh_.twin(h);

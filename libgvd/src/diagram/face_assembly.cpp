@@ -99,7 +99,8 @@ class FaceAssembly {
           if (c.next != polygon[i].next) others = std::min(others, form(c.next).at(between));
         }
         const double lead = form(polygon[i].next).at(between) - others;
-        if (lead < least) std::tie(least, best) = std::tuple(lead, std::optional(std::pair(i, j)));
+        // A pair without a lead, of infinite distances, is better than none.
+        if (!best || lead < least) std::tie(least, best) = std::tuple(lead, std::optional(std::pair(i, j)));
       }
     }
     if (best && least > 0 && triple_exists(polygon)) return std::nullopt;

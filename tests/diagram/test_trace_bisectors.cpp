@@ -1,0 +1,167 @@
+// From arcs in faces to bisectors: the traced diagram's properties, and what is made of it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "diagram/diagram_graph.hpp"
+#include "diagram/trace_diagram.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/stages.hpp"
+
+using namespace gvd;
+
+namespace {
+
+struct Traced {
+  WorkingMesh working;
+  TracedDiagram traced;
+  DiagramReport report;
+  Diagram diagram;
+
+  Traced(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Front front) : working(mesh, generators) {
+    DiagramOptions options;
+    options.front = front;
+    const FastMarchingResult marched = march(working, front, {});
+    traced = trace_diagram(working, marched.table, options, report);
+    trace_bisectors(working, traced, diagram);
+  }
+};
+
+Vec3 place(const Traced& t, const ArcEnd& end) {
+  if (end.branch.valid()) {
+    const FaceBranch& b = t.traced.faces.branches[end.branch];
+    return position(t.working.mesh(), {b.face, b.bary});
+  }
+  const Crossing& c = t.traced.crossings[end.crossing];
+  return position(t.working.mesh(), edge_point(t.working.mesh().halfedge(c.edge), c.t));
+}
+
+/// Properties (1) to (3) of FaceDiagram; (4) is test_face_assembly's and check_growth's.
+void require_sound(const Traced& t) {
+  const Mesh& mesh = t.working.mesh();
+  const auto& arcs = t.traced.faces.arcs;
+  std::map<std::pair<FaceId, CrossingId>, int> ends;
+  IdVector<BranchPointId, int> spokes(t.traced.faces.branches.size(), 0);
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (i > 0) REQUIRE(arcs[i - 1].face <= arcs[i].face);  // (1)
+    REQUIRE(arcs[i].left != arcs[i].right);
+    for (const ArcEnd& end : {arcs[i].begin, arcs[i].end}) {
+      if (end.crossing.valid()) {
+        ++ends[{arcs[i].face, end.crossing}];
+      } else {
+        REQUIRE(t.traced.faces.branches[end.branch].face == arcs[i].face);
+        ++spokes[end.branch];
+      }
+    }
+  }
+  std::size_t expected = 0;
+  for (std::size_t i = 0; i < t.traced.crossings.size(); ++i) {
+    const CrossingId id(static_cast<std::int64_t>(i));
+    const HalfedgeId h = mesh.halfedge(t.traced.crossings[id].edge);
+    for (const HalfedgeId side : {h, mesh.twin(h)}) {
+      if (!side.valid()) continue;
+      REQUIRE(ends[{Mesh::face(side), id}] == 1);  // (2)
+      ++expected;
+    }
+  }
+  REQUIRE(ends.size() == expected);
+  for (const int count : spokes) REQUIRE(count >= 3);  // (3)
+}
+
+void require_bisectors(const Traced& t, const Mesh& mesh) {
+  double arcs = 0, bisectors = 0;
+  std::size_t segments = 0;
+  for (const FaceArc& arc : t.traced.faces.arcs) arcs += (place(t, arc.begin) - place(t, arc.end)).norm();
+  IdVector<BranchPointId, std::vector<std::pair<GeneratorId, GeneratorId>>> spokes(t.diagram.branch_points.size());
+  for (const Bisector& b : t.diagram.bisectors) {
+    const std::size_t n = b.points.size(), last = b.closed ? n : n - 1;
+    segments += last;
+    for (std::size_t k = 0; k < last; ++k) {
+      bisectors += (position(mesh, b.points[k]) - position(mesh, b.points[(k + 1) % n])).norm();
+    }
+    if (b.closed) REQUIRE((!b.ends[0].valid() && !b.ends[1].valid()));
+    if (b.ends[0].valid()) spokes[b.ends[0]].emplace_back(b.right, b.left);
+    if (b.ends[1].valid()) spokes[b.ends[1]].emplace_back(b.left, b.right);
+    for (const std::size_t e : {std::size_t{0}, std::size_t{1}}) {
+      if (!b.ends[e].valid()) continue;
+      REQUIRE((e == 0 ? b.points.front() : b.points.back()) == t.diagram.branch_points[b.ends[e]].point);
+    }
+  }
+  REQUIRE(segments == t.traced.faces.arcs.size());  // every arc in one bisector, once
+  REQUIRE(bisectors == Approx(arcs).epsilon(1e-9));
+  REQUIRE(t.diagram.length == Approx(bisectors).epsilon(1e-12));
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    // Counter-clockwise: from the spoke with cell g on its right, the one with g on its left comes before it.
+    const BranchPointId id(static_cast<std::int64_t>(i));
+    const auto& named = t.diagram.branch_points[id].generators;
+    for (std::size_t k = 0; k < named.size(); ++k) {
+      const std::pair<GeneratorId, GeneratorId> spoke(named[k], named[(k + 1) % named.size()]);
+      REQUIRE(std::count(spokes[id].begin(), spokes[id].end(), spoke) == 1);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("traced diagrams hold properties (1) to (3), and every arc ends up in one bisector, on every family") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const Front front : {Front::circle, Front::planar}) {
+      for (const int count : {2, 5, 30, 150}) {
+        INFO(name << ", " << test::name(front) << ", " << count << " generators");
+        const Traced t(mesh, test::random_generators(mesh, count, 13), front);
+        require_sound(t);
+        require_bisectors(t, mesh);
+        REQUIRE(t.report.gaps == t.report.gaps_grown + t.report.gaps_assembled);
+        for (const std::int32_t components : t.traced.cell_components) REQUIRE(components == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("on a flat grid the left generator is nearer on the left, and the right one on the right") {
+  const Mesh mesh = test::make_grid(24, 17);
+  const Traced t(mesh, test::at_vertices(mesh, {28, 355, 195, 63, 417, 211}), Front::circle);
+  CHECK(t.diagram.bisectors.size() >= 6);
+  for (const Bisector& b : t.diagram.bisectors) {
+    const Vec3 left = mesh.position(t.working.vertex(b.left)), right = mesh.position(t.working.vertex(b.right));
+    for (std::size_t k = 0; k + 1 < b.points.size(); ++k) {
+      const Vec3 p = position(mesh, b.points[k]), way = position(mesh, b.points[k + 1]) - p;
+      if (way.norm() < 1e-3) continue;
+      REQUIRE(Vec3::UnitZ().dot(way.cross(left - p)) > 0);
+      REQUIRE(Vec3::UnitZ().dot(way.cross(right - p)) < 0);
+    }
+  }
+}
+
+TEST_CASE("two generators at the poles of a sphere: one closed bisector") {
+  const Mesh mesh = test::make_sphere(3);
+  const Traced t(mesh, test::at_vertices(mesh, {0, 3}), Front::circle);  // opposite corners of the icosahedron
+  REQUIRE(t.diagram.bisectors.size() == 1);
+  const Bisector& b = t.diagram.bisectors[BisectorId(0)];
+  CHECK(b.closed);
+  CHECK(b.points.front() != b.points.back());
+  CHECK(t.diagram.branch_points.empty());
+  CHECK(t.diagram.length == Approx(2 * 3.14159265358979).epsilon(0.02));
+}
+
+TEST_CASE("two generators on a ring: two bisectors from boundary to boundary") {
+  const Mesh mesh = test::make_ring(24, 6);
+  const Traced t(mesh, test::at_vertices(mesh, {3, 12 * 7 + 3}), Front::circle);
+  REQUIRE(t.diagram.bisectors.size() == 2);
+  for (const Bisector& b : t.diagram.bisectors) {
+    CHECK_FALSE(b.closed);
+    CHECK((!b.ends[0].valid() && !b.ends[1].valid()));
+    CHECK((b.points.front().kind() == SurfacePoint::Kind::edge && b.points.back().kind() == SurfacePoint::Kind::edge));
+  }
+  CHECK(t.diagram.length == Approx(1).epsilon(0.05));
+}
+
+TEST_CASE("one generator has no bisector") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const Traced t(mesh, test::at_vertices(mesh, {5}), Front::circle);
+  CHECK(t.diagram.bisectors.empty());
+  CHECK(t.diagram.length == 0);
+}
