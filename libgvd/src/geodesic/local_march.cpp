@@ -93,7 +93,10 @@ double LocalMarch::update(HalfedgeId h) const {
   const FaceShape& s = shapes_[Mesh::face(h)];
   const int i = Mesh::corner(h);
   const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
-  return update_by(front_, t, nodes_[mesh_.from(h)].distance, nodes_[mesh_.to(h)].distance);
+  const double distance_a = nodes_[mesh_.from(h)].distance, distance_b = nodes_[mesh_.to(h)].distance;
+  // A flat apex can come out nearer than both ends. In faces without area, folded on each other, each such value would
+  // bring others down in turn: the front has to go forwards. What is no number stays so.
+  return std::max(update_by(front_, t, distance_a, distance_b), std::min(distance_a, distance_b));
 }
 
 /// Carries the distance of v into its faces. Beyond the bound v only helps a neighbour that is below its own; but a
