@@ -47,8 +47,9 @@ class DualChecker {
     const Bisector& b = diagram_.bisectors[BisectorId(id(i))];
     DualDefect defect;
     defect.property = property;
-    defect.message = fmt::format("({}) cells {} and {} {}, {}", static_cast<int>(property), b.left.value(),
-                                 b.right.value(), what, place(middle(b)));
+    const auto [first, second] = std::minmax(b.left, b.right);
+    defect.message = fmt::format("({}) cells {} and {} {}, {}", static_cast<int>(property), first.value(),
+                                 second.value(), what, place(middle(b)));
     defect.cells = {b.left, b.right};
     defect.bisector = BisectorId(id(i));
     defects_.push_back(std::move(defect));

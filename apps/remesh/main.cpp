@@ -4,9 +4,9 @@
 #include "common/numbers.hpp"
 #include "common/pipeline.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/io/diagram_json.hpp"
 #include "gvd/io/run_report.hpp"
 #include "gvd/remesh.hpp"
+#include "remesh_json.hpp"
 
 namespace {
 
@@ -28,7 +28,8 @@ struct Settings {
 void register_options(CLI::App& cli, Settings& settings) {
   const std::string group = "Remesh";
   app::add_number<std::int64_t>(cli, "--max-added", settings.remesh.max_added, kMaxAdded,
-                                "Most generators that may be added (default: ten for each given one and 100 more)")
+                                "Most generators that may be added (default: ten for each given one, component, "
+                                "boundary loop and handle, and 100 more)")
       ->group(group);
   cli.add_flag("--no-refine", settings.no_refine,
                "Add no generators: refuse where the dual of the given ones is no proper mesh")
@@ -76,16 +77,18 @@ void report_remesh(app::Run& run, const Mesh& mesh, const RemeshResult& result) 
     const SurfacePoint& p = result.generators[i];
     run.report().generators.push_back({p, position(mesh, p), std::nullopt});
   }
-  run.console().note(fmt::format("{} vertices, {} faces: manifold, with the input's topology", result.mesh.vertex_count(),
-                                 result.mesh.face_count()));
+  run.console().note(fmt::format("{} vertices, {} faces: manifold, with the input's topology",
+                                 result.mesh.vertex_count(), result.mesh.face_count()));
   if (result.added > 0) {
     run.console().note(fmt::format("{} generators were added, for the dual of the given {} is no proper mesh",
                                    result.added, result.generators.size() - static_cast<std::size_t>(result.added)));
   }
 }
 
-RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators, Settings settings) {
-  run.reported_options()["max_added"] = settings.remesh.max_added.value_or(default_max_added(generators.size()));
+RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                         Settings settings) {
+  run.reported_options()["max_added"] =
+      settings.remesh.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()));
   run.reported_options()["no_refine"] = settings.no_refine;
   settings.remesh.refine = !settings.no_refine;
   settings.remesh.diagram.method = run.options().compute.method;
@@ -116,9 +119,8 @@ void run_remesh(app::Run& run, const Settings& settings) {
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> generators = app::make_generators(run, input);
   const RemeshResult result = make_remesh(run, mesh, generators, settings);
-  // As JSON, the diagram whose dual the mesh is.
-  app::write_output_files(run, LabelledMesh{result.mesh},
-                          {{"json", [&](std::ostream& out) { write_diagram_json(out, mesh, result.diagram); }}});
+  const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
+  app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
   app::write_view_file(run, "gvd-remesh", [&] {
     return std::vector{coarse_scene(result), make_view_scene("Diagram", mesh, result.diagram)};

@@ -7,6 +7,7 @@
 
 #include "boundary_runs.hpp"
 #include "cell_loops.hpp"
+#include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
@@ -85,10 +86,24 @@ class Placer {
   }
 
   void part_loop(GeneratorId g) {
-    if (!loops_) loops_.emplace(mesh_, diagram_);
     const std::size_t before = points_.size();
-    for (const SurfacePoint& p : loops_->find(g)) add(p);
+    if (CellLoops* loops = cell_loops()) {
+      for (const SurfacePoint& p : loops->find(g)) add(p);
+    }
     if (points_.size() == before) add_farthest(g);
+  }
+
+  /// Null where the bisectors cut the mesh into something that is none: two edges with the same ends.
+  CellLoops* cell_loops() {
+    if (!loops_ && can_cut_) {
+      try {
+        loops_.emplace(mesh_, diagram_);
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_valid_result) throw;
+        can_cut_ = false;
+      }
+    }
+    return loops_ ? &*loops_ : nullptr;
   }
 
   /// A generator opposite to g, on the run that is farthest from it, takes that run and leaves g another one.
@@ -208,6 +223,7 @@ class Placer {
   std::vector<Vec3> occupied_;  // the generators' positions, then those of the new ones
   std::vector<SurfacePoint> points_;
   std::optional<CellLoops> loops_;
+  bool can_cut_ = true;
   std::optional<std::vector<BoundaryRun>> runs_;
 };
 

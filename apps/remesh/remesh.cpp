@@ -21,8 +21,7 @@ class Remesher {
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
       : mesh_(mesh),
         options_(options),
-        given_(generators.size()),
-        max_added_(options.max_added.value_or(default_max_added(generators.size()))) {
+        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))) {
     result_.generators = generators;
   }
 
@@ -82,24 +81,24 @@ class Remesher {
   }
 
   void refine(const std::vector<DualDefect>& defects) {
-    const std::string& first = defects.front().message;
-    const std::string count =
-        fmt::format("the dual of {} generators is no proper mesh: {}", result_.generators.size(), first);
-    if (!options_.refine) {
-      throw Error(ErrorCode::no_valid_result, count + "; give more generators there or let some be added");
-    }
+    if (!options_.refine) refuse(defects, "give more generators there, or let some be added");
     const std::int64_t room = max_added_ - result_.added;
-    if (room <= 0) {
-      throw Error(ErrorCode::no_valid_result,
-                  fmt::format("{}; {} generators were added already: give more of them or allow to add more", count,
-                              result_.added));
+    if (room <= 0 || result_.rounds >= kMostRounds) {
+      refuse(defects, fmt::format("{} generators were added in {} rounds: give more or other ones{}", result_.added,
+                                  result_.rounds, room <= 0 ? ", or allow to add more" : ""));
     }
     const auto points = place_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(room));
-    if (points.empty()) {
-      throw Error(ErrorCode::no_valid_result, count + "; there is no room to add one: give other generators there");
-    }
+    if (points.empty()) refuse(defects, "there is no room to add a generator: give other ones there");
     result_.generators.insert(result_.generators.end(), points.begin(), points.end());
     result_.added += static_cast<std::int64_t>(points.size());
+  }
+
+  [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
+    const auto& cells = defects.front().cells;
+    throw Error(ErrorCode::no_valid_result,
+                fmt::format("the dual of {} generators is no proper mesh: {}; {}", result_.generators.size(),
+                            defects.front().message, advice),
+                cells.empty() ? -1 : cells.front().value());
   }
 
   void measure() {
@@ -115,14 +114,17 @@ class Remesher {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
-  std::size_t given_;
   std::int64_t max_added_;
   RemeshResult result_;
 };
 
 }  // namespace
 
-std::int64_t default_max_added(std::size_t generators) { return 10 * static_cast<std::int64_t>(generators) + 100; }
+std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) {
+  const std::int64_t handles = (2 * mesh.components - mesh.boundary_loops - mesh.euler_characteristic) / 2;
+  const std::int64_t topology = std::int64_t{mesh.components} + mesh.boundary_loops + handles;
+  return 10 * (static_cast<std::int64_t>(generators) + topology) + 100;
+}
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
   if (options.max_added && *options.max_added < 0) {

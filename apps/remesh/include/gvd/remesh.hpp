@@ -20,9 +20,12 @@ struct RemeshOptions {
   std::optional<std::int64_t> max_added;
 };
 
-/// Ten for each given generator and 100 more: a closed surface of genus g needs some sqrt(48 g) vertices at least,
-/// thin limbs three a loop.
-std::int64_t default_max_added(std::size_t generators);
+/// Ten for each given generator, each component, each boundary loop and each handle, and 100 more: a sphere takes four
+/// vertices, a boundary loop three, a handle at most three on each of two loops, and thin limbs three a loop.
+std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
+
+/// A run ends after this many diagrams, for where it has not converged by then it hardly will.
+inline constexpr std::int32_t kMostRounds = 60;
 
 /// What holds for a remesh, measured on the mesh that is handed out and not on how it came about.
 struct RemeshCertificate {
