@@ -183,9 +183,12 @@ class GrowthCheck {
       }
       if (spokes.size() != 3) return false;
       if (spokes[1].right != spokes[0].left) std::swap(spokes[1], spokes[2]);
-      if (spokes[1].right != spokes[0].left || spokes[2].right != spokes[1].left) return false;
       int left_turns = 0;
-      for (std::size_t i = 0; i < 3; ++i) left_turns += cross(spokes[i].way, spokes[(i + 1) % 3].way) > 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Spoke& next = spokes[(i + 1) % 3];
+        if (next.right != spokes[i].left) return false;
+        left_turns += cross(spokes[i].way, next.way) > 0;
+      }
       if (left_turns < 2) return false;
     }
     return true;
