@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagram/face_pieces.hpp"
 #include "support/assembled_face.hpp"
@@ -172,13 +173,19 @@ TEST_CASE("crossings at their least distance from a corner and from each other")
   require_sound(AssembledFace({{0, 1 - g, 1}, {1, g, 2}, {1, 2 * g, 3}, {2, 0.5, 0}}, test::flat_forms(4)));
 }
 
-TEST_CASE("forms that agree everywhere, are infinite or huge do not matter for completeness") {
-  const double inf = std::numeric_limits<double>::infinity();
-  const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.4, 1}, {1, 0.8, 3}, {2, 0.5, 0}};
-  for (const double value : {0.0, 1e-300, 1e300, inf}) {
-    std::vector<DistanceForm> forms;
-    for (int g = 0; g < 4; ++g) forms.push_back(test::form(g, value, value, value));
-    require_sound(AssembledFace(runs, forms));
+TEST_CASE("forms that agree everywhere, are infinite, huge or no number do not matter for completeness") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<BoundaryRun>> all{
+      {{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.4, 1}, {1, 0.8, 3}, {2, 0.5, 0}},
+      {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}},  // no three different cells in a row: only uniting helps
+      {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}, {2, 0.2, 1}, {2, 0.4, 0}}};
+  for (const auto& runs : all) {
+    for (const double value : {0.0, 1e-300, 1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+      std::vector<DistanceForm> forms;
+      for (int g = 0; g < 4; ++g) forms.push_back(test::form(g, value, value, value));
+      INFO("value " << value);
+      require_sound(AssembledFace(runs, forms));
+    }
   }
 }
 

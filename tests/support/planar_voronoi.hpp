@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,16 @@ class PlanarVoronoi {
       }
     }
     return result;
+  }
+
+  /// How much farther the fourth generator is from a corner than its three: how clear it is who meets there.
+  double lead(const Corner& corner) const {
+    double fourth = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < static_cast<int>(generators_.size()); ++i) {
+      const bool own = std::find(corner.generators.begin(), corner.generators.end(), i) != corner.generators.end();
+      if (!own) fourth = std::min(fourth, (at(i) - corner.point).norm());
+    }
+    return fourth - nearest_distance(corner.point);
   }
 
   /// Area of the cell of generator i: the rectangle, clipped by every perpendicular bisector.

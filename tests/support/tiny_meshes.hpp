@@ -34,7 +34,8 @@ inline Mesh scaled(const Mesh& mesh, double scale) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
-/// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` < 0.5: obtuse triangles abound.
+/// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` <= 0.2 along each axis, so
+/// that no triangle turns over; obtuse ones abound.
 inline Mesh make_jittered_grid(int nx, int ny, double shift, unsigned seed) {
   Random random(seed);
   std::vector<Vec3> positions;

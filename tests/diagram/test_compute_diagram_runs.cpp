@@ -1,0 +1,104 @@
+// How whole runs behave: under scale, under repetition, and towards whoever waits for them.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/error.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/same_diagram.hpp"
+#include "support/sound_diagram.hpp"
+#include "support/stages.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+using test::compute_sound;
+using test::kFronts;
+
+TEST_CASE("very small and very large coordinates give the same diagram") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto generators = test::random_generators(mesh, 20, 17);
+    const Diagram diagram = compute_sound(mesh, generators);
+    // Powers of two scale every number exactly, so that nothing at all may change.
+    for (const double scale : {std::ldexp(1.0, -40), std::ldexp(1.0, 40)}) {
+      INFO(name << ", scale " << scale);
+      const Diagram other = compute_sound(test::scaled(mesh, scale), generators);
+      CHECK(test::same_topology(diagram, other));
+      CHECK(other.length / scale == Approx(diagram.length).epsilon(1e-12));
+    }
+    // Others round. That may exchange triangle events with equal keys, and with them what the domination test keeps of
+    // a generator beyond its own cell: the nearest distances stay, and bisectors move a little (measured: 0.1 % in
+    // length).
+    for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
+      INFO(name << ", scale " << scale);
+      const Diagram other = compute_sound(test::scaled(mesh, scale), generators);
+      CHECK(other.branch_points.size() == diagram.branch_points.size());
+      CHECK(other.bisectors.size() == diagram.bisectors.size());
+      CHECK(other.length / scale == Approx(diagram.length).epsilon(0.005));
+      for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const double distance = diagram.vertex_distance[VertexId(v)],
+                     scaled = other.vertex_distance[VertexId(v)] / scale;
+        if (std::isfinite(distance)) REQUIRE(scaled == Approx(distance).margin(1e-9 * mesh.bbox_diagonal()));
+        REQUIRE(std::isfinite(distance) == std::isfinite(scaled));
+      }
+    }
+  }
+}
+
+TEST_CASE("progress goes through the three steps, and every call can cancel") {
+  const Mesh mesh = test::make_sphere(3);
+  const auto generators = test::random_generators(mesh, 30, 4);
+  std::vector<std::string> steps;
+  DiagramOptions options;
+  options.progress = [&](std::string_view step, double fraction) {
+    REQUIRE((fraction >= 0 && fraction <= 1));
+    if (steps.empty() || steps.back() != step) steps.emplace_back(step);
+    return true;
+  };
+  compute_diagram(mesh, generators, options);
+  CHECK(steps.front() == "distances");
+  CHECK(std::count(steps.begin(), steps.end(), "bisectors") >= 1);
+  CHECK(steps.back() == "cells");
+  for (std::size_t stop = 0; stop < steps.size(); ++stop) {
+    std::size_t changes = 0;
+    std::string current;
+    options.progress = [&](std::string_view step, double) {
+      if (step != current) current = step, ++changes;
+      return changes <= stop;
+    };
+    try {
+      compute_diagram(mesh, generators, options);
+      FAIL("was not cancelled at step " << stop);
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::interrupted);
+    }
+  }
+}
+
+TEST_CASE("two runs give equal diagrams, in every field") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const Front front : kFronts) {
+      INFO(name << ", " << test::name(front));
+      const auto generators = test::random_generators(mesh, 40, 19);
+      const Diagram first = compute_sound(mesh, generators, front),
+                    second = compute_sound(Mesh(mesh), generators, front);
+      REQUIRE(test::same_diagram(first, second));
+      REQUIRE(test::same_topology(first, second));
+    }
+  }
+}
+
+TEST_CASE("the comparison of diagrams can tell them apart") {
+  const Mesh mesh = test::make_sphere(2);
+  const Diagram diagram = compute_sound(mesh, test::at_vertices(mesh, {0, 3, 40})),
+                other = compute_sound(mesh, test::at_vertices(mesh, {0, 3, 41}));
+  CHECK_FALSE(test::same_diagram(diagram, other));
+  Diagram moved = diagram;
+  moved.vertex_distance[VertexId(5)] = std::nextafter(moved.vertex_distance[VertexId(5)], 10.0);
+  CHECK_FALSE(test::same_diagram(diagram, moved));
+  CHECK(test::same_topology(diagram, moved));
+}

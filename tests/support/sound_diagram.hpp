@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test {
+
+inline constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
+
+/// A diagram that has passed its check.
+inline Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             Front front = Front::circle) {
+  DiagramOptions options;
+  options.front = front;
+  Diagram diagram = compute_diagram(mesh, generators, options);
+  const DiagramCheck check = check_diagram(mesh, diagram);
+  for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
+  REQUIRE(check.ok());
+  REQUIRE(diagram.report.unresolved_ends == 0);
+  return diagram;
+}
+
+}  // namespace gvd::test
