@@ -113,6 +113,30 @@ TEST_CASE("a damaged list is refused with its name and line") {
   }
 }
 
+TEST_CASE("damaged bytes are refused, and never end the program") {
+  const Mesh mesh = test::make_grid(3, 3);
+  const std::vector<SurfacePoint> points{vertex_point(mesh, VertexId(3)),
+                                         make_surface_point(FaceId(2), {0.1, 0.2, 0.7})};
+  std::mt19937 random(2);
+  for (const GeneratorFormat format : {GeneratorFormat::text, GeneratorFormat::csv, GeneratorFormat::json}) {
+    const std::string whole = format_generators(mesh, points, format);
+    int refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::string damaged = whole.substr(0, random() % 3 == 0 ? random() % whole.size() : whole.size());
+      for (unsigned k = random() % 4; k > 0 && !damaged.empty(); --k) {
+        damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+      }
+      try {
+        resolve_generators(mesh, parse(damaged, format));
+      } catch (const Error& error) {
+        ++refused;
+        REQUIRE((error.code() == ErrorCode::unreadable_input || error.code() == ErrorCode::precondition));
+      }
+    }
+    CHECK(refused > 500);
+  }
+}
+
 TEST_CASE("files that can't be read are refused") {
   CHECK_THAT(refusal([] { read_generators("/nonexistent/list.txt"); }, ErrorCode::unreadable_input),
              Catch::Matchers::Contains("No such file"));
