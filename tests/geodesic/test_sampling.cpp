@@ -395,9 +395,26 @@ TEST_CASE("more points than a mesh has room for, or a bad option, is an error th
   CHECK(error_of(sphere, options) == ErrorCode::precondition);
   options.kind = Sampling::poisson;
   CHECK(error_of(sphere, options) == ErrorCode::precondition);
+  options.kind = Sampling::random;
+  CHECK(error_of(sphere, options) == ErrorCode::precondition);
   options.count = 1;
   options.progress = [](std::string_view, double) { return false; };
   CHECK(error_of(sphere, options) == ErrorCode::interrupted);
+}
+
+TEST_CASE("a covering that would split the surface too often is refused before it is split") {
+  // No edge alone takes many splits: it is the area that does. The progress callback is reached by splitting only.
+  const Mesh square = test::make_grid(1, 1);
+  SamplingOptions options;
+  options.kind = Sampling::covering_radius;
+  int calls = 0;
+  options.progress = [&](std::string_view, double) { return ++calls < 2; };
+  for (const double radius : {1e-4, 1e-6, 1e-9, 1e-200}) {
+    options.radius = radius;
+    calls = 0;
+    CHECK(error_of(square, options) == ErrorCode::precondition);
+    CHECK(calls == 1);
+  }
 }
 
 TEST_CASE("a face without area: farthest points work, random ones say why not") {

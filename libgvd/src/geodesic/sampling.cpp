@@ -1,5 +1,7 @@
 #include "gvd/sampling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,10 +19,17 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
   if (options.kind == Sampling::covering_radius) {
     if (options.radius > 0 && std::isfinite(options.radius)) return;
     throw Error(ErrorCode::invalid_option,
-                "the covering radius is " + std::to_string(options.radius) + "; give a number above 0");
+                fmt::format("the covering radius is {}; give a number above 0", options.radius));
   }
-  if (options.count >= 1) return;
-  throw Error(ErrorCode::invalid_option, std::to_string(options.count) + " generators asked for; ask for at least 1");
+  if (options.count < 1) {
+    throw Error(ErrorCode::invalid_option, fmt::format("{} generators asked for; ask for at least 1", options.count));
+  }
+  // Whatever uses the generators adds a vertex for each of them.
+  const std::int64_t most = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
+  if (options.count > most) {
+    throw Error(ErrorCode::precondition,
+                fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, most));
+  }
 }
 
 }  // namespace

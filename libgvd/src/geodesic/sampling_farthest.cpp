@@ -1,8 +1,11 @@
 // Farthest sampling by incremental insertion: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for
 // progressive image sampling, 1997; on surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "geodesic/face_reach.hpp"
@@ -128,19 +131,28 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& positions, const Samp
   return points;
 }
 
-/// A lower bound on the splits until no edge is longer than `longest`: those of each edge that is there.
-double least_splits(const Mesh& mesh, double longest) {
-  double splits = 0;
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
-    splits += std::max(0.0, std::ceil(mesh.length(EdgeId(e)) / longest) - 1);
-  }
-  return splits;
+/// A covering radius below this certainly takes more than kMaxSamplingVertices splits until no edge is longer than
+/// kCoveringEdge of it, by two lower bounds on their number. An edge of length l takes l / longest - 1 of its own. And
+/// since no triangle with such edges has more area than the equilateral one, sqrt(3) / 4 longest^2, and a split adds two
+/// faces at most, they are half of area / (sqrt(3) / 4 longest^2) without the faces that are there.
+double least_covering_radius(const Mesh& mesh) {
+  double length = 0;
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));
+  const double splits = kMaxSamplingVertices;
+  const double by_length = length / (splits + mesh.edge_count());
+  const double by_area = std::sqrt(4 / std::numbers::sqrt3 * compute_area(mesh) / (2 * splits + mesh.face_count()));
+  return std::max(by_length, by_area) / kCoveringEdge;
 }
 
-[[noreturn]] void throw_too_small(double radius) {
+/// Splitting may take some seven times the lower bound, as halved triangles are neither equilateral nor as large as
+/// allowed: the square root of that is the factor of the radius to try.
+constexpr double kTryFactor = 3;
+
+[[noreturn]] void throw_too_small(double radius, double least) {
   throw Error(ErrorCode::precondition,
-              "a covering radius of " + std::to_string(radius) +
-                  " takes more generators than the surface can be split for; give a larger one");
+              fmt::format("a covering radius of {} is too small for this surface, which can't be split finely enough; "
+                          "try {:.2g} or more",
+                          radius, kTryFactor * std::max(radius, least)));
 }
 
 }  // namespace
@@ -161,14 +173,15 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
 
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options) {
   const double longest = kCoveringEdge * options.radius;
-  if (least_splits(mesh, longest) > kMaxSamplingVertices) throw_too_small(options.radius);
+  const double least = least_covering_radius(mesh);
+  if (options.radius < least) throw_too_small(options.radius, least);
   const SamplingMesh positions(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
-  if (longest_edge(positions.mesh()) > longest) throw_too_small(options.radius);
+  if (longest_edge(positions.mesh()) > longest) throw_too_small(options.radius, least);
   FarthestSampler sampler(positions.mesh(), options);
   sampler.start_components(std::numeric_limits<std::int64_t>::max());
   sampler.insert_in_farthest_face([&](double reach, double distance) {
     if (reach <= options.radius) return false;
-    if (!(distance > 0)) throw_too_small(options.radius);  // where lengths overflow
+    if (!(distance > 0)) throw_too_small(options.radius, least);  // where lengths overflow
     // The number of generators goes with the inverse square of the reach, and so does the logarithm of the work.
     report_progress(options.progress, "sampling", std::min(0.99, options.radius / reach));
     return true;
