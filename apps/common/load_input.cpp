@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "common/pipeline.hpp"
+#include "common/register_options.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -35,6 +36,14 @@ CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
   }
 }
 
+/// A long run must not end on a format that could never hold its result, which stays in the input's bounding box.
+void check_formats(const OutputOptions& output, const Mesh& mesh) {
+  for (const std::string& file : output.files) {
+    const auto format = parse_output_format(file == "-" ? output.stdout_format : extension(file));
+    if (format) check_format(mesh, *format);
+  }
+}
+
 }  // namespace
 
 CheckedMesh load_input(Run& run) {
@@ -42,6 +51,7 @@ CheckedMesh load_input(Run& run) {
   const PolygonSoup soup = run.timed("read", [&] { return read(input); });
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
   for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
+  check_formats(run.options().output, checked.mesh);
   RunReport& report = run.report();
   report.input = compute_mesh_summary(checked.mesh);
   for (const Defect& defect : checked.defects.defects) {

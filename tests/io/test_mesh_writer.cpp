@@ -134,6 +134,21 @@ TEST_CASE("coordinates beyond a 32-bit float are refused where the format has no
   const Mesh mesh({{0, 0, 0}, {1e39, 0, 0}, {0, 1e39, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb}) {
     CHECK(code_of([&] { to_bytes(LabelledMesh{mesh}, format); }) == ErrorCode::unwritable_output);
+    CHECK(code_of([&] { check_format(mesh, format); }) == ErrorCode::unwritable_output);
   }
   CHECK(to_bytes(LabelledMesh{mesh}, OutputFormat::off).find("1e+39 0 0") != std::string::npos);
+  CHECK_NOTHROW(check_format(mesh, OutputFormat::ply));
+}
+
+TEST_CASE("a mesh that falls between two 32-bit floats is refused where the format has no other") {
+  const auto triangle = [](double at, double size) {
+    return Mesh({{at, 0, 0}, {at + size, 0, 0}, {at, size, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  };
+  for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb}) {
+    CHECK(code_of([&] { check_format(triangle(1e9, 1), format); }) == ErrorCode::unwritable_output);
+    CHECK(code_of([&] { check_format(triangle(0, 1e-50), format); }) == ErrorCode::unwritable_output);
+    CHECK_NOTHROW(check_format(triangle(1e9, 1e3), format));
+    CHECK_NOTHROW(check_format(triangle(0, 1e-30), format));
+  }
+  CHECK_NOTHROW(check_format(triangle(1e9, 1), OutputFormat::off));
 }

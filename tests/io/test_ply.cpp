@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "gvd/io/label_color.hpp"
@@ -60,4 +61,24 @@ TEST_CASE("what nothing reaches is -1 and infinite in a PLY") {
   offset += 19 * 32 + 24;  // the last vertex, behind its coordinates
   CHECK(std::isinf(take<float>(bytes, offset)));
   CHECK(take<std::int32_t>(bytes, offset) == -1);
+}
+
+TEST_CASE("distances beyond a float's range are doubles in a PLY") {
+  const Labelled labelled;
+  for (const double extreme : {1e39, 1e-39}) {
+    IdVector<VertexId, double> distance(20, 0);
+    distance[VertexId(1)] = extreme;
+    distance[VertexId(2)] = std::numeric_limits<double>::infinity();
+    LabelledMesh view{labelled.mesh};
+    view.vertex_distance = &distance;
+    const std::string bytes = to_bytes(view, OutputFormat::ply);
+    std::size_t offset = 0;
+    CHECK(read_header(bytes, offset)[6] == "property double distance");
+    offset += 24;
+    CHECK(take<double>(bytes, offset) == 0);
+    offset += 24;
+    CHECK(take<double>(bytes, offset) == extreme);
+    offset += 24;
+    CHECK(std::isinf(take<double>(bytes, offset)));
+  }
 }

@@ -37,8 +37,11 @@ TEST_CASE("a binary STL has the size, normals and colours that it should") {
 }
 
 TEST_CASE("tiny and flat faces get a finite normal") {
-  const Mesh mesh({{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}, {-1e-200, 0, 0}},
-                  {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(1), VertexId(0), VertexId(3)}});
+  // Beside a face that floats can tell apart.
+  const Mesh mesh({{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}, {-1e-200, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}},
+                  {{VertexId(0), VertexId(1), VertexId(2)},
+                   {VertexId(1), VertexId(0), VertexId(3)},
+                   {VertexId(4), VertexId(5), VertexId(6)}});
   const std::string bytes = to_bytes(LabelledMesh{mesh}, OutputFormat::stl);
   std::size_t offset = 84;
   CHECK(take_vector(bytes, offset) == Vec3(0, 0, 1));

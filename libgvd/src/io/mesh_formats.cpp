@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "gvd/error.hpp"
@@ -62,13 +64,19 @@ std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
 }
 
 void check_single_precision(const Mesh& mesh, const char* format) {
-  for (const Vec3& p : mesh.positions()) {
-    if (p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) continue;
-    throw Error(
-        ErrorCode::unwritable_output,
-        fmt::format("{} holds 32-bit floats and the coordinate {} is too large for one, scale the mesh or choose "
-                    "PLY, OBJ, OFF or VTP",
-                    format, p.cwiseAbs().maxCoeff()));
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  using Float = std::numeric_limits<float>;
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
+  };
+  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  // Two neighbouring floats lie up to this far apart there: every vertex would end on one of a few places.
+  const double step = std::max<double>(largest * Float::epsilon(), Float::min());
+  if (mesh.bbox_diagonal() <= step) {
+    refuse(fmt::format("a mesh of size {} at the coordinate {} is lost between two of them", mesh.bbox_diagonal(),
+                       largest));
   }
 }
 

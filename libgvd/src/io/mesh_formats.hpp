@@ -42,7 +42,7 @@ struct BisectorLine {
 /// Every bisector of the diagram, if there is one, in the diagram's order; those of a single point are left out.
 std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh);
 
-/// Throws Error{unwritable_output} where a coordinate is too large for a 32-bit float.
+/// Throws Error{unwritable_output} where a coordinate is too large for a 32-bit float, or the mesh too small.
 void check_single_precision(const Mesh& mesh, const char* format);
 
 }  // namespace gvd::io

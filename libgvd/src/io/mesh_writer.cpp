@@ -47,6 +47,7 @@ void write_json(std::ostream& out, const LabelledMesh& mesh) {
 void write_format(std::ostream& out, const LabelledMesh& mesh, OutputFormat format,
                   const std::string& material_library) {
   check_lengths(mesh);
+  check_format(mesh.mesh, format);
   switch (format) {
     case OutputFormat::ply:
       return io::write_ply(out, mesh);
@@ -84,6 +85,11 @@ OutputFormat output_format(const std::filesystem::path& path) {
   for (const auto& [name, format] : kExtensions) known += fmt::format("{}.{}", known.empty() ? "" : ", ", name);
   throw Error(ErrorCode::invalid_option,
               fmt::format("'{}': no output format of that extension, use one of {}", path.string(), known));
+}
+
+void check_format(const Mesh& mesh, OutputFormat format) {
+  if (format == OutputFormat::stl) io::check_single_precision(mesh, "STL");
+  if (format == OutputFormat::glb) io::check_single_precision(mesh, "GLB");
 }
 
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format) {

@@ -193,7 +193,6 @@ class GlbWriter {
 }  // namespace
 
 void write_glb(std::ostream& stream, const LabelledMesh& mesh) {
-  check_single_precision(mesh.mesh, "GLB");
   GlbWriter(mesh).write(stream);
 }
 

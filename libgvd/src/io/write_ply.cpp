@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "gvd/io/label_color.hpp"
 #include "io/byte_writer.hpp"
@@ -7,11 +10,22 @@
 namespace gvd::io {
 namespace {
 
-void print_header(ByteWriter& out, const LabelledMesh& mesh) {
+/// A finite distance that a float would make infinite or 0: "reached by none", or "a generator".
+bool leaves_float(double distance) {
+  using Float = std::numeric_limits<float>;
+  return std::isfinite(distance) && distance != 0 && (distance > Float::max() || distance < Float::min());
+}
+
+bool needs_doubles(const LabelledMesh& mesh) {
+  return mesh.vertex_distance != nullptr &&
+         std::any_of(mesh.vertex_distance->begin(), mesh.vertex_distance->end(), leaves_float);
+}
+
+void print_header(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
   out.text("ply\nformat binary_little_endian 1.0\n");
   out.print("element vertex {}\n", mesh.mesh.vertex_count());
   out.text("property double x\nproperty double y\nproperty double z\n");
-  if (mesh.vertex_distance != nullptr) out.text("property float distance\n");
+  if (mesh.vertex_distance != nullptr) out.print("property {} distance\n", doubles ? "double" : "float");
   if (mesh.vertex_label != nullptr) out.text("property int label\n");
   out.print("element face {}\nproperty list uchar int vertex_indices\n", mesh.mesh.face_count());
   if (mesh.face_label != nullptr) {
@@ -21,13 +35,17 @@ void print_header(ByteWriter& out, const LabelledMesh& mesh) {
   out.text("end_header\n");
 }
 
-void write_vertices(ByteWriter& out, const LabelledMesh& mesh) {
+void write_distance(ByteWriter& out, double distance, bool doubles) {
+  doubles ? out.binary(distance) : out.binary(static_cast<float>(distance));
+}
+
+void write_vertices(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
   for (VertexId v(0); v.value() < mesh.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
     const Vec3& p = mesh.mesh.position(v);
     out.binary(p.x());
     out.binary(p.y());
     out.binary(p.z());
-    if (mesh.vertex_distance != nullptr) out.binary(static_cast<float>((*mesh.vertex_distance)[v]));
+    if (mesh.vertex_distance != nullptr) write_distance(out, (*mesh.vertex_distance)[v], doubles);
     if (mesh.vertex_label != nullptr) out.binary((*mesh.vertex_label)[v].value());
   }
 }
@@ -52,8 +70,9 @@ void write_faces(ByteWriter& out, const LabelledMesh& mesh) {
 
 void write_ply(std::ostream& stream, const LabelledMesh& mesh) {
   ByteWriter out(stream);
-  print_header(out, mesh);
-  write_vertices(out, mesh);
+  const bool doubles = needs_doubles(mesh);
+  print_header(out, mesh, doubles);
+  write_vertices(out, mesh, doubles);
   write_faces(out, mesh);
   out.finish();
 }

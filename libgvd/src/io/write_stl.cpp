@@ -25,7 +25,6 @@ void write_vector(ByteWriter& out, const Vec3& p) {
 
 void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
   const Mesh& mesh = labelled.mesh;
-  check_single_precision(mesh, "STL");
   ByteWriter out(stream);
   std::string header(kHeader);
   header.resize(kHeaderBytes, ' ');

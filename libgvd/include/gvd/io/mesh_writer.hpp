@@ -21,6 +21,10 @@ std::optional<OutputFormat> parse_output_format(std::string_view extension);
 /// The format that a file's name asks for. Throws Error{invalid_option} that lists the known extensions.
 OutputFormat output_format(const std::filesystem::path& path);
 
+/// Throws Error{unwritable_output} where the format can't hold the coordinates of the mesh, as `write_mesh` does: for
+/// those who would know before the work. Every mesh that spans the same box fits as well. Cost: O(n).
+void check_format(const Mesh& mesh, OutputFormat format);
+
 /// A mesh and what is known of its elements; a null member is not known and not written. It owns nothing: everything
 /// that it points to must outlive it. Alone, `LabelledMesh{mesh}` is a plain mesh.
 struct LabelledMesh {
@@ -40,7 +44,7 @@ struct LabelledMesh {
 /// In OBJ a stream holds the geometry and the groups; the materials that they name are `write_materials`'s.
 /// Throws Error{precondition} where an array's length is not that of its elements, Error{invalid_option} for JSON
 /// without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL and
-/// GLB have 32-bit floats, GLB has 4 GiB). Cost: O(n) time; memory O(n) for the order of the faces by label, O(1)
+/// GLB have 32-bit floats, GLB has 4 GiB). Distances are floats in PLY, and doubles where one leaves a float's range. Cost: O(n) time; memory O(n) for the order of the faces by label, O(1)
 /// without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 
