@@ -58,12 +58,30 @@ std::string one_name(const std::string& path) {
   return failed ? path : target.string();
 }
 
-void check_output(const OutputOptions& output, const std::vector<std::string>& formats) {
+/// What a run reads is not what it writes: the only copy of a mesh would be gone. By file and not by name, so a link of
+/// either kind is seen through.
+void check_not_read(const std::string& option, const std::string& path, const Options& options) {
+  const std::string input = options.input.path == "-" ? "/dev/stdin" : options.input.path;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return;
+  for (const std::string& read : {input, options.generators.file}) {
+    if (read.empty() || !fs::equivalent(path, read, ignored)) continue;
+    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
+  }
+}
+
+void check_output(const Options& options, const std::vector<std::string>& formats) {
+  const OutputOptions& output = options.output;
   std::set<std::string> targets;
   const auto claim = [&](const std::string& option, const std::string& path) {
     if (path.empty()) return;
-    if (!targets.insert(path == "-" ? path : one_name(path)).second) refuse(fmt::format("{} {}: this file is named twice", option, path));
-    if (path != "-") return check_target(option, path);
+    if (!targets.insert(path == "-" ? path : one_name(path)).second) {
+      refuse(fmt::format("{} {}: this file is named twice", option, path));
+    }
+    if (path != "-") {
+      check_target(option, path);
+      return check_not_read(option, path, options);
+    }
     if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
   };
   for (const std::string& file : output.files) {
@@ -95,7 +113,7 @@ void check_options(const Options& options, const std::vector<std::string>& outpu
   }
   check_generator_source(options.generators);
   check_build(options);
-  check_output(options.output, output_formats);
+  check_output(options, output_formats);
 }
 
 }  // namespace gvd::app

@@ -144,6 +144,55 @@ TEST_CASE("commands: what can't be written exits with 6") {
   }
 }
 
+TEST_CASE("commands: a mesh that the format can't hold is refused before the work") {
+  const ScratchFolder scratch;
+  write_text(scratch / "vast.off", "OFF 3 1 0\n0 0 0\n1e39 0 0\n0 1e39 0\n3 0 1 2\n");
+  for (const std::string& name : built_commands()) {
+    for (const char* format : {"stl", "glb"}) {
+      // Verbose runs name every step that they took: only those of reading.
+      const std::string arguments = scratch / "vast.off" + " -n 3 -v -o " + scratch / "a." + format;
+      const CommandResult result = run_command(name, arguments);
+      CHECK(result.exit_code == 6);
+      CHECK_THAT(result.err, Contains("32-bit floats") && !Contains("generators"));
+      CHECK(!std::filesystem::exists(scratch / "a." + format));
+    }
+  }
+  CHECK(run_command("gvd-segment", scratch / "vast.off" + " -n 3 -q -o " + scratch / "a.ply").exit_code == 0);
+}
+
+TEST_CASE("commands: a covering radius far too small is refused at once") {
+  for (const std::string& name : built_commands()) {
+    for (const char* radius : {"1e-300", "1e-9", "1e-4"}) {
+      require_error(name, data_file("torus.ply") + " --radius " + radius, 4, "too small for this surface");
+    }
+  }
+}
+
+TEST_CASE("commands: no output replaces a file that is read") {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "mesh.ply", list = scratch / "list.txt";
+  fs::copy_file(data_file("torus.ply"), mesh);
+  write_text(list, "1\n5\n");
+  fs::create_symlink(mesh, scratch / "link.ply");
+  fs::create_hard_link(mesh, scratch / "hard.ply");
+  fs::create_directory(scratch / "folder");
+  const std::string before = read_text(mesh), what = "this is the file that is read";
+  for (const std::string& name : built_commands()) {
+    for (const char* spelling : {"mesh.ply", "./mesh.ply", "folder/../mesh.ply", "link.ply", "hard.ply"}) {
+      const std::string path = scratch / spelling;
+      for (const char* option : {"-o", "--report", "--diagram", "--view"}) {
+        require_error(name, mesh + " -n 20 " + option + " " + path, 2, path + ": " + what);
+      }
+      require_error(name, path + " -n 20 -o " + mesh, 2, mesh + ": " + what);
+      require_error(name, "- --input-format ply -n 20 -o " + path + " < " + mesh, 2, path + ": " + what);
+    }
+    require_error(name, mesh + " --generators " + list + " --report " + list, 2, list + ": " + what);
+  }
+  CHECK(read_text(mesh) == before);
+  CHECK(read_text(list) == "1\n5\n");
+}
+
 TEST_CASE("commands: standard output carries data only, and standard input is read") {
   const std::string arguments = "- --input-format off -n 20 -o - < " + data_file("half_sphere.off");
   for (const std::string& name : built_commands()) {
