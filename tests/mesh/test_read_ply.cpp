@@ -50,6 +50,18 @@ TEST_CASE("PLY: other elements, properties and lists are read over") {
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
 }
 
+TEST_CASE("PLY: an element may go on in the next lines") {
+  std::string wrapped = kPly;
+  for (std::size_t at = kPly.find("end_header\n") + 11; at < wrapped.size(); ++at) {
+    if (wrapped[at] == ' ') wrapped[at] = '\n';
+  }
+  require_tetrahedron(parse(wrapped));
+  require_tetrahedron(parse(replaced(kPly, "1 0 1\n", "1\n\n0 1\n")));
+  require_tetrahedron(parse(replaced(kPly, "3 0 3 1", "3 0\r\n3 1")));
+  require_refused(replaced(wrapped, "3\n0\n3\n1", "3\n0\n9\n1"), MeshFormat::ply, "face 1 refers to vertex 9");
+  require_refused(wrapped.substr(0, wrapped.size() - 2), MeshFormat::ply, "announces 3 entries, and there is room for 2");
+}
+
 TEST_CASE("PLY: lists in binary files are read over") {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty list ushort double extra\nproperty float x\n"
@@ -91,7 +103,7 @@ TEST_CASE("PLY: bad data are refused with their place") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     require_refused(replaced(kPly, from, to), MeshFormat::ply, part);
   };
-  refused("1 0 1\n", "1 0\n", "file:13: z is missing");
+  refused("1 0 1\n", "1 0\n", "file:13: vertex 2 has too few numbers, or goes on to line 14");
   refused("1 0 1\n", "1 0 1 1\n", "file:13: vertex 2 has '1' too many");
   refused("1 0 1\n", "1 zero 1\n", "file:13: y is 'zero', and should be a number");
   refused("3 0 3 1", "3 0 4 1", "file:16: face 1 refers to vertex 4, and there are 4");

@@ -1,4 +1,5 @@
-// Geomview's OFF in text: one vertex and one face a line, with or without colours, normals and texture coordinates.
+// Geomview's OFF in text: each vertex and each face begins a line, with or without colours, normals and texture
+// coordinates behind it.
 #include <fmt/format.h>
 
 #include "mesh/read_formats.hpp"
@@ -15,12 +16,14 @@ class OffParser {
   PolygonSoup parse() {
     read_header();
     for (std::int64_t v = 0; v < vertices_; ++v) {
-      if (!text_.next_content_line()) refuse_end("vertex", v, vertices_);
+      if (!text_.begin_element()) refuse_end("vertex", v, vertices_);
       soup_.positions.push_back(text_.position(v));  // what follows on the line is a normal, colour or texture
+      text_.end_element("vertex", v);
     }
     for (std::int64_t f = 0; f < faces_; ++f) {
-      if (!text_.next_content_line()) refuse_end("face", f, faces_);
+      if (!text_.begin_element()) refuse_end("face", f, faces_);
       read_face(f);
+      text_.end_element("face", f);
     }
     note_extra_lines();
     return std::move(soup_);

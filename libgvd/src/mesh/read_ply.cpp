@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-// Hands out the numbers of a text PLY: one element a line.
+// Hands out the numbers of a text PLY: each element begins a line.
 class AsciiSource {
  public:
   AsciiSource(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -26,14 +26,15 @@ class AsciiSource {
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
   // The last element may lack its line break.
   std::uint64_t remaining() const { return text_.remaining() + 1; }
-  // For the entries of a list: a digit and a blank each, on the same line.
-  std::uint64_t most_entries() const { return (text_.line().size() + 1) / 2; }
+  // For the entries of a list: a digit and a blank each, on the same line or later.
+  std::uint64_t most_entries() const { return (text_.line().size() + 1 + text_.remaining()) / 2; }
   void begin_element(const PlyElement& element, std::int64_t i) {
-    if (element.properties.empty() || text_.next_content_line()) return;
+    if (element.properties.empty() || text_.begin_element()) return;
     text_.refuse_end(fmt::format("and {} {} of {} is missing", element.name, i, element.count), i);
   }
   void end_element(const PlyElement& element, std::int64_t i) {
     if (element.properties.empty()) return;
+    text_.end_element(element.name, i);
     const std::string_view extra = text_.token();
     if (!extra.empty()) text_.refuse(fmt::format("{} {} has {} too many", element.name, i, quoted(extra)), i);
   }

@@ -108,6 +108,22 @@ bool TextReader::next_content_line() {
   return false;
 }
 
+bool TextReader::begin_element() {
+  if (!next_content_line()) return false;
+  element_line_ = line_number_;
+  return true;
+}
+
+void TextReader::end_element(std::string_view kind, std::int64_t element) const {
+  if (line_number_ == element_line_) return;
+  const auto extra = std::find_if_not(line_.begin(), line_.end(), is_blank);
+  if (extra == line_.end() || (comments_ && *extra == '#')) return;
+  throw Error(ErrorCode::unreadable_input,
+              fmt::format("{}:{}: {} {} has too few numbers, or goes on to line {} and does not end there", name_,
+                          element_line_, kind, element, line_number_),
+              element);
+}
+
 std::string_view TextReader::token() {
   const char* const end = line_.data() + line_.size();
   const char* begin = line_.data();
@@ -119,17 +135,25 @@ std::string_view TextReader::token() {
   return {begin, static_cast<std::size_t>(stop - begin)};
 }
 
-double TextReader::number(std::string_view what) {
-  const std::string_view text = token();
+std::string_view TextReader::next_number(std::string_view what) {
+  std::string_view text = token();
+  while (text.empty() && element_line_ > 0) {
+    if (!next_content_line()) refuse_end(fmt::format("and {} is missing", what));
+    text = token();
+  }
   if (text.empty()) refuse(fmt::format("{} is missing", what));
+  return text;
+}
+
+double TextReader::number(std::string_view what) {
+  const std::string_view text = next_number(what);
   const std::optional<double> value = parse_double(text);
   if (!value) refuse(fmt::format("{} is {}, and should be a number", what, quoted(text)));
   return *value;
 }
 
 std::int64_t TextReader::integer(std::string_view what) {
-  const std::string_view text = token();
-  if (text.empty()) refuse(fmt::format("{} is missing", what));
+  const std::string_view text = next_number(what);
   const std::optional<std::int64_t> value = parse_integer(text);
   if (!value) refuse(fmt::format("{} is {}, and should be a whole number", what, quoted(text)));
   return *value;

@@ -30,12 +30,19 @@ class TextReader {
   /// Moves to the next line, or to the next one with a token; false at the end of the text.
   bool next_line();
   bool next_content_line();
+  /// Moves to the next line with a token, where an element begins whose numbers may go on in the lines after it; false
+  /// at the end of the text.
+  bool begin_element();
+  /// An element that went on must end with its line: else a number is missing, and those of the next element were taken
+  /// for it. `kind` and `element` are for messages.
+  void end_element(std::string_view kind, std::int64_t element) const;
   /// The next token of the line; empty at its end.
   std::string_view token();
   /// Numbers the coming lines as if `count` lines came before this text.
   void skip_line_numbers(std::int64_t count) { line_number_ += count; }
 
-  /// The next token as a number; refused where it is none or missing. `what` names it in the message.
+  /// The next token, of the line or of the element that has begun, as a number; refused where it is none or missing.
+  /// `what` names it in the message.
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
   /// Three coordinates, each finite. `vertex` is for messages.
@@ -54,12 +61,15 @@ class TextReader {
   [[noreturn]] void refuse_end(const std::string& message, std::int64_t element = -1) const;
 
  private:
+  std::string_view next_number(std::string_view what);
+
   std::string unix_text_;  // a copy with LF for CR, where the text needs one
   std::string_view text_;  // what is left after the current line
   std::string_view line_;  // what is left of the current line
   std::string name_;
   bool comments_;
   std::int64_t line_number_ = 0;
+  std::int64_t element_line_ = 0;  // where the element begins; 0 outside of elements
 };
 
 }  // namespace gvd
