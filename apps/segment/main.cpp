@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/command.hpp"
 #include "common/pipeline.hpp"
 #include "gvd/segment.hpp"
@@ -21,11 +23,17 @@ nlohmann::ordered_json list(const std::vector<GeneratorId>& ids) {
   return array;
 }
 
-void tell_unowned(app::Run& run, const Segmentation& segmentation) {
-  for (const GeneratorId g : segmentation.without_face) {
-    run.console().note(
-        fmt::format("generator {} owns no face: its cell lies inside faces of other regions", g.value()));
+/// Names some of them: a list as long as the generators' own belongs into the report.
+void tell_unowned(app::Run& run, const std::vector<GeneratorId>& unowned) {
+  constexpr std::size_t kNamed = 8;
+  if (unowned.empty()) return;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, unowned.size()); ++i) {
+    names += fmt::format("{}{}", i > 0 ? ", " : "", unowned[i].value());
   }
+  if (unowned.size() > kNamed) names += ", ...";
+  run.console().note(fmt::format("{} of the generators own no face, their cells lie inside faces of other regions: {}",
+                                 unowned.size(), names));
 }
 
 /// The figures of every region, for the report.
@@ -54,7 +62,7 @@ void report(app::Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>
 
 void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram); });
-  tell_unowned(run, segmentation);
+  tell_unowned(run, segmentation.without_face);
   run.results()["generators_without_face"] = list(segmentation.without_face);
   run.results()["moved_faces"] = segmentation.moved_faces;
   run.results()["given_faces"] = segmentation.given_faces;

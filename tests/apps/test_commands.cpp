@@ -144,6 +144,18 @@ TEST_CASE("commands: what can't be written exits with 6") {
   }
 }
 
+TEST_CASE("commands: generators without a face are named in one line, all of them in the report") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "r.json";
+  const CommandResult result = run_command("gvd-segment", data_file("plate.stl") + " -n 3000 --report " + report);
+  CHECK(result.exit_code == 0);
+  const auto unowned = nlohmann::json::parse(read_text(report))["results"]["generators_without_face"];
+  REQUIRE(unowned.size() > 8);
+  CHECK_THAT(result.err, Contains(std::to_string(unowned.size()) + " of the generators own no face"));
+  CHECK_THAT(result.err, Contains(", ...\n"));
+  CHECK(line_count(result.err) < 8);
+}
+
 TEST_CASE("commands: a mesh that the format can't hold is refused before the work") {
   const ScratchFolder scratch;
   write_text(scratch / "vast.off", "OFF 3 1 0\n0 0 0\n1e39 0 0\n0 1e39 0\n3 0 1 2\n");
