@@ -430,3 +430,21 @@ TEST_CASE("a face without area: farthest points work, random ones say why not") 
     CHECK(error_of(flat, options) == ErrorCode::precondition);
   }
 }
+
+TEST_CASE("faces without area, folded on each other, do not keep a march from its end") {
+  // After a mesh of the field whose points 1, 3 to 6 lie on a line, in faces that overlap there.
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{
+           {0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {2, 1, 6}, {2, 6, 4}, {4, 6, 5}, {5, 6, 7}, {4, 5, 7}}) {
+    faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  }
+  const Mesh mesh({{4, -2, 0}, {6, 0, 0}, {4, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}, {3, 2, 0}}, faces);
+  for (const Sampling kind : kCounted) {
+    for (const int count : {1, 8, 18, 300}) {
+      const auto points = sample(mesh, kind, count);
+      CHECK(points.size() == static_cast<std::size_t>(count));
+      CHECK(all_distinct(mesh, points));
+    }
+  }
+  CHECK(!cover(mesh, 0.5).empty());
+}
