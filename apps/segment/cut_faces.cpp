@@ -8,6 +8,7 @@
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
+#include "split_doubled_edges.hpp"
 #include "triangulate_polygon.hpp"
 
 namespace gvd {
@@ -16,7 +17,9 @@ namespace {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), shares_(diagram), positions_(mesh.positions()) {}
+      : mesh_(mesh), diagram_(diagram), shares_(diagram) {
+    triangles_.positions = mesh.positions();
+  }
 
   CutMesh run() {
     collect_edge_points();
@@ -73,7 +76,7 @@ class Cutter {
         point.vertex = mesh_.from(h);
       } else if (place == mesh_.position(mesh_.to(h))) {
         point.vertex = mesh_.to(h);
-      } else if (last && (point.t - last->t <= kCutWeld || positions_[last->vertex.index()] == place)) {
+      } else if (last && (point.t - last->t <= kCutWeld || triangles_.positions[last->vertex.index()] == place)) {
         point.vertex = last->vertex;
       } else {
         point.vertex = add_vertex(place);
@@ -82,8 +85,8 @@ class Cutter {
   }
 
   VertexId add_vertex(const Vec3& place) {
-    positions_.push_back(place);
-    return VertexId(static_cast<std::int64_t>(positions_.size()) - 1);
+    triangles_.positions.push_back(place);
+    return VertexId(static_cast<std::int64_t>(triangles_.positions.size()) - 1);
   }
 
   std::span<const EdgePoint> points_on(EdgeId e) const {
@@ -99,7 +102,7 @@ class Cutter {
       const HalfedgeId h = Mesh::halfedge(f, i);
       const auto add = [&](double t, VertexId v) {
         const bool known = std::any_of(border.begin(), border.end(), [v](const auto& c) { return c.vertex == v; });
-        if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, positions_[v.index()], v});
+        if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, triangles_.positions[v.index()], v});
       };
       add(0, mesh_.from(h));
       const auto points = points_on(mesh_.edge(h));
@@ -164,14 +167,17 @@ class Cutter {
   }
 
   void add_triangle(const std::array<VertexId, 3>& vertices, FaceId parent, GeneratorId label) {
-    faces_.push_back(vertices);
-    result_.parent.push_back(parent);
-    result_.label.push_back(label);
+    triangles_.faces.push_back(vertices);
+    triangles_.parent.push_back(parent);
+    triangles_.label.push_back(label);
   }
 
   void build_mesh() {
+    split_doubled_edges(triangles_);
+    result_.parent = std::move(triangles_.parent);
+    result_.label = std::move(triangles_.label);
     try {
-      result_.mesh = Mesh(std::move(positions_), std::move(faces_));
+      result_.mesh = Mesh(std::move(triangles_.positions), std::move(triangles_.faces));
     } catch (const Error& error) {
       throw Error(ErrorCode::no_valid_result,
                   std::string("cutting along the bisectors gave no manifold mesh: ") + error.what(), error.element());
@@ -182,8 +188,7 @@ class Cutter {
   const Diagram& diagram_;
   FaceShares shares_;
   std::vector<EdgePoint> edge_points_;  ///< sorted by edge and t
-  std::vector<Vec3> positions_;
-  std::vector<std::array<VertexId, 3>> faces_;
+  CutTriangles triangles_;
   CutMesh result_;
 };
 

@@ -194,3 +194,45 @@ TEST_CASE("cut: a piece that is not convex and one with collinear corners") {
   CHECK(area[1] == Approx(7));
   for (int f = 0; f < cut.mesh.face_count(); ++f) CHECK(cut.mesh.area(FaceId(f)) > 0.1);
 }
+
+TEST_CASE("cut: two faces that lie on each other stay a manifold") {
+  // Two triangles back to back.
+  const std::vector<std::array<VertexId, 3>> closed{{VertexId(0), VertexId(1), VertexId(2)},
+                                                    {VertexId(0), VertexId(2), VertexId(1)}};
+  const std::vector<Vec3> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Mesh mesh(triangle, closed);
+  for (const int count : {2, 3, 5, 20}) {
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      CAPTURE(count, seed);
+      const Diagram diagram = compute_diagram(mesh, random_points(mesh, count, seed));
+      const CutMesh cut = cut_faces(mesh, diagram);
+      const MeshSummary before = compute_mesh_summary(mesh), after = compute_mesh_summary(cut.mesh);
+      CHECK(after.euler_characteristic == before.euler_characteristic);
+      CHECK(after.boundary_loops == before.boundary_loops);
+      CHECK(after.area == Approx(before.area));
+      CHECK(cut.uncut_faces == 0);
+      CHECK(std::is_sorted(cut.parent.begin(), cut.parent.end()));
+    }
+  }
+}
+
+TEST_CASE("cut: only the edges inside faces that lie on each other get a vertex in the middle") {
+  const Mesh mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
+                  {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(1)}});
+  Diagram diagram;
+  diagram.generators = {vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(1))};
+  diagram.face_label.assign(2, GeneratorId());
+  // One cut on each side, from the middle of side 0 1 to corner 2.
+  diagram.pieces = {{FaceId(0), GeneratorId(0), {{1, 0, 0}, {0.5, 0.5, 0}, {0, 0, 1}}},
+                    {FaceId(0), GeneratorId(1), {{0.5, 0.5, 0}, {0, 1, 0}, {0, 0, 1}}},
+                    {FaceId(1), GeneratorId(0), {{1, 0, 0}, {0, 1, 0}, {0.5, 0, 0.5}}},
+                    {FaceId(1), GeneratorId(1), {{0.5, 0, 0.5}, {0, 1, 0}, {0, 0, 1}}}};
+  const CutMesh cut = cut_faces(mesh, diagram);
+  CHECK(cut.mesh.vertex_count() == 6);  // three corners, one point on the side, two middles
+  CHECK(cut.mesh.face_count() == 8);
+  for (int f = 0; f < 8; ++f) CHECK(cut.parent[FaceId(f)] == FaceId(f / 4));
+  double area[2]{};
+  for (int f = 0; f < 8; ++f) area[cut.label[FaceId(f)].index()] += cut.mesh.area(FaceId(f));
+  CHECK(area[0] == Approx(8));
+  CHECK(area[1] == Approx(8));
+}

@@ -40,6 +40,9 @@ struct CutMesh {
 
 /// Splits the faces of a mesh along the bisectors of its diagram.
 ///
+/// Where the cuts of two faces with the same three corners would become one edge with four faces, each gets a vertex of
+/// its own in its middle.
+///
 /// Properties: (1) the surface stays the same set of points, within rounding; (2) a vertex on an edge is shared by the
 /// faces on both sides, so the result has the topology of the input; (3) faces that no bisector touches stay as they
 /// are. Throws Error{precondition} where the diagram was not made of this mesh. Cost: O(n log n), and O(k^2) in a face

@@ -1,0 +1,122 @@
+#include "split_doubled_edges.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+namespace gvd {
+namespace {
+
+using Triangle = std::array<VertexId, 3>;
+
+/// A side of a triangle, by its ends in ascending order.
+struct Side {
+  VertexId low;
+  VertexId high;
+  FaceId parent;
+  bool operator<(const Side& other) const {
+    return std::tie(low, high, parent) < std::tie(other.low, other.high, other.parent);
+  }
+  bool joins_same(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+/// Where the triangles of the parent of triangle `first` end.
+std::size_t end_of_parent(const CutTriangles& cut, std::size_t first) {
+  std::size_t last = first;
+  while (last < cut.faces.size() && cut.parent[FaceId(std::int64_t(last))] == cut.parent[FaceId(std::int64_t(first))]) {
+    ++last;
+  }
+  return last;
+}
+
+std::vector<Side> collect_sides_of_cut_parents(const CutTriangles& cut) {
+  std::vector<Side> sides;
+  for (std::size_t first = 0, last = 0; first < cut.faces.size(); first = last) {
+    last = end_of_parent(cut, first);
+    if (last - first == 1) continue;
+    for (std::size_t t = first; t < last; ++t) {
+      const Triangle& f = cut.faces[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax(f[i], f[(i + 1) % 3]);
+        sides.push_back({low, high, cut.parent[FaceId(std::int64_t(t))]});
+      }
+    }
+  }
+  return sides;
+}
+
+/// The edges inside a parent whose ends more than two triangles join, by parent.
+std::vector<Side> find_doubled_edges(const CutTriangles& cut) {
+  std::vector<Side> sides = collect_sides_of_cut_parents(cut), doubled;
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].joins_same(sides[first])) ++last;
+    if (last - first <= 2) continue;
+    for (std::size_t k = first; k + 1 < last; ++k) {
+      if (sides[k].parent == sides[k + 1].parent) doubled.push_back(sides[k]);
+    }
+  }
+  std::sort(doubled.begin(), doubled.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.parent, a.low, a.high) < std::tie(b.parent, b.low, b.high);
+  });
+  return doubled;
+}
+
+class Splitter {
+ public:
+  Splitter(CutTriangles& cut, std::vector<Side> doubled) : cut_(cut), doubled_(std::move(doubled)) {}
+
+  void run() {
+    auto next = doubled_.begin();
+    for (std::size_t first = 0, last = 0; first < cut_.faces.size(); first = last) {
+      last = end_of_parent(cut_, first);
+      const FaceId parent = cut_.parent[FaceId(std::int64_t(first))];
+      const std::size_t begin = faces_.size();
+      for (std::size_t t = first; t < last; ++t) add(cut_.faces[t], parent, cut_.label[FaceId(std::int64_t(t))]);
+      for (; next != doubled_.end() && next->parent == parent; ++next) split(*next, begin);
+    }
+    cut_.faces = std::move(faces_);
+    cut_.parent = std::move(parent_);
+    cut_.label = std::move(label_);
+  }
+
+ private:
+  void add(const Triangle& face, FaceId parent, GeneratorId label) {
+    faces_.push_back(face);
+    parent_.push_back(parent);
+    label_.push_back(label);
+  }
+
+  /// Halves the triangles on both sides of the edge, among those from `begin` on.
+  void split(const Side& edge, std::size_t begin) {
+    const VertexId middle(static_cast<std::int64_t>(cut_.positions.size()));
+    cut_.positions.push_back(0.5 * (cut_.positions[edge.low.index()] + cut_.positions[edge.high.index()]));
+    const std::size_t end = faces_.size();
+    for (std::size_t t = begin; t < end; ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Triangle f = faces_[t];
+        const VertexId from = f[i], to = f[(i + 1) % 3], apex = f[(i + 2) % 3];
+        if (std::min(from, to) != edge.low || std::max(from, to) != edge.high) continue;
+        faces_[t] = {from, middle, apex};
+        add({middle, to, apex}, edge.parent, label_[FaceId(std::int64_t(t))]);
+        break;
+      }
+    }
+  }
+
+  CutTriangles& cut_;
+  std::vector<Side> doubled_;
+  std::vector<Triangle> faces_;
+  IdVector<FaceId, FaceId> parent_;
+  IdVector<FaceId, GeneratorId> label_;
+};
+
+}  // namespace
+
+void split_doubled_edges(CutTriangles& cut) {
+  std::vector<Side> doubled = find_doubled_edges(cut);
+  if (!doubled.empty()) Splitter(cut, std::move(doubled)).run();
+}
+
+}  // namespace gvd
