@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "diagram/face_pieces.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -94,10 +93,10 @@ void CellParts::number_pieces(FaceId f, std::span<const FaceArc> arcs) {
     for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = add_part(boundary_[i].next, f);
     return;
   }
-  for (const WorkingPiece& piece : trace_pieces(boundary_, arcs, traced_.faces.branches)) {
-    const std::int32_t id = add_part(piece.generator, f);
-    for (const int run : piece.runs) piece_of_run_[static_cast<std::size_t>(run)] = id;
-  }
+  trace_pieces(boundary_, arcs, traced_.faces.branches, pieces_);
+  const auto first = static_cast<std::int32_t>(parts_.size());
+  for (const WorkingPiece& piece : pieces_.pieces) add_part(piece.generator, f);
+  for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = first + pieces_.piece_of_run[i];
 }
 
 std::int32_t CellParts::part_of(VertexId v) const {

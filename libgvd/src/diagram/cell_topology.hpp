@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagram/diagram_graph.hpp"
+#include "diagram/face_pieces.hpp"
 #include "diagram/union_find.hpp"
 
 namespace gvd {
@@ -56,7 +57,8 @@ class CellParts {
   std::vector<std::int32_t> first_run_;       // three for every cut face: where the runs of the halfedge begin in
   std::vector<std::int32_t> run_pieces_;      // the piece at each run
   std::vector<BoundaryCrossing> boundary_;    // of the face at work
-  std::vector<std::int32_t> piece_of_run_;    // and the pieces of its runs
+  std::vector<std::int32_t> piece_of_run_;    // and the parts of its runs
+  WorkingPieces pieces_;                      // of that face, where they have to be traced
 };
 
 /// Loops of bisectors and of the mesh's boundary round every cell. Cost: O(k) for k arcs and boundary edges.

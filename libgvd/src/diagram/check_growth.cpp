@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
 
 #include "diagram/growing_end.hpp"
 #include "diagram/growth.hpp"
@@ -22,9 +23,10 @@ class GrowthCheck {
   }
 
  private:
-  struct EdgeRuns {
-    std::vector<Crossing> crossings;  // ascending in t
-    bool rim = false;
+  struct GapEdge {
+    EdgeId edge;
+    bool rim;                             // one of its faces lies outside of the gap
+    std::span<const Crossing> crossings;  // ascending in t
   };
 
   /// Every edge of the gap with its crossings: those of the rim as they were, inside it those that grew.
@@ -32,19 +34,27 @@ class GrowthCheck {
     for (const FaceId f : gap_.faces) {
       for (int corner = 0; corner < 3; ++corner) {
         const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh_.twin(h);
-        EdgeRuns& runs = edges_[mesh_.edge(h)];
-        if (!twin.valid() || gap_.contains(Mesh::face(twin)) || runs.rim) continue;
-        runs.rim = true;
-        for (std::int32_t k = 0; k < crossings_.count(mesh_.edge(h)); ++k) {
-          runs.crossings.push_back(crossings_[CrossingId(crossings_.first(mesh_.edge(h)).value() + k)]);
-        }
+        edges_.push_back({mesh_.edge(h), twin.valid() && !gap_.contains(Mesh::face(twin)), {}});
+      }
+    }
+    std::sort(edges_.begin(), edges_.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; });
+    const auto same = [](const auto& a, const auto& b) { return a.edge == b.edge; };
+    edges_.erase(std::unique(edges_.begin(), edges_.end(), same), edges_.end());
+    for (const GapEdge& e : edges_) {
+      for (std::int32_t k = 0; e.rim && k < crossings_.count(e.edge); ++k) {
+        gap_crossings_.push_back(crossings_[CrossingId(crossings_.first(e.edge).value() + k)]);
       }
     }
     for (const GapNode& node : grown_.nodes) {
-      if (node.kind == GapNode::Kind::crossing) edges_[node.crossing.edge].crossings.push_back(node.crossing);
+      if (node.kind == GapNode::Kind::crossing) gap_crossings_.push_back(node.crossing);
     }
-    for (auto& [e, runs] : edges_) {
-      std::sort(runs.crossings.begin(), runs.crossings.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+    std::sort(gap_crossings_.begin(), gap_crossings_.end(),
+              [](const auto& a, const auto& b) { return std::tuple(a.edge, a.t) < std::tuple(b.edge, b.t); });
+    std::size_t next = 0;
+    for (GapEdge& e : edges_) {
+      const std::size_t first = next;
+      while (next < gap_crossings_.size() && gap_crossings_[next].edge == e.edge) ++next;
+      e.crossings = std::span(gap_crossings_).subspan(first, next - first);
     }
   }
 
@@ -75,16 +85,24 @@ class GrowthCheck {
       faces[begin].push_back(arc.face);
       faces[end].push_back(arc.face);
     }
-    std::set<CrossingId> rim;
+    std::size_t rim_nodes = 0, rim_crossings = 0;
     for (std::size_t n = 0; n < grown_.nodes.size(); ++n) {
       const GapNode& node = grown_.nodes[n];
-      if (node.kind == GapNode::Kind::rim && !rim.insert(node.rim).second) return false;
+      rim_nodes += node.kind == GapNode::Kind::rim ? 1 : 0;
       if (faces[n].size() != arc_count(node)) return false;
       if (node.kind == GapNode::Kind::crossing && faces[n].size() == 2 && faces[n][0] == faces[n][1]) return false;
     }
-    std::size_t rim_crossings = 0;
-    for (const auto& [e, runs] : edges_) rim_crossings += runs.rim ? runs.crossings.size() : 0;
-    return rim.size() == rim_crossings;
+    for (const GapEdge& e : edges_) rim_crossings += e.rim ? e.crossings.size() : 0;
+    return rim_nodes == rim_crossings && rim_nodes_differ();
+  }
+
+  bool rim_nodes_differ() const {
+    std::vector<CrossingId> rim;
+    for (const GapNode& node : grown_.nodes) {
+      if (node.kind == GapNode::Kind::rim) rim.push_back(node.rim);
+    }
+    std::sort(rim.begin(), rim.end());
+    return std::adjacent_find(rim.begin(), rim.end()) == rim.end();
   }
 
   std::size_t arc_count(const GapNode& node) const {
@@ -93,58 +111,84 @@ class GrowthCheck {
   }
 
   bool edges_keep_gaps() const {
-    for (const auto& [e, runs] : edges_) {
-      if (!runs.crossings.empty() &&
-          (runs.crossings.front().t < kCrossingGap || runs.crossings.back().t > 1 - kCrossingGap)) {
+    for (const GapEdge& e : edges_) {
+      if (!e.crossings.empty() && (e.crossings.front().t < kCrossingGap || e.crossings.back().t > 1 - kCrossingGap)) {
         return false;
       }
-      for (std::size_t i = 1; i < runs.crossings.size(); ++i) {
-        if (runs.crossings[i].t - runs.crossings[i - 1].t < kCrossingGap) return false;
-        if (runs.crossings[i].before != runs.crossings[i - 1].after) return false;
+      for (std::size_t i = 1; i < e.crossings.size(); ++i) {
+        if (e.crossings[i].t - e.crossings[i - 1].t < kCrossingGap) return false;
+        if (e.crossings[i].before != e.crossings[i - 1].after) return false;
       }
     }
     return true;
   }
 
-  /// Labels spread from the rim and the generators along the gap's edges.
+  /// A vertex of the gap as an end of one of its edges.
+  struct EdgeAtVertex {
+    VertexId vertex;
+    std::size_t edge;  // place in edges_
+  };
+
+  void collect_vertices() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const HalfedgeId h = mesh_.halfedge(edges_[i].edge);
+      edges_of_.push_back({mesh_.from(h), i});
+      edges_of_.push_back({mesh_.to(h), i});
+    }
+    std::sort(edges_of_.begin(), edges_of_.end(),
+              [](const auto& a, const auto& b) { return std::tuple(a.vertex, a.edge) < std::tuple(b.vertex, b.edge); });
+    label_.resize(edges_of_.size());
+  }
+
+  /// The first place of v in edges_of_; label_ holds its label there.
+  std::size_t place_of(VertexId v) const {
+    const auto it = std::lower_bound(edges_of_.begin(), edges_of_.end(), v,
+                                     [](const EdgeAtVertex& e, VertexId value) { return e.vertex < value; });
+    return static_cast<std::size_t>(it - edges_of_.begin());
+  }
+
+  /// Labels spread from the rim and the generators along the gap's edges. False where a vertex is left without one.
   bool find_labels() {
-    std::vector<VertexId> known;
+    collect_vertices();
+    std::vector<std::size_t> known;
     const auto learn = [&](VertexId v, GeneratorId g) {
-      if (label_.emplace(v, g).second) known.push_back(v);
+      const std::size_t i = place_of(v);
+      if (label_[i].valid()) return;
+      label_[i] = g;
+      known.push_back(i);
     };
-    std::map<VertexId, std::vector<EdgeId>> edges_of;
-    for (const auto& [e, runs] : edges_) {
-      const HalfedgeId h = mesh_.halfedge(e);
-      for (const VertexId v : {mesh_.from(h), mesh_.to(h)}) {
-        edges_of[v].push_back(e);
-        if (runs.rim || working_.generator(v).valid()) learn(v, labels_.label[v]);
-      }
+    for (const EdgeAtVertex& e : edges_of_) {
+      if (edges_[e.edge].rim || working_.generator(e.vertex).valid()) learn(e.vertex, labels_.label[e.vertex]);
     }
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      const VertexId v = known[i];
-      for (const EdgeId e : edges_of[v]) {
-        const auto& crossings = edges_[e].crossings;
-        const HalfedgeId h = mesh_.halfedge(e);
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      const VertexId v = edges_of_[known[k]].vertex;
+      for (std::size_t i = known[k]; i < edges_of_.size() && edges_of_[i].vertex == v; ++i) {
+        const GapEdge& e = edges_[edges_of_[i].edge];
+        const HalfedgeId h = mesh_.halfedge(e.edge);
         const bool first = mesh_.from(h) == v;
-        const GeneratorId own = label_[v];
-        learn(first ? mesh_.to(h) : mesh_.from(h), crossings.empty() ? own
-                                                   : first           ? crossings.back().after
-                                                                     : crossings.front().before);
+        learn(first ? mesh_.to(h) : mesh_.from(h), e.crossings.empty() ? label_[known[k]]
+                                                   : first             ? e.crossings.back().after
+                                                                       : e.crossings.front().before);
       }
     }
-    for (const auto& [v, g] : label_) {
-      if (labels_.label[v] != g) grown_.labels.emplace_back(v, g);
+    return take_labels();
+  }
+
+  bool take_labels() {
+    for (std::size_t i = 0; i < edges_of_.size(); ++i) {
+      if (i > 0 && edges_of_[i].vertex == edges_of_[i - 1].vertex) continue;
+      if (!label_[i].valid()) return false;
+      const VertexId v = edges_of_[i].vertex;
+      if (labels_.label[v] != label_[i]) grown_.labels.emplace_back(v, label_[i]);
     }
     return true;
   }
 
   bool edges_agree() const {
-    for (const auto& [e, runs] : edges_) {
-      const auto from = label_.find(mesh_.from(mesh_.halfedge(e))), to = label_.find(mesh_.to(mesh_.halfedge(e)));
-      if (from == label_.end() || to == label_.end()) return false;
-      if (runs.crossings.empty()
-              ? from->second != to->second
-              : runs.crossings.front().before != from->second || runs.crossings.back().after != to->second) {
+    for (const GapEdge& e : edges_) {
+      const HalfedgeId h = mesh_.halfedge(e.edge);
+      const GeneratorId from = label_[place_of(mesh_.from(h))], to = label_[place_of(mesh_.to(h))];
+      if (e.crossings.empty() ? from != to : e.crossings.front().before != from || e.crossings.back().after != to) {
         return false;
       }
     }
@@ -214,8 +258,10 @@ class GrowthCheck {
   const Crossings& crossings_;
   const Gap& gap_;
   GrownGap& grown_;
-  std::map<EdgeId, EdgeRuns> edges_;
-  std::map<VertexId, GeneratorId> label_;
+  std::vector<GapEdge> edges_;           // ascending
+  std::vector<Crossing> gap_crossings_;  // of all of them, ascending by (edge, t)
+  std::vector<EdgeAtVertex> edges_of_;   // ascending by (vertex, edge)
+  std::vector<GeneratorId> label_;       // of the vertex whose first place this is; invalid elsewhere
 };
 
 }  // namespace

@@ -96,7 +96,8 @@ class CellCollector {
   void take_pieces(FaceId f, std::span<const FaceArc> arcs) {
     const double area = mesh_.area(f);
     boundary_crossings(mesh_, traced_.crossings, f, boundary_);
-    for (WorkingPiece& piece : trace_pieces(boundary_, arcs, traced_.faces.branches)) {
+    trace_pieces(boundary_, arcs, traced_.faces.branches, pieces_);
+    for (WorkingPiece& piece : pieces_.pieces) {
       Cell& owner = diagram_.cells[piece.generator];
       ++owner.euler_characteristic;
       owner.area += area * area_share(piece.corners);
@@ -109,9 +110,11 @@ class CellCollector {
     diagram_.pieces.push_back({working_.parent(f), g, std::move(corners)});
   }
 
+  /// Only the faces that generators split are out of order.
   void sort_pieces() {
-    std::stable_sort(diagram_.pieces.begin(), diagram_.pieces.end(),
-                     [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; });
+    const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
+    if (std::is_sorted(diagram_.pieces.begin(), diagram_.pieces.end(), by_face)) return;
+    std::stable_sort(diagram_.pieces.begin(), diagram_.pieces.end(), by_face);
   }
 
   void find_neighbours() {
@@ -131,6 +134,7 @@ class CellCollector {
   const TracedDiagram& traced_;
   Diagram& diagram_;
   std::vector<BoundaryCrossing> boundary_;  // of the face at work
+  WorkingPieces pieces_;                    // and its parts
 };
 
 }  // namespace

@@ -7,6 +7,11 @@ namespace {
 
 using Bary = std::array<double, 3>;
 
+constexpr int kNone = -1;
+
+/// A face cut once or round one branch point has pieces of at most this many corners.
+constexpr std::size_t kUsualCorners = 5;
+
 Bary on_boundary(const BoundaryCrossing& c) {
   Bary bary{0, 0, 0};
   bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
@@ -17,28 +22,28 @@ Bary on_boundary(const BoundaryCrossing& c) {
 class PieceTracer {
  public:
   PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-              const IdVector<BranchPointId, FaceBranch>& branches)
-      : boundary_(boundary), arcs_(arcs), branches_(branches), used_(boundary.size(), false) {}
+              const IdVector<BranchPointId, FaceBranch>& branches, WorkingPieces& result)
+      : boundary_(boundary), arcs_(arcs), branches_(branches), result_(result) {}
 
-  std::vector<WorkingPiece> trace() {
-    std::vector<WorkingPiece> pieces;
+  void trace() {
+    result_.pieces.clear();
+    result_.piece_of_run.assign(boundary_.size(), kNone);
     for (std::size_t run = 0; run < boundary_.size(); ++run) {
-      if (!used_[run]) pieces.push_back(trace_from(run));
+      if (result_.piece_of_run[run] == kNone) trace_from(run);
     }
-    return pieces;
   }
 
  private:
   /// Walks along run `first`, then with the piece on the left along arcs to the next run, until it is back.
-  WorkingPiece trace_from(std::size_t first) {
-    WorkingPiece piece{boundary_[first].next, {}, {}};
-    for (std::size_t run = first; !used_[run];) {
-      used_[run] = true;
-      piece.runs.push_back(static_cast<int>(run));
-      follow_run(run, piece.corners);
-      run = follow_arcs((run + 1) % boundary_.size(), piece.corners);
+  void trace_from(std::size_t first) {
+    const auto number = static_cast<int>(result_.pieces.size());
+    std::vector<Bary>& corners = result_.pieces.emplace_back(WorkingPiece{boundary_[first].next, {}}).corners;
+    corners.reserve(kUsualCorners);
+    for (std::size_t run = first; result_.piece_of_run[run] == kNone;) {
+      result_.piece_of_run[run] = number;
+      follow_run(run, corners);
+      run = follow_arcs((run + 1) % boundary_.size(), corners);
     }
-    return piece;
   }
 
   void follow_run(std::size_t run, std::vector<Bary>& corners) const {
@@ -84,14 +89,14 @@ class PieceTracer {
   const std::vector<BoundaryCrossing>& boundary_;
   std::span<const FaceArc> arcs_;
   const IdVector<BranchPointId, FaceBranch>& branches_;
-  std::vector<bool> used_;
+  WorkingPieces& result_;
 };
 
 }  // namespace
 
-std::vector<WorkingPiece> trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-                                       const IdVector<BranchPointId, FaceBranch>& branches) {
-  return PieceTracer(boundary, arcs, branches).trace();
+void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+                  const IdVector<BranchPointId, FaceBranch>& branches, WorkingPieces& result) {
+  PieceTracer(boundary, arcs, branches, result).trace();
 }
 
 }  // namespace gvd

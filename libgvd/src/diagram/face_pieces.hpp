@@ -13,11 +13,17 @@ namespace gvd {
 struct WorkingPiece {
   GeneratorId generator;
   std::vector<std::array<double, 3>> corners;  ///< barycentric in the working face, counter-clockwise
-  std::vector<int> runs;  ///< the runs of the face's boundary that it touches: run i follows crossing i
 };
 
-/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's).
-std::vector<WorkingPiece> trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-                                       const IdVector<BranchPointId, FaceBranch>& branches);
+/// All parts of one face.
+struct WorkingPieces {
+  std::vector<WorkingPiece> pieces;
+  std::vector<int> piece_of_run;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
+};
+
+/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's). `result` is overwritten; a
+/// loop over faces hands in the same one again and saves allocations.
+void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+                  const IdVector<BranchPointId, FaceBranch>& branches, WorkingPieces& result);
 
 }  // namespace gvd

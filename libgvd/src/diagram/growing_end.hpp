@@ -17,6 +17,14 @@ namespace gvd {
 inline Vec2 turned_left(const Vec2& v) { return {-v.y(), v.x()}; }
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// Where a growing end leaves its face.
+struct Exit {
+  HalfedgeId halfedge;
+  double t;  ///< parameter along the halfedge
+  Vec2 point;
+  double distance;  ///< predicted
+};
+
 /// The end of a bisector that grows through a face (section 4.3). Positions and images are in the face's own plane.
 struct GrowingEnd {
   FaceId face;
@@ -24,6 +32,7 @@ struct GrowingEnd {
   Vec2 start;
   GeneratorId left, right;
   Vec2 left_image, right_image;
+  std::optional<Exit> exit{};  ///< its exit event, if there is one
   bool active = true;
 
   /// Along the bisector of the two images, with the left one on the left: also after a merge, when they are the images of
@@ -32,14 +41,6 @@ struct GrowingEnd {
 
   /// Predicted distance of a point from the two generators.
   double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
-};
-
-/// Where a growing end leaves its face.
-struct Exit {
-  HalfedgeId halfedge;
-  double t;  ///< parameter along the halfedge
-  Vec2 point;
-  double distance;  ///< predicted
 };
 
 /// The exit event of an end: the first edge that its ray meets on the way out. None where it runs along an edge, away from
@@ -65,9 +66,9 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
 
 /// Where the rays of two ends in one face meet, if both get there before they leave it. `first` is the left one of the two,
 /// so that the cell between them narrows towards the meeting.
-inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second, const Exit& first_exit,
-                                             const Exit& second_exit) {
-  const Vec2 d = first_exit.point - first.start, e = second_exit.point - second.start;
+inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
+  if (!first.exit || !second.exit) return std::nullopt;
+  const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;
   const double denominator = cross(d, e);
   if (!(denominator > 0)) return std::nullopt;
   const Vec2 between = second.start - first.start;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <tuple>
 
 #include "diagram/assemble_faces.hpp"
@@ -43,12 +42,6 @@ class GapGrowth {
     return std::count_if(ends_.begin(), ends_.end(), [](const GrowingEnd& e) { return e.active; });
   }
 
-  const std::array<Vec2, 3>& flat(FaceId f) {
-    const auto [it, fresh] = flat_.try_emplace(f);
-    if (fresh) it->second = flatten_face(mesh_, f);
-    return it->second;
-  }
-
   /// Every crossing on the rim begins an end; its images come from the face outside, where the bisector is sure.
   void start_at_rim() {
     for (const FaceId f : gap_.faces) {
@@ -56,10 +49,11 @@ class GapGrowth {
         const HalfedgeId h = Mesh::halfedge(f, c.corner), twin = mesh_.twin(h);
         if (!twin.valid() || gap_.contains(Mesh::face(twin))) continue;
         const FaceId outside = Mesh::face(twin);
-        const Vec2 left = unfold_generator(flat(outside), corner_distances(mesh_, table_, labels_, outside, c.previous));
-        const Vec2 right = unfold_generator(flat(outside), corner_distances(mesh_, table_, labels_, outside, c.next));
+        const auto plane = flatten_face(mesh_, outside);
+        const Vec2 left = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.previous));
+        const Vec2 right = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.next));
         const int node = add_node({GapNode::Kind::rim, c.id, {}, FaceId(), {}, 0});
-        ends_.push_back(enter(twin, c.t, node, c.previous, c.next, left, right));
+        enter(twin, c.t, node, c.previous, c.next, left, right);
       }
     }
   }
@@ -69,15 +63,20 @@ class GapGrowth {
     return static_cast<int>(grown_.nodes.size()) - 1;
   }
 
+  void add_end(GrowingEnd end, const std::array<Vec2, 3>& plane) {
+    end.exit = find_exit(end, plane);
+    ends_.push_back(std::move(end));
+  }
+
   /// An end that enters the face beyond halfedge h, at parameter t of h's twin, with images in the plane of h's face.
-  GrowingEnd enter(HalfedgeId h, double t, int node, GeneratorId left, GeneratorId right, const Vec2& left_image,
+  void enter(HalfedgeId h, double t, int node, GeneratorId left, GeneratorId right, const Vec2& left_image,
                    const Vec2& right_image) {
     const HalfedgeId twin = mesh_.twin(h);
-    const auto &old_plane = flat(Mesh::face(h)), &new_plane = flat(Mesh::face(twin));
+    const auto old_plane = flatten_face(mesh_, Mesh::face(h)), new_plane = flatten_face(mesh_, Mesh::face(twin));
     const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(twin));
     const Vec2 &a = new_plane[j], &b = new_plane[(j + 1) % 3];
     const EdgeRotation rotate(old_plane[(i + 1) % 3], old_plane[i], a, b);
-    return {Mesh::face(twin), node, a + t * (b - a), left, right, rotate(left_image), rotate(right_image)};
+    add_end({Mesh::face(twin), node, a + t * (b - a), left, right, rotate(left_image), rotate(right_image)}, new_plane);
   }
 
   void add_arc(GrowingEnd& end, int to) {
@@ -112,9 +111,7 @@ class GapGrowth {
       for (std::size_t j = 0; j < ends_.size(); ++j) {
         const GrowingEnd &a = ends_[i], &b = ends_[j];
         if (i == j || !a.active || !b.active || a.face != b.face || a.right != b.left || a.left == b.right) continue;
-        const auto exit_a = find_exit(a, flat(a.face)), exit_b = find_exit(b, flat(b.face));
-        if (!exit_a || !exit_b) continue;
-        const auto point = find_intersection(a, b, *exit_a, *exit_b);
+        const auto point = find_intersection(a, b);
         if (!point) continue;
         const double distance = 0.5 * (a.distance_at(*point) + b.distance_at(*point));
         if (!best || distance < best->distance) best = Meeting{i, j, *point, distance};
@@ -126,14 +123,14 @@ class GapGrowth {
 
   void merge(const Meeting& meeting) {
     GrowingEnd &a = ends_[meeting.first], &b = ends_[meeting.second];
-    const auto& corner = flat(a.face);
+    const auto corner = flatten_face(mesh_, a.face);
     const double area = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double v = cross(meeting.point - corner[0], corner[2] - corner[0]) / area;
     const double w = cross(corner[1] - corner[0], meeting.point - corner[0]) / area;
     const int node = add_node({GapNode::Kind::branch, CrossingId(), {}, a.face, {1 - v - w, v, w}, meeting.distance});
     add_arc(a, node);
     add_arc(b, node);
-    ends_.push_back({a.face, node, meeting.point, a.left, b.right, a.left_image, b.right_image});
+    add_end({a.face, node, meeting.point, a.left, b.right, a.left_image, b.right_image}, corner);
   }
 
   /// The nearest exit; false where it leads out of the gap, for all bisectors of the rim have their end there already.
@@ -142,7 +139,7 @@ class GapGrowth {
     std::size_t leaver = 0;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       if (!ends_[i].active) continue;
-      const auto exit = find_exit(ends_[i], flat(ends_[i].face));
+      const auto& exit = ends_[i].exit;
       if (exit && (!best || exit->distance < best->distance)) std::tie(best, leaver) = std::tuple(exit, i);
     }
     if (!best || best->t < kCrossingGap || best->t > 1 - kCrossingGap) return false;
@@ -158,9 +155,9 @@ class GapGrowth {
       add_arc(end, node);
       return true;
     }
-    const GrowingEnd next = enter(h, 1 - best->t, node, end.left, end.right, end.left_image, end.right_image);
     add_arc(end, node);
-    ends_.push_back(next);
+    const GrowingEnd from = end;  // by value: the new end may move the list
+    enter(h, 1 - best->t, node, from.left, from.right, from.left_image, from.right_image);
     return true;
   }
 
@@ -169,7 +166,6 @@ class GapGrowth {
   const NearestLabels& labels_;
   const Crossings& crossings_;
   const Gap& gap_;
-  std::map<FaceId, std::array<Vec2, 3>> flat_;
   std::vector<GrowingEnd> ends_;
   GrownGap grown_;
 };

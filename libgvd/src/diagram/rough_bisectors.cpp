@@ -166,7 +166,14 @@ class EdgeEnvelope {
   std::vector<std::pair<double, GeneratorId>> breaks_;
 };
 
-/// Edges of faces with several generators in their table or at their corners, ascending.
+/// Whether all but one of the generators in f's table are dominated.
+bool has_one_owner(const GeneratorTable& table, FaceId f) {
+  int owners = 0;
+  table.for_each(f, [&](const TableEntry& entry) { owners += entry.dominated ? 0 : 1; });
+  return owners <= 1;
+}
+
+/// Edges of faces with several generators in their table, the dominated ones apart, or at their corners; ascending.
 std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels) {
   std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
@@ -174,7 +181,7 @@ std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable&
     if (!table.reached(f)) continue;
     const auto& [a, b, c] = mesh.vertices(f);
     const bool one_label = labels.label[a] == labels.label[b] && labels.label[b] == labels.label[c];
-    if (one_label && table.entry(i).next < 0) continue;
+    if (one_label && has_one_owner(table, f)) continue;
     for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
   }
   std::vector<EdgeId> edges;
