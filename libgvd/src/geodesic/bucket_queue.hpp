@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,14 +15,14 @@ template <class Item>
 class BucketQueue {
  public:
   /// `width` is the span of keys in one bucket, > 0; `count` the number of buckets in the ring, >= 2.
-  BucketQueue(double width, std::size_t count) : inverse_width_(1 / width), buckets_(count) {}
+  BucketQueue(double width, std::size_t count) : inverse_width_(1 / width), last_(static_cast<double>(count - 1)), buckets_(count) {}
 
   bool empty() const { return size_ == 0; }
 
   void push(double key, const Item& item) {
-    const double ahead = std::floor(key * inverse_width_) - static_cast<double>(turn_);
-    const double last = static_cast<double>(buckets_.size() - 1);
-    const std::size_t offset = ahead > 0 ? static_cast<std::size_t>(std::min(ahead, last)) : 0;
+    const double ahead = key * inverse_width_ - turn_;
+    // A cast cuts off the fraction; below 0 everything goes into the current bucket.
+    const std::size_t offset = ahead > 0 ? static_cast<std::size_t>(std::min(ahead, last_)) : 0;
     std::size_t bucket = current_ + offset;
     if (bucket >= buckets_.size()) bucket -= buckets_.size();
     buckets_[bucket].push_back(item);
@@ -36,7 +35,7 @@ class BucketQueue {
       buckets_[current_].clear();
       next_ = 0;
       current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
-      ++turn_;
+      turn_ += 1;
     }
     --size_;
     return buckets_[current_][next_++];
@@ -44,10 +43,11 @@ class BucketQueue {
 
  private:
   double inverse_width_;
+  double last_;  // number of the ring's last bucket, counted from the current one
   std::vector<std::vector<Item>> buckets_;
   std::size_t current_ = 0;  // bucket at the front of the ring
   std::size_t next_ = 0;     // next item in it
-  std::size_t turn_ = 0;     // number of buckets passed since the start
+  double turn_ = 0;          // number of buckets passed since the start: a whole number
   std::size_t size_ = 0;
 };
 

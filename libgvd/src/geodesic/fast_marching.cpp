@@ -27,6 +27,9 @@ constexpr double kMaxBuckets = 1 << 16;
 /// An improvement below this part of the distance is rounding: it is not propagated again.
 constexpr double kImprovement = 1e-13;
 
+/// The corners after and before corner i of a face.
+constexpr std::array<std::size_t, 3> kNext{1, 2, 0}, kPrevious{2, 0, 1};
+
 class Marcher {
  public:
   Marcher(const WorkingMesh& working, Front front, const Progress& progress)
@@ -102,7 +105,12 @@ class Marcher {
     if (entry.dominated) return;
     ++events_;
     const FaceId f = entry.face;
-    for (int side = 0; side < 3; ++side) propagate(place, Mesh::halfedge(f, side));
+    const std::array<std::int32_t, 3> corner = entry.corner;  // by value: new entries move the table
+    const GeneratorId g = entry.generator;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const HalfedgeId twin = mesh_.twin(Mesh::halfedge(f, static_cast<int>(side)));
+      if (twin.valid()) propagate(twin, g, corner[kNext[side]], corner[side]);  // it runs the other way
+    }
   }
 
   /// Section 4.1: another generator of the table is nearer at the three corners, and at the three midpoints.
@@ -133,47 +141,43 @@ class Marcher {
     return true;
   }
 
-  /// Carries the entry's generator across halfedge h of its face, to the corner D beyond.
-  void propagate(std::int32_t place, HalfedgeId h) {
-    const HalfedgeId twin = mesh_.twin(h);
-    if (!twin.valid()) return;
-    const GeneratorId g = table_.entry(place).generator;
-    const auto side = static_cast<std::size_t>(Mesh::corner(h));
-    const std::int32_t place_a = table_.entry(place).corner[(side + 1) % 3];  // twin runs from a to b
-    const std::int32_t place_b = table_.entry(place).corner[side];
+  /// Carries generator g, whose distances stand at place_a and place_b, across halfedge h from A to B into its face, to
+  /// the corner D opposite.
+  void propagate(HalfedgeId h, GeneratorId g, std::int32_t place_a, std::int32_t place_b) {
     const double distance_a = table_.distance(place_a).distance, distance_b = table_.distance(place_b).distance;
-    const FaceId face = Mesh::face(twin);
+    const FaceId face = Mesh::face(h);
+    const auto i = static_cast<std::size_t>(h.value() - 3 * face.value());
+    const VertexId d = mesh_.vertices(face)[kPrevious[i]];
     const std::int32_t neighbour = table_.find(face, g);
-    const auto i = static_cast<std::size_t>(Mesh::corner(twin));
-    std::int32_t place_d = neighbour >= 0 ? table_.entry(neighbour).corner[(i + 2) % 3] : table_.find(mesh_.opposite(twin), g);
+    std::int32_t place_d = neighbour >= 0 ? table_.entry(neighbour).corner[kPrevious[i]] : table_.find(d, g);
     bool improved = false;
     // By the triangle inequality no point of the edge is nearer than this, and so is no corner beyond it.
     const double least = 0.5 * (distance_a + distance_b - mesh_.shape(face).length[i]);
     if (place_d < 0 || table_.distance(place_d).distance > least) {
       const double distance_d = update(face, i, distance_a, distance_b);
       if (place_d < 0) {
-        place_d = table_.add(mesh_.opposite(twin), g, distance_d, twin);
+        place_d = table_.add(d, g, distance_d, h);
       } else if (distance_d < table_.distance(place_d).distance * (1 - kImprovement)) {
         table_.distance(place_d).distance = distance_d;
-        table_.distance(place_d).via = twin;
+        table_.distance(place_d).via = h;
         improved = true;
       }
     }
     if (neighbour < 0) {
       std::array<std::int32_t, 3> corner{};
       corner[i] = place_a;
-      corner[(i + 1) % 3] = place_b;
-      corner[(i + 2) % 3] = place_d;
+      corner[kNext[i]] = place_b;
+      corner[kPrevious[i]] = place_d;
       const std::int32_t added = table_.add(face, g, corner, kInfinity);
       queue_.push(key(table_.entry(added)), added);
     }
-    if (improved) requeue_round(Mesh::previous(twin), g);
+    if (improved) requeue_round(Mesh::previous(h), g);
   }
 
   /// Distance at the corner opposite side i of a face.
   double update(FaceId f, std::size_t i, double distance_a, double distance_b) const {
     const FaceShape& s = mesh_.shape(f);
-    const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
+    const auto t = make_update_triangle(s.length[i], s.length[kPrevious[i]], s.length[kNext[i]], s.twice_area);
     return front_ == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
   }
 
