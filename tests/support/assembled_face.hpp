@@ -50,7 +50,13 @@ struct AssembledFace {
     assemble_face(FaceId(0), boundary, forms, diagram);
   }
 
-  std::vector<WorkingPiece> pieces() const { return trace_pieces(boundary, diagram.arcs, diagram.branches); }
+  WorkingPieces pieces() const { return pieces_of(diagram.arcs); }
+  WorkingPieces pieces_of(const std::vector<FaceArc>& arcs) const {
+    WorkingPieces result;
+    result.pieces.resize(1);  // what stands there before must not matter
+    trace_pieces(boundary, arcs, diagram.branches, result);
+    return result;
+  }
 
   std::array<double, 3> place(const ArcEnd& end) const {
     if (end.branch.valid()) return diagram.branches[end.branch].bary;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "diagram/distance_form.hpp"
+#include "geodesic/auxiliary_distance.hpp"
 
 namespace gvd {
 namespace {
@@ -43,29 +44,29 @@ class EdgeEnvelope {
   }
 
  private:
+  /// The entries of a side's face that count.
   template <class Visit>
-  void for_each_entry(EdgeId e, Visit visit) {
-    const HalfedgeId h = mesh_.halfedge(e);
-    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
-      if (!side.valid()) continue;
-      table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
-        if (!entry.dominated) visit(entry, side);
-      });
-    }
+  void for_each_entry(HalfedgeId side, Visit visit) {
+    table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
+      if (!entry.dominated) visit(entry);
+    });
   }
 
   /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
   void collect_ends(EdgeId e) {
     candidates_.clear();
     const HalfedgeId h = mesh_.halfedge(e);
-    for_each_entry(e, [&](const TableEntry& entry, HalfedgeId side) {
-      EdgeCandidate& c = candidate(entry.generator);
-      const auto d = table_.corner_distances(entry);
+    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+      if (!side.valid()) continue;
       const auto i = static_cast<std::size_t>(Mesh::corner(side));
-      const double from = d[i], to = d[(i + 1) % 3];
-      c.value[0] = side == h ? from : to;
-      c.value[2] = side == h ? to : from;
-    });
+      for_each_entry(side, [&](const TableEntry& entry) {
+        EdgeCandidate& c = candidate(entry.generator);
+        const auto d = table_.corner_distances(entry);
+        const double from = d[i], to = d[(i + 1) % 3];
+        c.value[0] = side == h ? from : to;
+        c.value[2] = side == h ? to : from;
+      });
+    }
     require_label(mesh_.from(h), 0, mesh_.length(e));
     require_label(mesh_.to(h), 2, mesh_.length(e));
   }
@@ -80,10 +81,16 @@ class EdgeEnvelope {
   }
 
   void collect_midpoints(EdgeId e) {
-    for_each_entry(e, [&](const TableEntry& entry, HalfedgeId side) {
-      double& middle = candidate(entry.generator).value[1];
-      middle = std::min(middle, midpoint_distance(mesh_, table_, entry, Mesh::corner(side), front_));
-    });
+    const HalfedgeId h = mesh_.halfedge(e);
+    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+      if (!side.valid()) continue;
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const MedianHalves halves = make_median_halves(mesh_.shape(Mesh::face(side)), i);
+      for_each_entry(side, [&](const TableEntry& entry) {
+        double& middle = candidate(entry.generator).value[1];
+        middle = std::min(middle, auxiliary_distance(halves, table_.corner_distances(entry), i, front_));
+      });
+    }
     for (EdgeCandidate& c : candidates_) {
       // The midpoint is reached along the edge at the latest.
       c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geodesic/auxiliary_distance.hpp"
 #include "geodesic/bucket_queue.hpp"
 #include "geodesic/local_update.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -129,14 +130,13 @@ class Marcher {
 
   bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
     const auto own = table_.corner_distances(entry), theirs = table_.corner_distances(other);
-    for (int side = 0; side < 3; ++side) {
+    const FaceShape& shape = mesh_.shape(entry.face);
+    for (std::size_t i = 0; i < 3; ++i) {
       // A distance changes by half a length at the most from a corner to the midpoint.
-      const auto i = static_cast<std::size_t>(side), j = (i + 1) % 3;
-      if (std::min(theirs[i], theirs[j]) + mesh_.shape(entry.face).length[i] < std::max(own[i], own[j])) continue;
-      if (!(midpoint_distance(mesh_, table_, other, side, front_) <
-            midpoint_distance(mesh_, table_, entry, side, front_))) {
-        return false;
-      }
+      const std::size_t j = kNext[i];
+      if (std::min(theirs[i], theirs[j]) + shape.length[i] < std::max(own[i], own[j])) continue;
+      const MedianHalves halves = make_median_halves(shape, i);
+      if (!(auxiliary_distance(halves, theirs, i, front_) < auxiliary_distance(halves, own, i, front_))) return false;
     }
     return true;
   }
@@ -204,23 +204,6 @@ class Marcher {
 };
 
 }  // namespace
-
-double midpoint_distance(const Mesh& mesh, const GeneratorTable& table, const TableEntry& entry, int side, Front front) {
-  const auto i = static_cast<std::size_t>(side);
-  const auto d = table.corner_distances(entry);
-  const double a = d[i], b = d[(i + 1) % 3], c = d[(i + 2) % 3];
-  const FaceShape& shape = mesh.shape(entry.face);
-  const double length = shape.length[i], bc = shape.length[(i + 1) % 3], ca = shape.length[(i + 2) % 3];
-  // The median from C, by the parallelogram law.
-  const double median = std::sqrt(std::max(0.0, 0.5 * (bc * bc + ca * ca) - 0.25 * length * length));
-  const double twice_area = 0.5 * shape.twice_area;  // the half triangle's
-  const auto through = [&](double base, double far, double near) {
-    // Base from C to a corner of the edge; the midpoint is half the edge away from that corner.
-    const auto t = make_update_triangle(base, median, 0.5 * length, twice_area);
-    return front == Front::circle ? update_circle(t, far, near) : update_planar(t, far, near);
-  };
-  return std::min(through(ca, c, a), through(bc, c, b));
-}
 
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress) {
   report_progress(progress, "distances", 0);

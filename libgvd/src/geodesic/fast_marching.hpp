@@ -26,8 +26,4 @@ struct FastMarchingResult {
 /// Cost: O(n) events on an average.
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress);
 
-/// Distance from the entry's generator to the midpoint of corner `side`'s halfedge, seen through the entry's own
-/// triangle from its two other edges: the auxiliary distance of section 4.1.
-double midpoint_distance(const Mesh& mesh, const GeneratorTable& table, const TableEntry& entry, int side, Front front);
-
 }  // namespace gvd
