@@ -53,16 +53,17 @@ TEST_CASE("an end whose images coincide has no direction and no exit") {
 }
 
 TEST_CASE("two ends meet where both get to before they leave the face, if they come towards each other") {
-  const GrowingEnd first = end_at({0.5, 0}, {0, 0.5}, {1, -0.5});   // up and to the right
-  const GrowingEnd second = end_at({2.5, 0}, {2, -0.5}, {3, 0.5});  // up and to the left
-  const auto exit_first = find_exit(first, kCorner), exit_second = find_exit(second, kCorner);
-  REQUIRE((exit_first && exit_second));
-  const auto meeting = find_intersection(first, second, *exit_first, *exit_second);
+  GrowingEnd first = end_at({0.5, 0}, {0, 0.5}, {1, -0.5});   // up and to the right
+  GrowingEnd second = end_at({2.5, 0}, {2, -0.5}, {3, 0.5});  // up and to the left
+  GrowingEnd parallel = end_at({2.5, 0}, {2, 0.5}, {3, -0.5});
+  for (GrowingEnd* end : {&first, &second, &parallel}) end->exit = find_exit(*end, kCorner);
+  const auto meeting = find_intersection(first, second);
   REQUIRE(meeting);
   CHECK((*meeting - Vec2(1.5, 1)).norm() < 1e-12);
-  CHECK_FALSE(find_intersection(second, first, *exit_second, *exit_first));  // they part, seen the other way round
-  const GrowingEnd parallel = end_at({2.5, 0}, {2, 0.5}, {3, -0.5});
-  CHECK_FALSE(find_intersection(first, parallel, *exit_first, *find_exit(parallel, kCorner)));
+  CHECK_FALSE(find_intersection(second, first));  // they part, seen the other way round
+  CHECK_FALSE(find_intersection(first, parallel));
+  second.exit.reset();
+  CHECK_FALSE(find_intersection(first, second));
 }
 
 TEST_CASE("the rotation around an edge takes the edge to the edge and keeps lengths and sides") {
