@@ -5,9 +5,11 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "mesh/mesh_editor.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -37,14 +39,6 @@ Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
           signed_area(corners[0], corners[1], p) / area};
 }
 
-/// Bary of the point at parameter t of halfedge corner `corner`.
-Bary on_edge(int corner, double t) {
-  Bary bary{0, 0, 0};
-  bary[static_cast<std::size_t>(corner)] = 1 - t;
-  bary[static_cast<std::size_t>((corner + 1) % 3)] = t;
-  return bary;
-}
-
 constexpr std::array<Bary, 3> kWhole{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
 
 void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
@@ -57,6 +51,28 @@ void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generat
                   static_cast<std::int64_t>(i));
     }
   }
+}
+
+/// A generator on an edge of the input.
+struct EdgeInsertion {
+  HalfedgeId halfedge;
+  double t;
+  GeneratorId generator;
+};
+
+/// The generators on edges, edge by edge, and on each from the beginning of its first halfedge to the end.
+std::vector<EdgeInsertion> sort_along_edges(const Mesh& input, const std::vector<GeneratorId>& ids,
+                                            const std::vector<SurfacePoint>& generators) {
+  std::vector<EdgeInsertion> insertions;
+  for (const GeneratorId g : ids) {
+    const SurfacePoint point = canonical(input, generators[g.index()]);
+    const HalfedgeId h = gvd::halfedge(point);
+    insertions.push_back({h, point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], g});
+  }
+  std::sort(insertions.begin(), insertions.end(), [](const EdgeInsertion& a, const EdgeInsertion& b) {
+    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
+  });
+  return insertions;
 }
 
 }  // namespace
@@ -136,73 +152,65 @@ std::array<double, 3> WorkingMesh::parent_bary(FaceId f, const Bary& bary) const
 }
 
 void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators) {
-  struct Insertion {
-    HalfedgeId halfedge;
-    double t;
-    GeneratorId generator;
-  };
-  std::vector<Insertion> insertions;
-  for (const GeneratorId g : ids) {
-    const SurfacePoint point = canonical(*input_, generators[g.index()]);
-    const HalfedgeId h = gvd::halfedge(point);
-    insertions.push_back({h, point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], g});
-  }
-  std::sort(insertions.begin(), insertions.end(), [](const Insertion& a, const Insertion& b) {
-    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
-  });
-  MeshEditor editor(copy_);
   HalfedgeId current, rest;  // the input's halfedge at work, and the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
-  for (const auto& [h, t, g] : insertions) {
+  for (const auto& [h, t, g] : sort_along_edges(*input_, ids, generators)) {
     if (h != current) {
       current = h;
+      rest = find_copied(h);
       done = 0;
-      // An earlier split may have renamed the halfedge: find it again among the children of its face.
-      rest = h;
-      const VertexId from = input_->from(h), to = input_->to(h);
-      for (HalfedgeId x = copy_.halfedge(from);;) {
-        if (copy_.to(x) == to && parent(Mesh::face(x)) == Mesh::face(h)) rest = x;
-        x = copy_.twin(Mesh::previous(x));
-        if (!x.valid() || x == copy_.halfedge(from)) break;
-      }
     }
-    const Vec3 p = position(*input_, {Mesh::face(h), on_edge(Mesh::corner(h), t)});
+    const Vec3 p = position(*input_, edge_point(h, t));
     const auto near = [&](VertexId v) { return (copy_.position(v) - p).norm() <= coincidence_; };
     if (near(copy_.from(rest)) || near(copy_.to(rest))) {
       claim(near(copy_.from(rest)) ? copy_.from(rest) : copy_.to(rest), g);
       continue;
     }
-    const HalfedgeId twin = copy_.twin(rest);
-    const double local = (t - done) / (1 - done);
-    const auto split_corners = [&](HalfedgeId side, double at) {
-      // Corners of the two halves of side's face, in the order that MeshEditor::split_edge gives them.
-      const Corners c = corners(Mesh::face(side));
-      const auto i = static_cast<std::size_t>(Mesh::corner(side));
-      const Bary &a = c[i], &b = c[(i + 1) % 3], &opposite = c[(i + 2) % 3];
-      Bary middle;
-      for (std::size_t k = 0; k < 3; ++k) middle[k] = (1 - at) * a[k] + at * b[k];
-      return std::pair(Corners{a, middle, opposite}, Corners{middle, b, opposite});
+    const auto parent_bary_at = [&](HalfedgeId side, double at) {
+      return parent_bary(Mesh::face(side), edge_point(side, at).bary);
     };
-    const FaceId f = Mesh::face(rest), f_parent = parent(f);
-    const auto here = split_corners(rest, local);
-    const FaceId g_face = twin.valid() ? Mesh::face(twin) : FaceId();
-    const auto there = twin.valid() ? split_corners(twin, 1 - local) : here;
-    const FaceId g_parent = twin.valid() ? parent(g_face) : FaceId();
-    const FaceId appended(copy_.face_count());
-    claim(editor.split_edge(rest, p), g);
-    set_corners(f, f_parent, here.first);
-    set_corners(appended, f_parent, here.second);
-    touched.insert(touched.end(), {f, appended});
-    if (twin.valid()) {
-      set_corners(g_face, g_parent, there.first);
-      set_corners(FaceId(appended.value() + 1), g_parent, there.second);
-      touched.insert(touched.end(), {g_face, FaceId(appended.value() + 1)});
-    }
-    rest = Mesh::halfedge(appended, 0);
+    const double local = (t - done) / (1 - done);
+    const HalfedgeId twin = copy_.twin(rest);
+    const auto changed = split_edge(rest, g, p, parent_bary_at(rest, local),
+                                    twin.valid() ? parent_bary_at(twin, 1 - local) : Bary{});
+    touched.insert(touched.end(), changed.begin(), changed.end());
+    rest = Mesh::halfedge(changed[1], 0);
     done = t;
   }
   make_delaunay(touched);
+}
+
+/// The copy's halfedge that stands for the input's halfedge h, none of whose edge is split yet: splits of other edges may
+/// have put it into another child of its face.
+HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
+  const VertexId from = input_->from(h), to = input_->to(h);
+  HalfedgeId found = h;
+  for_each_outgoing(copy_, from, [&](HalfedgeId x) {
+    if (copy_.to(x) == to && parent(Mesh::face(x)) == Mesh::face(h)) found = x;
+  });
+  return found;
+}
+
+/// Splits the edge of h for generator g at p, which has the coordinates `here` in the parent of h's face and `there` in
+/// that of its twin's. Returns h's face, the one appended beside it, and where there is a twin the same for its side.
+std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here,
+                                            const Bary& there) {
+  std::vector<FaceId> changed;
+  FaceId appended(copy_.face_count());
+  const HalfedgeId twin = copy_.twin(h);
+  claim(MeshEditor(copy_).split_edge(h, p), g);
+  for (const auto& [side, middle] : {std::pair(h, here), std::pair(twin, there)}) {
+    if (!side.valid()) continue;
+    const FaceId f = Mesh::face(side);
+    const Corners c = corners(f);  // before the split
+    const auto i = static_cast<std::size_t>(Mesh::corner(side));
+    set_corners(f, parent(f), {c[i], middle, c[(i + 2) % 3]});
+    set_corners(appended, parent(f), {middle, c[(i + 1) % 3], c[(i + 2) % 3]});
+    changed.insert(changed.end(), {f, appended});
+    appended = FaceId(appended.value() + 1);
+  }
+  return changed;
 }
 
 void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<GeneratorId>& ids,
@@ -235,27 +243,17 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
   for (const VertexId v : copy_.vertices(best)) {
     if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
   }
-  MeshEditor editor(copy_);
-  const Corners c = corners(best);
-  const FaceId appended(copy_.face_count());
   const int thin = static_cast<int>(std::min_element(best_local.begin(), best_local.end()) - best_local.begin());
   const HalfedgeId side = Mesh::next(Mesh::halfedge(best, thin));
   const HalfedgeId twin = copy_.twin(side);
   if (best_min < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
-    const FaceId other = Mesh::face(twin);
-    const Corners d = corners(other);
-    const auto i = static_cast<std::size_t>(Mesh::corner(side)), j = static_cast<std::size_t>(Mesh::corner(twin));
-    claim(editor.split_edge(side, p), g);
-    set_corners(best, point.face, {c[i], point.bary, c[(i + 2) % 3]});
-    set_corners(appended, point.face, {point.bary, c[(i + 1) % 3], c[(i + 2) % 3]});
-    const FaceId last(appended.value() + 1);
-    set_corners(other, point.face, {d[j], point.bary, d[(j + 2) % 3]});
-    set_corners(last, point.face, {point.bary, d[(j + 1) % 3], d[(j + 2) % 3]});
-    children.insert(children.end(), {appended, last});
+    const auto changed = split_edge(side, g, p, point.bary, point.bary);
+    children.insert(children.end(), {changed[1], changed[3]});
     return;
   }
-  const FaceId last(appended.value() + 1);
-  claim(editor.split_face(best, p), g);
+  const Corners c = corners(best);
+  const FaceId appended(copy_.face_count()), last(appended.value() + 1);
+  claim(MeshEditor(copy_).split_face(best, p), g);
   set_corners(best, point.face, {c[0], c[1], point.bary});
   set_corners(appended, point.face, {c[1], c[2], point.bary});
   set_corners(last, point.face, {c[2], c[0], point.bary});

@@ -40,6 +40,8 @@ class WorkingMesh {
   void insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
   void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
+  HalfedgeId find_copied(HalfedgeId h) const;
+  std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
   void make_delaunay(const std::vector<FaceId>& children);
   bool flip_if_not_delaunay(HalfedgeId h);
   Corners corners(FaceId f) const;
