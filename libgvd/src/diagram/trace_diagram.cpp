@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <tuple>
 
 #include "diagram/assemble_faces.hpp"
 #include "diagram/cell_topology.hpp"
 #include "diagram/growth.hpp"
+#include "diagram/install_gaps.hpp"
 #include "diagram/refine_bisectors.hpp"
 #include "diagram/rough_bisectors.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -17,74 +17,6 @@ namespace {
 
 /// Rounds of local repair before the last resort; on the meshes of docs/performance.md one or two are taken.
 constexpr int kMaxRounds = 12;
-
-/// A gap and what grew in it.
-struct ClosedGap {
-  const Gap* gap;
-  GrownGap grown;
-};
-
-/// Replaces the crossings inside the grown gaps by those that grew, and appends their arcs and branch points to `faces`.
-void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
-  struct Tagged {
-    Crossing crossing;
-    CrossingId old;
-    std::pair<std::size_t, std::size_t> node;  // gap and node that it grew as
-  };
-  std::vector<char> inside(static_cast<std::size_t>(mesh.face_count()), 0);
-  for (const ClosedGap& c : closed) {
-    for (const FaceId f : c.gap->faces) inside[f.index()] = 1;
-  }
-  std::vector<Tagged> all;
-  for (std::size_t i = 0; i < traced.crossings.size(); ++i) {
-    const CrossingId id(static_cast<std::int64_t>(i));
-    const HalfedgeId h = mesh.halfedge(traced.crossings[id].edge), twin = mesh.twin(h);
-    // Two grown gaps never share an edge, so both faces inside means inside of one.
-    if (inside[Mesh::face(h).index()] && (!twin.valid() || inside[Mesh::face(twin).index()])) continue;
-    all.push_back({traced.crossings[id], id, {}});
-  }
-  for (std::size_t c = 0; c < closed.size(); ++c) {
-    for (std::size_t n = 0; n < closed[c].grown.nodes.size(); ++n) {
-      const GapNode& node = closed[c].grown.nodes[n];
-      if (node.kind == GapNode::Kind::crossing) all.push_back({node.crossing, CrossingId(), {c, n}});
-    }
-  }
-  std::sort(all.begin(), all.end(), [](const Tagged& a, const Tagged& b) {
-    return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
-  });
-  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());
-  std::vector<std::vector<ArcEnd>> ends(closed.size());
-  for (std::size_t c = 0; c < closed.size(); ++c) ends[c].resize(closed[c].grown.nodes.size());
-  std::vector<Crossing> items;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const CrossingId id(static_cast<std::int64_t>(i));
-    items.push_back(all[i].crossing);
-    if (all[i].old.valid()) {
-      renamed[all[i].old] = id;
-    } else {
-      ends[all[i].node.first][all[i].node.second] = at(id);
-    }
-  }
-  traced.crossings = Crossings(mesh.edge_count(), std::move(items));
-  for (std::size_t c = 0; c < closed.size(); ++c) {
-    const GrownGap& grown = closed[c].grown;
-    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
-      const GapNode& node = grown.nodes[n];
-      if (node.kind == GapNode::Kind::rim) ends[c][n] = at(renamed[node.rim]);
-      if (node.kind == GapNode::Kind::branch) {
-        ends[c][n] = at(traced.faces.branches.push_back({node.face, node.bary, node.distance}));
-      }
-    }
-    for (const GapArc& arc : grown.arcs) {
-      traced.faces.arcs.push_back({arc.face, ends[c][static_cast<std::size_t>(arc.begin)],
-                                   ends[c][static_cast<std::size_t>(arc.end)], arc.left, arc.right});
-    }
-    for (const auto& [v, g] : grown.labels) {
-      traced.labels.label[v] = g;
-      traced.moved.push_back(v);
-    }
-  }
-}
 
 class Tracer {
  public:
