@@ -102,9 +102,7 @@ class EdgeEnvelope {
     for (EdgeCandidate& c : candidates_) {
       if (c.generator == g) return c;
     }
-    candidates_.push_back({g, {}});
-    candidates_.back().value = {kInfinity, kInfinity, kInfinity};
-    return candidates_.back();
+    return candidates_.emplace_back(EdgeCandidate{g});
   }
 
   /// The label of an end is the winner there whatever the tables say: it was chosen so that its cell is connected.
@@ -149,7 +147,8 @@ class EdgeEnvelope {
     }
   }
 
-  /// Turns the breaks into crossings that keep their distance, dropping the runs that are too short to keep.
+  /// Turns the breaks into crossings that keep their distance, dropping the runs inside the edge that are too short to
+  /// keep. The first run and the last one belong to the ends and stay.
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
     std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
@@ -157,9 +156,6 @@ class EdgeEnvelope {
       const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
       if (runs.back().second != g) runs.emplace_back(start, g);
     }
-    const GeneratorId last = breaks_.empty() ? first : breaks_.back().second;
-    while (runs.size() > 1 && runs.back().second != last) runs.pop_back();
-    if (runs.back().second != last) runs.emplace_back(1 - kCrossingGap, last);
     for (std::size_t i = 1; i < runs.size(); ++i) {
       crossings.push_back({e, runs[i].first, runs[i - 1].second, runs[i].second});
     }
