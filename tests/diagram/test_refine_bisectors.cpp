@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "geodesic/face_layout.hpp"
 #include "geodesic/unfold.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -37,15 +38,19 @@ void require_sound(const Crossings& before, const Crossings& after) {
 
 }  // namespace
 
-TEST_CASE("a face unfolds to its own lengths, counter-clockwise") {
+TEST_CASE("a face is laid out with its own lengths, counter-clockwise, and points come back") {
   const Mesh mesh = test::make_sliver_sphere(2, 3);
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const auto corner = flatten_face(mesh, FaceId(f));
+    const FaceLayout layout(mesh, FaceId(f));
+    const auto& corner = layout.corner;
     for (std::size_t i = 0; i < 3; ++i) {
       const double length = mesh.length(Mesh::halfedge(FaceId(f), static_cast<int>(i)));
       REQUIRE((corner[(i + 1) % 3] - corner[i]).norm() == Approx(length).epsilon(1e-6));
     }
-    REQUIRE(corner[2].y() >= 0);
+    REQUIRE(corner[2].y() > 0);
+    const std::array<double, 3> inside{0.2, 0.5, 0.3};
+    const auto back = layout.bary(layout.at(inside));
+    for (std::size_t i = 0; i < 3; ++i) REQUIRE(back[i] == Approx(inside[i]).margin(1e-9));
   }
 }
 

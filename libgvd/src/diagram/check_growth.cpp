@@ -6,6 +6,8 @@
 
 #include "diagram/growing_end.hpp"
 #include "diagram/growth.hpp"
+#include "geodesic/face_layout.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {
@@ -197,17 +199,13 @@ class GrowthCheck {
 
   Vec2 place(const GapArc& arc, int node_index) const {
     const GapNode& node = grown_.nodes[static_cast<std::size_t>(node_index)];
-    const auto corner = flatten_face(mesh_, arc.face);
-    if (node.kind == GapNode::Kind::branch) {
-      return node.bary[0] * corner[0] + node.bary[1] * corner[1] + node.bary[2] * corner[2];
-    }
+    const FaceLayout layout(mesh_, arc.face);
+    if (node.kind == GapNode::Kind::branch) return layout.at(node.bary);
     const Crossing& c = crossing_of(node);
     HalfedgeId h = mesh_.halfedge(c.edge);
     const bool own = Mesh::face(h) == arc.face;
     if (!own) h = mesh_.twin(h);
-    const auto i = static_cast<std::size_t>(Mesh::corner(h));
-    const double t = own ? c.t : 1 - c.t;
-    return (1 - t) * corner[i] + t * corner[(i + 1) % 3];
+    return layout.at(edge_point(h, own ? c.t : 1 - c.t).bary);
   }
 
   /// Round a branch point the cells come in the same order as the arcs.

@@ -10,12 +10,9 @@
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/plane.hpp"
 
 namespace gvd {
-
-/// Turns v by a quarter, counter-clockwise.
-inline Vec2 turned_left(const Vec2& v) { return {-v.y(), v.x()}; }
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Where a growing end leaves its face.
 struct Exit {

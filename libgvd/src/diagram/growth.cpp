@@ -6,6 +6,7 @@
 
 #include "diagram/assemble_faces.hpp"
 #include "diagram/growing_end.hpp"
+#include "geodesic/face_layout.hpp"
 
 namespace gvd {
 namespace {
@@ -49,7 +50,7 @@ class GapGrowth {
         const HalfedgeId h = Mesh::halfedge(f, c.corner), twin = mesh_.twin(h);
         if (!twin.valid() || gap_.contains(Mesh::face(twin))) continue;
         const FaceId outside = Mesh::face(twin);
-        const auto plane = flatten_face(mesh_, outside);
+        const auto plane = FaceLayout(mesh_, outside).corner;
         const Vec2 left = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.previous));
         const Vec2 right = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.next));
         const int node = add_node({GapNode::Kind::rim, c.id, {}, FaceId(), {}, 0});
@@ -72,7 +73,7 @@ class GapGrowth {
   void enter(HalfedgeId h, double t, int node, GeneratorId left, GeneratorId right, const Vec2& left_image,
                    const Vec2& right_image) {
     const HalfedgeId twin = mesh_.twin(h);
-    const auto old_plane = flatten_face(mesh_, Mesh::face(h)), new_plane = flatten_face(mesh_, Mesh::face(twin));
+    const auto old_plane = FaceLayout(mesh_, Mesh::face(h)).corner, new_plane = FaceLayout(mesh_, Mesh::face(twin)).corner;
     const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(twin));
     const Vec2 &a = new_plane[j], &b = new_plane[(j + 1) % 3];
     const EdgeRotation rotate(old_plane[(i + 1) % 3], old_plane[i], a, b);
@@ -123,14 +124,12 @@ class GapGrowth {
 
   void merge(const Meeting& meeting) {
     GrowingEnd &a = ends_[meeting.first], &b = ends_[meeting.second];
-    const auto corner = flatten_face(mesh_, a.face);
-    const double area = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const double v = cross(meeting.point - corner[0], corner[2] - corner[0]) / area;
-    const double w = cross(corner[1] - corner[0], meeting.point - corner[0]) / area;
-    const int node = add_node({GapNode::Kind::branch, CrossingId(), {}, a.face, {1 - v - w, v, w}, meeting.distance});
+    const FaceLayout layout(mesh_, a.face);
+    const auto bary = layout.bary(meeting.point);
+    const int node = add_node({GapNode::Kind::branch, CrossingId(), {}, a.face, bary, meeting.distance});
     add_arc(a, node);
     add_arc(b, node);
-    add_end({a.face, node, meeting.point, a.left, b.right, a.left_image, b.right_image}, corner);
+    add_end({a.face, node, meeting.point, a.left, b.right, a.left_image, b.right_image}, layout.corner);
   }
 
   /// The nearest exit; false where it leads out of the gap, for all bisectors of the rim have their end there already.

@@ -1,6 +1,7 @@
 #include "diagram/refine_bisectors.hpp"
 
 #include "diagram/assemble_faces.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/unfold.hpp"
 
 namespace gvd {
@@ -24,7 +25,7 @@ std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const
   for (const FaceId f : crossed_faces(mesh, crossings)) {
     boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() != 2) continue;
-    const auto corner = flatten_face(mesh, f);
+    const auto corner = FaceLayout(mesh, f).corner;
     const Vec2 p = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].next));
     const Vec2 q = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].previous));
     for (const BoundaryCrossing& c : boundary) {

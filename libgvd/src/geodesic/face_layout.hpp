@@ -7,10 +7,9 @@
 
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/plane.hpp"
 
 namespace gvd {
-
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A face laid out in the plane: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above. Mesh units.
 struct FaceLayout {
@@ -31,6 +30,12 @@ struct FaceLayout {
 
   Vec2 at(const std::array<double, 3>& bary) const {
     return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
+  }
+  /// Barycentric coordinates of a point of the plane.
+  std::array<double, 3> bary(const Vec2& p) const {
+    const Vec2 d = p - corner[0];
+    const double v = cross(d, corner[2] - corner[0]) / twice_area, w = cross(corner[1] - corner[0], d) / twice_area;
+    return {1 - v - w, v, w};
   }
   /// Unit vector from corner i to the next one.
   Vec2 side(int i) const {

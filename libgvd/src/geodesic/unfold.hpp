@@ -4,19 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/plane.hpp"
 
 namespace gvd {
-
-/// The corners of face f in its own plane: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
-/// Mesh units.
-inline std::array<Vec2, 3> flatten_face(const Mesh& mesh, FaceId f) {
-  const double ab = mesh.length(Mesh::halfedge(f, 0));
-  const double bc = mesh.length(Mesh::halfedge(f, 1)), ca = mesh.length(Mesh::halfedge(f, 2));
-  const double x = 0.5 * (ab + (ca - bc) * (ca + bc) / ab);
-  return {Vec2(0, 0), Vec2(ab, 0), Vec2(x, 2 * mesh.area(f) / ab)};
-}
 
 /// The image of a point source in the plane of a, b, at distances d_a and d_b from them, on the right of a -> b: outside of
 /// a triangle that lies to the left. Distances that break the triangle inequality put it on the line through a and b.
@@ -26,7 +17,7 @@ inline Vec2 unfold_source(const Vec2& a, const Vec2& b, double d_a, double d_b) 
   const double x = 0.5 * (length + (d_a - d_b) * (d_a + d_b) / length);
   const double depth = std::sqrt(std::max(0.0, (d_a - x) * (d_a + x)));
   const Vec2 unit = along / length;
-  return a + x * unit - depth * Vec2(-unit.y(), unit.x());
+  return a + x * unit - depth * turned_left(unit);
 }
 
 /// The image of a generator in the plane of a triangle, from its distances to the three corners: unfolded over the edge

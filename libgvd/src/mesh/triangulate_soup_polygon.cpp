@@ -5,14 +5,14 @@
 #include <numbers>
 #include <queue>
 
+#include "mesh/plane.hpp"
+
 namespace gvd {
 namespace {
 
 /// A corner whose sine is at or below this is taken for flat. Coordinates scaled to 1 carry a rounding of about 1e-16
 /// each, the sine of a corner between sides a thousandth as long some 1e-13; ten times that.
 constexpr double kFlatSine = 1e-12;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 class EarClipper {
  public:
