@@ -86,7 +86,7 @@ class Segmenter {
 
   void mark_parts_of_generators() {
     for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
-      for (const FaceId f : faces_of(diagram_.generators[i])) {
+      for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) {
         if (label(f) == GeneratorId(static_cast<std::int64_t>(i))) {
           parts_[static_cast<std::size_t>(part_[f])].holds_generator = true;
         }
@@ -96,24 +96,6 @@ class Segmenter {
 
   static bool beats(const Part& a, const Part& b) {
     return a.holds_generator != b.holds_generator ? a.holds_generator : a.area > b.area;
-  }
-
-  /// The faces that contain a point: one, two or the whole fan of a vertex.
-  std::vector<FaceId> faces_of(const SurfacePoint& point) const {
-    std::vector<FaceId> faces{point.face};
-    if (point.kind() == SurfacePoint::Kind::edge) {
-      const HalfedgeId twin = mesh_.twin(halfedge(point));
-      if (twin.valid()) faces.push_back(Mesh::face(twin));
-    } else if (point.kind() == SurfacePoint::Kind::vertex) {
-      faces.clear();
-      const HalfedgeId start = mesh_.halfedge(vertex(mesh_, point));
-      HalfedgeId h = start;
-      do {
-        faces.push_back(Mesh::face(h));
-        h = mesh_.twin(Mesh::previous(h));
-      } while (h.valid() && h != start);
-    }
-    return faces;
   }
 
   /// Each free face takes the label of a neighbour, so every label stays connected.
@@ -185,7 +167,7 @@ class Segmenter {
     }
     for (std::size_t i = 0; i < collected.size(); ++i) {
       if (count[i] > 0) continue;
-      const std::vector<FaceId> own = faces_of(diagram_.generators[i]);
+      const std::vector<FaceId> own = faces_around(mesh_, diagram_.generators[i]);
       const auto is_own = [&](const FaceShare& s) { return std::find(own.begin(), own.end(), s.face) != own.end(); };
       for (const FaceId f : own) {
         const auto here = [f](const FaceShare& s) { return s.face == f; };

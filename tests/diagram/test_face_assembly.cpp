@@ -64,7 +64,7 @@ void require_partition(const AssembledFace& face) {
   double sum = 0;
   const auto [pieces, piece_of_run] = face.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const double area = test::area_share(pieces[i].corners);
+    const double area = area_share(pieces[i].corners);
     REQUIRE(area >= -1e-12);
     sum += area;
     REQUIRE(std::count(piece_of_run.begin(), piece_of_run.end(), static_cast<int>(i)) > 0);

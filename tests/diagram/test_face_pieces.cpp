@@ -15,19 +15,19 @@ TEST_CASE("an arc cuts a corner off: a triangle and a quadrilateral, counter-clo
   REQUIRE(pieces.size() == 2);
   CHECK(pieces[0].generator == GeneratorId(1));
   CHECK(pieces[0].corners.size() == 3);
-  CHECK(test::area_share(pieces[0].corners) == Approx(0.25));
+  CHECK(area_share(pieces[0].corners) == Approx(0.25));
   CHECK(piece_of_run == std::vector<int>{0, 1});
   CHECK(pieces[1].generator == GeneratorId(0));
   CHECK(pieces[1].corners.size() == 4);
-  CHECK(test::area_share(pieces[1].corners) == Approx(0.75));
+  CHECK(area_share(pieces[1].corners) == Approx(0.75));
 }
 
 TEST_CASE("an arc between two crossings of one edge: one piece goes all the way round") {
   const AssembledFace face({{1, 0.25, 1}, {1, 0.75, 0}}, test::flat_forms(2));
   const auto [pieces, piece_of_run] = face.pieces();
   REQUIRE(pieces.size() == 2);
-  CHECK(test::area_share(pieces[0].corners) == Approx(0).margin(1e-15));
-  CHECK(test::area_share(pieces[1].corners) == Approx(1));
+  CHECK(area_share(pieces[0].corners) == Approx(0).margin(1e-15));
+  CHECK(area_share(pieces[1].corners) == Approx(1));
   CHECK(pieces[1].corners.size() == 5);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a branch point is a corner of its three pieces") {
   const auto& bary = face.diagram.branches[BranchPointId(0)].bary;
   for (const WorkingPiece& piece : pieces) {
     CHECK(std::count(piece.corners.begin(), piece.corners.end(), bary) == 1);
-    CHECK(test::area_share(piece.corners) == Approx(1.0 / 3));
+    CHECK(area_share(piece.corners) == Approx(1.0 / 3));
   }
 }
 

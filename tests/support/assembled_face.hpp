@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "diagram/area_share.hpp"
 #include "diagram/face_assembly.hpp"
 #include "diagram/face_pieces.hpp"
 #include "support/random.hpp"
@@ -24,16 +25,6 @@ inline std::vector<DistanceForm> flat_forms(int count) {
   std::vector<DistanceForm> forms;
   for (int g = 0; g < count; ++g) forms.push_back(form(g, 1 + 0.01 * g, 1 - 0.02 * g, 1 + 0.01 * (g % 2)));
   return forms;
-}
-
-/// Part of the face's area that a polygon in barycentric coordinates has.
-inline double area_share(const std::vector<std::array<double, 3>>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    const auto &p = polygon[i], &q = polygon[(i + 1) % n];
-    twice += p[1] * q[2] - p[2] * q[1];
-  }
-  return twice;
 }
 
 /// One face, assembled. `runs` go once round the face.
@@ -60,11 +51,7 @@ struct AssembledFace {
 
   std::array<double, 3> place(const ArcEnd& end) const {
     if (end.branch.valid()) return diagram.branches[end.branch].bary;
-    const BoundaryCrossing& c = boundary[end.crossing.index()];
-    std::array<double, 3> bary{0, 0, 0};
-    bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
-    bary[static_cast<std::size_t>((c.corner + 1) % 3)] = c.t;
-    return bary;
+    return boundary[end.crossing.index()].bary();
   }
 };
 

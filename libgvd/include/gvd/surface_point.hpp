@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
@@ -45,6 +46,12 @@ VertexId vertex(const Mesh& mesh, const SurfacePoint& point);
 
 /// For a point of kind edge: the halfedge of `point.face` that it lies on.
 HalfedgeId halfedge(const SurfacePoint& point);
+
+/// Whether the point lies on the mesh's boundary.
+bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point);
+
+/// The faces that contain the point: one, two on an edge inside the mesh, all round a vertex. Cost: O(their number).
+std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point);
 
 /// The same point seen from the face with the smallest id that contains it: equal surface points compare equal.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);

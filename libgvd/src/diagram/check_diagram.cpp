@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "diagram/area_share.hpp"
 #include "gvd/check.hpp"
 
 namespace gvd {
@@ -15,15 +16,6 @@ constexpr double kAreaTolerance = 1e-9;
 /// How far a generator may lie outside of its cell, as a part of the bounding box's diagonal: rounding, and a thousand
 /// times the distance within which a generator is taken for a vertex.
 constexpr double kPlaceTolerance = 1e-9;
-
-double area_share(const std::vector<Bary>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    const Bary &p = polygon[i], &q = polygon[(i + 1) % n];
-    twice += p[1] * q[2] - p[2] * q[1];
-  }
-  return twice;
-}
 
 class Checker {
  public:
@@ -179,30 +171,8 @@ class Checker {
     }
   }
 
-  bool on_boundary(const SurfacePoint& p) const {
-    if (p.kind() == SurfacePoint::Kind::edge) return !mesh_.twin(halfedge(p)).valid();
-    return p.kind() == SurfacePoint::Kind::vertex && mesh_.is_boundary(vertex(mesh_, p));
-  }
-
-  /// The faces that contain p.
-  std::vector<FaceId> faces_of(const SurfacePoint& p) const {
-    if (p.kind() == SurfacePoint::Kind::face) return {p.face};
-    if (p.kind() == SurfacePoint::Kind::edge) {
-      const HalfedgeId twin = mesh_.twin(halfedge(p));
-      return twin.valid() ? std::vector<FaceId>{p.face, Mesh::face(twin)} : std::vector<FaceId>{p.face};
-    }
-    std::vector<FaceId> faces;
-    const HalfedgeId start = mesh_.halfedge(vertex(mesh_, p));
-    HalfedgeId h = start;
-    do {
-      faces.push_back(Mesh::face(h));
-      h = mesh_.twin(Mesh::previous(h));
-    } while (h.valid() && h != start);
-    return faces;
-  }
-
   bool share_face(const SurfacePoint& p, const SurfacePoint& q) const {
-    const auto faces_p = faces_of(p), faces_q = faces_of(q);
+    const auto faces_p = faces_around(mesh_, p), faces_q = faces_around(mesh_, q);
     return std::find_first_of(faces_p.begin(), faces_p.end(), faces_q.begin(), faces_q.end()) != faces_p.end();
   }
 
@@ -221,7 +191,7 @@ class Checker {
       }
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const bool resolved =
-            b.closed || b.ends[end].valid() || on_boundary(end == 0 ? b.points.front() : b.points.back());
+            b.closed || b.ends[end].valid() || is_on_boundary(mesh_, end == 0 ? b.points.front() : b.points.back());
         if (!resolved) violate(name("(4) unresolved end of bisector", i));
       }
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <span>
 
+#include "diagram/area_share.hpp"
 #include "diagram/cell_topology.hpp"
 #include "diagram/diagram_graph.hpp"
 #include "diagram/face_pieces.hpp"
@@ -9,16 +10,6 @@ namespace gvd {
 namespace {
 
 using Bary = std::array<double, 3>;
-
-/// Area of a polygon given in barycentric coordinates, as a part of its face's area.
-double area_share(const std::vector<Bary>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    const Bary &p = polygon[i], &q = polygon[(i + 1) % n];
-    twice += p[1] * q[2] - p[2] * q[1];
-  }
-  return twice;
-}
 
 class CellCollector {
  public:

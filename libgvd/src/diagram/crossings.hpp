@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -62,6 +64,14 @@ struct BoundaryCrossing {
   double t;              ///< parameter along that halfedge
   GeneratorId previous;  ///< the cell before it on the way round
   GeneratorId next;      ///< and after it
+
+  /// Barycentric coordinates in the face.
+  std::array<double, 3> bary() const {
+    std::array<double, 3> result{0, 0, 0};
+    result[static_cast<std::size_t>(corner)] = 1 - t;
+    result[static_cast<std::size_t>((corner + 1) % 3)] = t;
+    return result;
+  }
 };
 
 /// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; a loop over faces

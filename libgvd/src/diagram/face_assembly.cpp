@@ -34,13 +34,6 @@ Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-Bary on_boundary(const BoundaryCrossing& c) {
-  Bary bary{0, 0, 0};
-  bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
-  bary[static_cast<std::size_t>((c.corner + 1) % 3)] = c.t;
-  return bary;
-}
-
 bool is_convex(const std::vector<Bary>& polygon) {
   for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
     if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < 0) return false;
@@ -220,7 +213,7 @@ void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, cons
                    FaceDiagram& diagram) {
   if (boundary.empty()) return;
   std::vector<Corner> polygon;
-  for (const BoundaryCrossing& c : boundary) polygon.push_back({at(c.id), on_boundary(c), c.next});
+  for (const BoundaryCrossing& c : boundary) polygon.push_back({at(c.id), c.bary(), c.next});
   FaceAssembly(f, forms, diagram).solve(polygon, true);
 }
 

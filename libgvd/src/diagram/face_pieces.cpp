@@ -12,13 +12,6 @@ constexpr int kNone = -1;
 /// A face cut once or round one branch point has pieces of at most this many corners.
 constexpr std::size_t kUsualCorners = 5;
 
-Bary on_boundary(const BoundaryCrossing& c) {
-  Bary bary{0, 0, 0};
-  bary[static_cast<std::size_t>(c.corner)] = 1 - c.t;
-  bary[static_cast<std::size_t>((c.corner + 1) % 3)] = c.t;
-  return bary;
-}
-
 class PieceTracer {
  public:
   PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
@@ -48,7 +41,7 @@ class PieceTracer {
 
   void follow_run(std::size_t run, std::vector<Bary>& corners) const {
     const BoundaryCrossing &from = boundary_[run], &to = boundary_[(run + 1) % boundary_.size()];
-    corners.push_back(on_boundary(from));
+    corners.push_back(from.bary());
     const bool wraps = to.corner < from.corner || (to.corner == from.corner && to.t <= from.t);
     const int last = to.corner + (wraps ? 3 : 0);
     for (int corner = from.corner + 1; corner <= last; ++corner) {
@@ -60,7 +53,7 @@ class PieceTracer {
 
   /// From boundary crossing i into the face, keeping to the left, until the boundary is met again: returns the crossing.
   std::size_t follow_arcs(std::size_t i, std::vector<Bary>& corners) const {
-    corners.push_back(on_boundary(boundary_[i]));
+    corners.push_back(boundary_[i].bary());
     ArcEnd here = at(boundary_[i].id);
     const GeneratorId own = boundary_[i].previous;
     const FaceArc* last = nullptr;

@@ -8,18 +8,6 @@
 namespace gvd {
 namespace {
 
-bool on_boundary(const Mesh& mesh, const SurfacePoint& point) {
-  switch (point.kind()) {
-    case SurfacePoint::Kind::vertex:
-      return mesh.is_boundary(vertex(mesh, point));
-    case SurfacePoint::Kind::edge:
-      return mesh.is_boundary(mesh.edge(halfedge(point)));
-    case SurfacePoint::Kind::face:
-      return false;
-  }
-  return false;
-}
-
 /// What the diagram's graph contributes to twice (sum of the cells' Euler characteristics - that of the mesh): a branch
 /// point of degree d inside gives d - 2, one on the boundary d, a bisector's end on the boundary 1. With V - E + F of
 /// the cells, bisectors, and pieces of boundary between them.
@@ -27,7 +15,7 @@ std::int64_t count_meetings(const Mesh& mesh, const Diagram& diagram) {
   std::int64_t meetings = 0;
   for (const Bisector& bisector : diagram.bisectors) meetings += bisector.closed ? 0 : 2;
   for (const BranchPoint& branch_point : diagram.branch_points)
-    meetings -= on_boundary(mesh, branch_point.point) ? 0 : 2;
+    meetings -= is_on_boundary(mesh, branch_point.point) ? 0 : 2;
   return meetings;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -72,16 +73,34 @@ HalfedgeId halfedge(const SurfacePoint& point) {
   return Mesh::next(Mesh::halfedge(point.face, static_cast<int>(zero)));
 }
 
+bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point) {
+  switch (point.kind()) {
+    case SurfacePoint::Kind::vertex: return mesh.is_boundary(vertex(mesh, point));
+    case SurfacePoint::Kind::edge: return mesh.is_boundary(mesh.edge(halfedge(point)));
+    case SurfacePoint::Kind::face: break;
+  }
+  return false;
+}
+
+std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point) {
+  std::vector<FaceId> faces;
+  if (point.kind() == SurfacePoint::Kind::vertex) {
+    for_each_outgoing(mesh, vertex(mesh, point), [&](HalfedgeId h) { faces.push_back(Mesh::face(h)); });
+    return faces;
+  }
+  faces.push_back(point.face);
+  if (point.kind() == SurfacePoint::Kind::edge) {
+    const HalfedgeId twin = mesh.twin(halfedge(point));
+    if (twin.valid()) faces.push_back(Mesh::face(twin));
+  }
+  return faces;
+}
+
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
   switch (point.kind()) {
     case SurfacePoint::Kind::vertex: {
       HalfedgeId best = mesh.halfedge(vertex(mesh, point));
-      const HalfedgeId start = best;
-      HalfedgeId h = start;
-      do {
-        best = std::min(best, h);
-        h = mesh.twin(Mesh::previous(h));
-      } while (h.valid() && h != start);
+      for_each_outgoing(mesh, vertex(mesh, point), [&](HalfedgeId h) { best = std::min(best, h); });
       return {Mesh::face(best), unit(static_cast<std::size_t>(Mesh::corner(best)))};
     }
     case SurfacePoint::Kind::edge: {
