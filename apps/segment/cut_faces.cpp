@@ -17,7 +17,7 @@ namespace {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), shares_(diagram) {
+      : mesh_(mesh), diagram_(diagram), shares_(diagram), reach_(place_reach(mesh.positions())) {
     triangles_.positions = mesh.positions();
   }
 
@@ -72,11 +72,12 @@ class Cutter {
       const HalfedgeId h = mesh_.halfedge(point.edge);
       const Vec3 place = (1 - point.t) * mesh_.position(mesh_.from(h)) + point.t * mesh_.position(mesh_.to(h));
       const EdgePoint* const last = i > 0 && edge_points_[i - 1].edge == point.edge ? &edge_points_[i - 1] : nullptr;
-      if (place == mesh_.position(mesh_.from(h))) {
+      if (same_place(place, mesh_.position(mesh_.from(h)), reach_)) {
         point.vertex = mesh_.from(h);
-      } else if (place == mesh_.position(mesh_.to(h))) {
+      } else if (same_place(place, mesh_.position(mesh_.to(h)), reach_)) {
         point.vertex = mesh_.to(h);
-      } else if (last && (point.t - last->t <= kCutWeld || triangles_.positions[last->vertex.index()] == place)) {
+      } else if (last && (point.t - last->t <= kCutWeld ||
+                          same_place(triangles_.positions[last->vertex.index()], place, reach_))) {
         point.vertex = last->vertex;
       } else {
         point.vertex = add_vertex(place);
@@ -138,7 +139,7 @@ class Cutter {
       add_triangle(mesh_.vertices(f), f, whole);
       return;
     }
-    FaceTiling tiling(std::move(border));
+    FaceTiling tiling(std::move(border), reach_);
     for (const FacePiece& piece : pieces) {
       FaceTiling::Polygon polygon{piece.generator, {}};
       for (const auto& bary : piece.corners) polygon.corners.push_back(tiling.find_or_add(corner_of(f, bary)));
@@ -187,6 +188,7 @@ class Cutter {
   const Mesh& mesh_;
   const Diagram& diagram_;
   FaceShares shares_;
+  double reach_;
   std::vector<EdgePoint> edge_points_;  ///< sorted by edge and t
   CutTriangles triangles_;
   CutMesh result_;

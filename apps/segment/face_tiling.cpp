@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -30,13 +31,21 @@ std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::si
 
 }  // namespace
 
-FaceTiling::FaceTiling(std::vector<Corner> border) : corners_(std::move(border)), border_(corners_.size()) {}
+double place_reach(const std::vector<Vec3>& positions) {
+  double largest = 0;
+  for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return kPlaceSteps * std::numeric_limits<double>::epsilon() * largest;
+}
+
+FaceTiling::FaceTiling(std::vector<Corner> border, double reach)
+    : corners_(std::move(border)), border_(corners_.size()), reach_(reach) {}
 
 std::size_t FaceTiling::find_or_add(const Corner& corner) {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const bool same = corner.vertex.valid()
                           ? corners_[i].vertex == corner.vertex
-                          : same_place(corners_[i].bary, corner.bary) || corners_[i].position == corner.position;
+                          : same_place(corners_[i].bary, corner.bary) ||
+                                same_place(corners_[i].position, corner.position, reach_);
     if (same) return i;
   }
   corners_.push_back(corner);

@@ -15,6 +15,15 @@ namespace gvd {
 /// sides, differs by some 1e-15.
 inline constexpr double kCutWeld = 1e-12;
 
+/// Two positions are one where they lie within this many rounding steps of the mesh's largest coordinate from each
+/// other: a point between two others is rounded by one step in each of the three terms, and once for their sum.
+inline constexpr double kPlaceSteps = 4;
+
+/// kPlaceSteps for the coordinates of a mesh, mesh units. Cost: O(n).
+double place_reach(const std::vector<Vec3>& positions);
+
+inline bool same_place(const Vec3& p, const Vec3& q, double reach) { return (p - q).cwiseAbs().maxCoeff() <= reach; }
+
 /// The corners and polygons of one face that is cut.
 class FaceTiling {
  public:
@@ -29,9 +38,10 @@ class FaceTiling {
   };
 
   /// `border`: the face's three corners and the points on its edges, counter-clockwise from its first corner.
-  explicit FaceTiling(std::vector<Corner> border);
+  /// `reach`: see place_reach.
+  FaceTiling(std::vector<Corner> border, double reach);
 
-  /// The corner on the border with this vertex, or one inside within kCutWeld or at the same position; a new one
+  /// The corner on the border with this vertex, or one inside within kCutWeld or at the same place; a new one
   /// otherwise.
   std::size_t find_or_add(const Corner& corner);
 
@@ -60,6 +70,7 @@ class FaceTiling {
 
   std::vector<Corner> corners_;  ///< the border first
   std::size_t border_;
+  double reach_;
   std::vector<Polygon> polygons_;
 };
 

@@ -216,6 +216,29 @@ TEST_CASE("cut: two faces that lie on each other stay a manifold") {
   }
 }
 
+TEST_CASE("cut: far from the origin, where points of different edges round to one place") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const double offset : {1e8, 1e10}) {
+      std::vector<Vec3> positions = mesh.positions();
+      for (Vec3& p : positions) p += Vec3::Constant(offset);
+      std::vector<std::array<VertexId, 3>> faces;
+      for (int f = 0; f < mesh.face_count(); ++f) faces.push_back(mesh.vertices(FaceId(f)));
+      Mesh moved;
+      try {
+        moved = Mesh(std::move(positions), std::move(faces));
+      } catch (const Error&) {
+        continue;  // corners have become one
+      }
+      CAPTURE(name, offset);
+      const CutMesh cut = cut_faces(moved, compute_diagram(moved, random_points(moved, 300, 5)));
+      const MeshSummary before = compute_mesh_summary(moved), after = compute_mesh_summary(cut.mesh);
+      CHECK(cut.uncut_faces == 0);
+      CHECK(after.euler_characteristic == before.euler_characteristic);
+      CHECK(after.boundary_loops == before.boundary_loops);
+    }
+  }
+}
+
 TEST_CASE("cut: only the edges inside faces that lie on each other get a vertex in the middle") {
   const Mesh mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
                   {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(1)}});
