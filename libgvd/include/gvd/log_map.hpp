@@ -48,6 +48,7 @@ class LogMapSolver {
     Polar value;
     Polar direct;  // straight through a face round the origin; infinite elsewhere
     bool accepted;
+    bool stale;  // a value beside it has changed since its own was computed
   };
 
   void open_patch(const SurfacePoint& origin, const std::vector<FaceId>& faces);

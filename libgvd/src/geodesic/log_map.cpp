@@ -85,7 +85,7 @@ void LogMapSolver::open_face(FaceId f) {
   for (const VertexId v : mesh_.vertices(f)) {
     if (vertex_stamp_[v] == turn_) continue;
     vertex_stamp_[v] = turn_;
-    state_[v] = {{kInfinity, 0}, {kInfinity, 0}, false};
+    state_[v] = {{kInfinity, 0}, {kInfinity, 0}, false, false};
     order_.push_back(v);
   }
 }
@@ -158,11 +158,14 @@ void LogMapSolver::spread(VertexId v) {
 
 /// The shortest way to v through its faces in the patch.
 LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
-  Polar result = state_[v].direct;
+  const Polar direct = state_[v].direct;
   const auto known = [&](VertexId x) {
     const bool usable = !accepted_only || state_[x].accepted;
     return usable ? state_[x].value : Polar{kInfinity, 0};
   };
+  PolarStep shortest;
+  shortest.distance = direct.distance;
+  HalfedgeId shortest_base;
   for_each_halfedge(v, [&](HalfedgeId leaving) {
     if (face_stamp_[Mesh::face(leaving)] != turn_) return;
     const HalfedgeId base = Mesh::next(leaving);
@@ -177,19 +180,32 @@ LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
       step = {update_along_edges(t, a.distance, b.distance),
               from_a ? PolarStep::Way::along_a : PolarStep::Way::along_b};
     }
-    if (!(step.distance < result.distance * (1 - kSettled))) return;  // of equals, the direct one and the first
-    result = {step.distance, polar_angle(t, step, a.angle, b.angle)};
+    if (!(step.distance < shortest.distance * (1 - kSettled))) return;  // of equals, the direct one and the first
+    shortest = step;
+    shortest_base = base;
   });
-  return result;
+  if (!shortest_base.valid()) return direct;
+  const double angle_a = state_[mesh_.from(shortest_base)].value.angle;
+  const double angle_b = state_[mesh_.to(shortest_base)].value.angle;
+  return {shortest.distance, polar_angle(triangle_on(mesh_, shortest_base), shortest, angle_a, angle_b)};
 }
 
+/// Computes values again in the order of distance. Only those round a value that has changed can change.
 void LogMapSolver::settle() {
+  for (const VertexId v : order_) state_[v].stale = true;
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool changed = false;
     for (const VertexId v : order_) {
-      const Polar before = state_[v].value;
-      state_[v].value = best(v, false);
-      changed = changed || std::abs(state_[v].value.distance - before.distance) > kSettled * before.distance;
+      if (!state_[v].stale) continue;
+      state_[v].stale = false;
+      const Polar before = state_[v].value, after = best(v, false);
+      if (after.distance == before.distance && after.angle == before.angle) continue;
+      state_[v].value = after;
+      for_each_halfedge(v, [&](HalfedgeId h) {
+        state_[mesh_.to(h)].stale = true;
+        state_[mesh_.opposite(h)].stale = true;
+      });
+      changed = changed || std::abs(after.distance - before.distance) > kSettled * before.distance;
     }
     if (!changed) return;
   }

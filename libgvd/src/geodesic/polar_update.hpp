@@ -35,7 +35,8 @@ inline PolarStep step_to_corner(const UpdateTriangle& t, double distance_a, doub
   const double depth = std::sqrt(depth_squared), span = depth + t.height;
   const double crossing = source_x * t.height + t.x * depth;  // times 1 / span: where the ray meets the base
   if (crossing < 0 || crossing > t.base * span) return along_edges();
-  return {std::hypot(t.x - source_x, span), PolarStep::Way::through_base, source_x, depth};
+  const double dx = t.x - source_x;
+  return {std::sqrt(dx * dx + span * span), PolarStep::Way::through_base, source_x, depth};
 }
 
 /// Direction at D, in radians, out of those at A and B: between the two in the ratio of the unfolded angles, on the
