@@ -1,10 +1,8 @@
-// Real meshes: those of Debian's package libcgal-demo. GVD_CORPUS names the folder that they are unpacked in.
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
+// Readers and diagrams over real meshes.
 #include <iostream>
-#include <vector>
+#include <string>
 
+#include "corpus/corpus.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
@@ -13,25 +11,7 @@
 #include "support/generators.hpp"
 
 using namespace gvd;
-
-namespace {
-
-/// Files of the corpus, by name; empty, with a word, where there is none.
-std::vector<std::filesystem::path> corpus() {
-  const char* folder = std::getenv("GVD_CORPUS");
-  std::vector<std::filesystem::path> files;
-  if (folder != nullptr && std::filesystem::is_directory(folder)) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const auto extension = entry.path().extension();
-      if (extension == ".off" || extension == ".ply" || extension == ".stl" || extension == ".obj") files.push_back(entry.path());
-    }
-  }
-  if (files.empty()) WARN("skipped: no meshes in GVD_CORPUS (Debian's libcgal-demo carries them)");
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-}  // namespace
+using test::corpus;
 
 TEST_CASE("every mesh of the corpus is read, or refused with one line that names its place") {
   for (const auto& file : corpus()) {
