@@ -38,7 +38,7 @@ void write_output_files(Run& run, const LabelledMesh& mesh,
 /// Writes `--diagram` where it is asked for.
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
 
-/// Writes `--view` where it is asked for; `make_scenes` is called only then.
+/// Writes `--view` where it is asked for; `make_scenes` is called only then. The input's file name joins the title.
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes);
 
 /// With `--verify`: measures the diagram against exact distances, for the report and on standard error.

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 
 #include "common/pipeline.hpp"
@@ -62,7 +63,8 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
   const std::string& path = run.options().output.view;
   if (path.empty()) return;
   ViewOptions options;
-  options.title = title;
+  const std::string& input = run.options().input.path;
+  options.title = input == "-" ? title : title + ": " + std::filesystem::path(input).filename().string();
   run.timed("write view", [&] {
     const std::string page = make_view_page(make_scenes(), options);
     write_file(

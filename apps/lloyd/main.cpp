@@ -130,6 +130,18 @@ void write_outputs(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   app::write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
+/// Where the generators have come to, and where they came from.
+std::vector<ViewScene> scenes(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydResult& relaxed,
+                              const DiagramOptions& options) {
+  std::vector<ViewScene> both{make_view_scene("Relaxed", mesh, relaxed.diagram),
+                              make_view_scene("Start", mesh, compute_diagram(mesh, start, options))};
+  both[0].figures.push_back({"Energy", fmt::format("{:.6g}", relaxed.final_energy)});
+  both[1].figures.push_back({"Energy", fmt::format("{:.6g}", relaxed.initial_energy)});
+  both[0].figures.push_back({"Iterations", fmt::format("{}", relaxed.iterations.size())});
+  both[0].figures.push_back({"Stopped by", name(relaxed.stop)});
+  return both;
+}
+
 void lloyd(app::Run& run, const LloydOptions& options) {
   report_options(run, options);
   const CheckedMesh input = app::load_input(run);
@@ -139,7 +151,13 @@ void lloyd(app::Run& run, const LloydOptions& options) {
   const Diagram diagram = app::build_diagram(run, mesh, relaxed.generators);
   write_outputs(run, mesh, diagram);
   app::write_diagram_file(run, mesh, diagram);
-  app::write_view_file(run, "gvd-lloyd", [&] { return std::vector{make_view_scene("Relaxed", mesh, diagram)}; });
+  app::write_view_file(run, "gvd-lloyd", [&] {
+    DiagramOptions start_options;
+    start_options.method = run.options().compute.method;
+    start_options.front = run.options().compute.front;
+    start_options.progress = run.progress();
+    return scenes(mesh, start, relaxed, start_options);
+  });
   app::verify(run, mesh, diagram);
   app::write_report_file(run);
 }

@@ -65,6 +65,21 @@ TEST_CASE("gvd-lloyd: every list that it writes is read back by every command, b
   }
 }
 
+TEST_CASE("gvd-lloyd: its page shows the relaxed generators and those of the start") {
+  const ScratchFolder scratch;
+  const CommandResult result = run_command("gvd-lloyd", data_file("figure.obj") + kVertices + "--view " + scratch / "v.html");
+  if (result.exit_code == 2) {
+    WARN("skipped: this build is without the viewer");
+    return;
+  }
+  REQUIRE(result.exit_code == 0);
+  const std::string page = read_text(scratch / "v.html");
+  CHECK_THAT(page, Contains("<title>gvd-lloyd: figure.obj</title>"));
+  for (const char* part : {"\"name\":\"Relaxed\"", "\"name\":\"Start\"", "Energy", "Stopped by"}) {
+    CHECK(page.find(part) != std::string::npos);
+  }
+}
+
 TEST_CASE("gvd-lloyd: options out of range are usage errors") {
   const std::string mesh = data_file("torus.ply") + kVertices;
   for (const char* bad : {"--iterations -1", "--iterations 1.5", "--tolerance -1", "--tolerance nan", "--step 0",
