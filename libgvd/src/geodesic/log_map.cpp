@@ -25,8 +25,9 @@ constexpr double kSettled = 1e-12;
 
 /// The triangle of h's face on h as its base: A = from(h), B = to(h), D opposite.
 UpdateTriangle triangle_on(const Mesh& mesh, HalfedgeId h) {
-  return make_update_triangle(mesh.length(h), mesh.length(Mesh::previous(h)), mesh.length(Mesh::next(h)),
-                              2 * mesh.area(Mesh::face(h)));
+  const FaceShape& s = mesh.shape(Mesh::face(h));
+  const auto i = static_cast<std::size_t>(Mesh::corner(h));
+  return make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
 }
 
 }  // namespace
@@ -170,7 +171,9 @@ LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
     if (face_stamp_[Mesh::face(leaving)] != turn_) return;
     const HalfedgeId base = Mesh::next(leaving);
     const Polar a = known(mesh_.from(base)), b = known(mesh_.to(base));
-    if (!(std::min(a.distance, b.distance) < kInfinity)) return;
+    // No point of the base is nearer than this, and so no way through it is shorter: behind v that ends the matter.
+    const double nearest = 0.5 * (a.distance + b.distance - mesh_.length(base));
+    if (!(std::min({a.distance, b.distance, nearest}) < shortest.distance)) return;
     const UpdateTriangle t = triangle_on(mesh_, base);
     PolarStep step;
     if (a.distance < kInfinity && b.distance < kInfinity) {
