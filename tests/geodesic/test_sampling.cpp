@@ -448,3 +448,36 @@ TEST_CASE("faces without area, folded on each other, do not keep a march from it
   }
   CHECK(!cover(mesh, 0.5).empty());
 }
+
+TEST_CASE("a disc made of a fan of needles does not keep a march from its end") {
+  // The needles of a polygon's first corner, each cut into rows of equal triangles: row l has l pieces a needle.
+  constexpr int kNeedles = 126, kRows = 16;
+  std::vector<Vec3> points;
+  std::vector<int> row_start;
+  for (int row = 0; row <= kRows; ++row) {
+    row_start.push_back(static_cast<int>(points.size()));
+    for (int k = 0; k <= kNeedles * row; ++k) {
+      const int needle = row > 0 ? std::min(k / row, kNeedles - 1) : 0;
+      const auto corner = [](int i) -> Vec3 {
+        const double angle = 2 * std::numbers::pi * (i + 1) / (kNeedles + 2);
+        return {std::cos(angle) - 1, std::sin(angle), 0};
+      };
+      const double part = row > 0 ? double(k - needle * row) / row : 0;
+      points.push_back(double(row) / kRows * ((1 - part) * corner(needle) + part * corner(needle + 1)));
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int row = 0; row < kRows; ++row) {
+    for (int needle = 0; needle < kNeedles; ++needle) {
+      for (int k = 0; k <= row; ++k) {
+        const int above = row_start[row] + needle * row + k, below = row_start[row + 1] + needle * (row + 1) + k;
+        faces.push_back({VertexId(above), VertexId(below), VertexId(below + 1)});
+        if (k < row) faces.push_back({VertexId(above), VertexId(below + 1), VertexId(above + 1)});
+      }
+    }
+  }
+  const Mesh mesh(points, faces);
+  const auto chosen = sample(mesh, Sampling::farthest, 20);
+  CHECK(chosen.size() == 20);
+  CHECK(all_distinct(mesh, chosen));
+}

@@ -20,8 +20,8 @@ class LocalMarch {
   /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[v] where `upper` is
   /// given. The ring of vertices round these gets its distances too, since they improve those inside.
   ///
-  /// Label-correcting: the distances are a fixed point of the updates, whatever the queue's order.
-  /// Cost: O(k log k) for k vertices reached.
+  /// Label-correcting: the distances are a fixed point of the updates, whatever the queue's order; where updates bring
+  /// each other down again and again it ends near one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 
   /// The vertices that the last run reached, each once, in the order in which it first did.
@@ -38,6 +38,7 @@ class LocalMarch {
   struct Node {
     double distance;
     std::int32_t run;
+    std::int32_t improvements;  // in that run
   };
   struct Event {
     double distance;
