@@ -148,7 +148,9 @@ class DualChecker {
 
   void check_neighbours() {
     for (const Cell& c : diagram_.cells) {
-      const std::size_t least = boundary_ends_[c.generator] > 0 ? 2 : 3;
+      const bool whole_component = c.neighbours.empty();
+      const bool at_boundary = boundary_ends_[c.generator] > 0 || (whole_component && c.boundary_loops > 0);
+      const std::size_t least = at_boundary ? 2 : 3;
       if (c.neighbours.size() >= least) continue;
       add_cell_defect(DualProperty::enough_neighbours, c.generator,
                       fmt::format("has {} neighbours and needs {}", c.neighbours.size(), least));

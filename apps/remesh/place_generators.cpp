@@ -1,6 +1,7 @@
 #include "place_generators.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -15,8 +16,12 @@ namespace {
 class Placer {
  public:
   Placer(const Mesh& mesh, const Diagram& diagram, std::size_t room)
-      : mesh_(mesh), diagram_(diagram), room_(room), taken_(diagram.generators.size(), 0) {
-    for (const SurfacePoint& g : diagram.generators) occupied_.push_back(position(mesh, g));
+      : mesh_(mesh),
+        diagram_(diagram),
+        room_(room),
+        component_(compute_face_components(mesh)),
+        taken_(diagram.generators.size(), 0) {
+    for (const SurfacePoint& g : diagram.generators) occupy(g);
   }
 
   std::vector<SurfacePoint> place(const std::vector<DualDefect>& defects) {
@@ -65,14 +70,27 @@ class Placer {
   }
 
   bool add(const SurfacePoint& point) {
-    const Vec3 at = position(mesh_, point);
     const double least = kLeastSpacing * mesh_.bbox_diagonal();
-    const bool free = std::all_of(occupied_.begin(), occupied_.end(),
-                                  [&](const Vec3& p) { return (p - at).squaredNorm() > least * least; });
-    if (!free || points_.size() == room_) return false;
-    occupied_.push_back(at);
+    if (points_.size() == room_ || !(clearance(point) > least)) return false;
+    occupy(point);
     points_.push_back(point);
     return true;
+  }
+
+  void occupy(const SurfacePoint& point) {
+    occupied_.push_back(position(mesh_, point));
+    occupied_component_.push_back(component_[point.face]);
+  }
+
+  /// From the nearest generator of the same component: others may touch it.
+  double clearance(const SurfacePoint& point) const {
+    const Vec3 at = position(mesh_, point);
+    const std::int32_t component = component_[point.face];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < occupied_.size(); ++i) {
+      if (occupied_component_[i] == component) least = std::min(least, (occupied_[i] - at).squaredNorm());
+    }
+    return std::sqrt(least);
   }
 
   double distance(const SurfacePoint& point, GeneratorId g) const {
@@ -80,8 +98,7 @@ class Placer {
   }
 
   void reach_component(std::int32_t component) {
-    const auto components = compute_face_components(mesh_);
-    const FaceId f(std::find(components.begin(), components.end(), component) - components.begin());
+    const FaceId f(std::find(component_.begin(), component_.end(), component) - component_.begin());
     add(vertex_point(mesh_, mesh_.vertices(f)[0]));
   }
 
@@ -161,24 +178,17 @@ class Placer {
     add_best(places, [&](const SurfacePoint& p) { return clearance(p); });
   }
 
-  double clearance(const SurfacePoint& point) const {
-    const Vec3 at = position(mesh_, point);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vec3& p : occupied_) least = std::min(least, (p - at).squaredNorm());
-    return least;
-  }
-
-  /// The cell's farthest vertex; where it has none that is free, the farthest point of its bisectors.
+  /// The cell's farthest vertex that is free; where it has none, the farthest point of its bisectors.
   void add_farthest(GeneratorId g) {
-    VertexId best;
-    double most = 0;
+    std::vector<SurfacePoint> places;
+    const std::size_t before = points_.size();
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
       const VertexId v(i);
-      if (diagram_.vertex_label[v] != g || !(diagram_.vertex_distance[v] > most)) continue;
-      std::tie(most, best) = std::tuple(diagram_.vertex_distance[v], v);
+      if (diagram_.vertex_label[v] == g) places.push_back(vertex_point(mesh_, v));
     }
-    if (best.valid() && add(vertex_point(mesh_, best))) return;
-    std::vector<SurfacePoint> places;
+    add_best(places, [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; });
+    if (points_.size() > before) return;
+    places.clear();
     for (const Bisector& b : diagram_.bisectors) {
       if (b.left == g || b.right == g) places.insert(places.end(), b.points.begin(), b.points.end());
     }
@@ -219,8 +229,10 @@ class Placer {
   const Mesh& mesh_;
   const Diagram& diagram_;
   std::size_t room_;
+  IdVector<FaceId, std::int32_t> component_;
   IdVector<GeneratorId, char> taken_;
   std::vector<Vec3> occupied_;  // the generators' positions, then those of the new ones
+  std::vector<std::int32_t> occupied_component_;
   std::vector<SurfacePoint> points_;
   std::optional<CellLoops> loops_;
   bool can_cut_ = true;

@@ -116,6 +116,16 @@ TEST_CASE("dual: (4) a bisector from boundary to boundary, or a closed one, has 
   CHECK(!finds(closed, DualProperty::cell_is_disc));
 }
 
+TEST_CASE("dual: (7) a cell that is a whole component needs two neighbours where that has a boundary, else three") {
+  const Mesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const auto defects = check(triangle, {vertex_point(triangle, VertexId(0))});
+  REQUIRE(defects.size() == 1);
+  CHECK_THAT(defects.front().message, Catch::Matchers::Contains("has 0 neighbours and needs 2"));
+  const Mesh sphere = test::make_sphere(2);
+  const auto closed = check(sphere, {vertex_point(sphere, VertexId(0))});
+  CHECK_THAT(closed.back().message, Catch::Matchers::Contains("has 0 neighbours and needs 3"));
+}
+
 TEST_CASE("dual: (6) and (7) three cells on a sphere meet twice") {
   const Mesh mesh = test::make_sphere(3);
   const auto defects = check(mesh, extremes(mesh, {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}));

@@ -104,6 +104,13 @@ TEST_CASE("remesh: components without a generator get some") {
   CHECK(result.certificate.same_in_each_component);
 }
 
+TEST_CASE("remesh: components may touch, and a generator of one takes no room from another") {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const Mesh mesh(corners, {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(3), VertexId(4), VertexId(5)}});
+  const RemeshResult result = require_remesh(mesh, {vertex_point(mesh, VertexId(0))});
+  CHECK(result.certificate.output.components == 2);
+}
+
 TEST_CASE("remesh: many generators in one face") {
   const Mesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{VertexId(0), VertexId(1), VertexId(2)}});
   require_remesh(triangle, {vertex_point(triangle, VertexId(0))});
