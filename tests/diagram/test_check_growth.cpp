@@ -70,9 +70,65 @@ TEST_CASE("crossings that come too close to each other, or to the ends of their 
 }
 
 TEST_CASE("crossings of one edge whose cells do not follow each other are refused") {
-  TwoAcross x;
-  std::swap(x.grown.nodes[4].crossing.t, x.grown.nodes[5].crossing.t);
+  TwoAcross swapped;
+  std::swap(swapped.grown.nodes[4].crossing.t, swapped.grown.nodes[5].crossing.t);
+  CHECK_FALSE(swapped.check());
+  // The same on all three edges, rim included: 0 | 1, and 3 | 2.
+  TwoAcross broken;
+  const auto rename = [](GeneratorId& g) { g = g == GeneratorId(1) ? GeneratorId(3) : g; };
+  for (const std::size_t i : {1u, 3u}) rename(broken.items[i].before), rename(broken.items[i].after);
+  rename(broken.grown.nodes[5].crossing.before), rename(broken.grown.nodes[5].crossing.after);
+  for (const std::size_t i : {1u, 3u}) rename(broken.grown.arcs[i].left), rename(broken.grown.arcs[i].right);
+  CHECK_FALSE(broken.check());
+}
+
+TEST_CASE("an arc whose cells are not those of the crossing where it begins is refused") {
+  CornerAndBranch x;  // in the order of the branch point they are still right: all three turned by one
+  const std::array<std::pair<int, int>, 3> turned{std::pair(1, 2), {2, 0}, {0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    x.grown.arcs[i + 1].left = GeneratorId(turned[i].first);
+    x.grown.arcs[i + 1].right = GeneratorId(turned[i].second);
+  }
   CHECK_FALSE(x.check());
+}
+
+TEST_CASE("a rim crossing that is left out, or whose arc runs outside of the gap, is refused") {
+  HandMade sound, outside, left_out;
+  const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
+  for (HandMade* x : {&sound, &outside, &left_out}) {
+    const HalfedgeId h = x->halfedge(a, b);
+    x->gap.faces = {Mesh::face(h)};
+    x->add_rim(a, b, 0.3, 0, 1);  // cell 1 pokes into the gap
+    x->add_rim(a, b, 0.6, 1, 0);
+    if (x != &left_out) x->add_rim_nodes();
+    if (x == &sound) x->add_arc(Mesh::face(h), 0, 1, 0, 1);
+    if (x == &outside) x->add_arc(Mesh::face(x->mesh.twin(h)), 0, 1, 1, 0);
+  }
+  CHECK(sound.check());
+  CHECK_FALSE(outside.check());
+  CHECK_FALSE(left_out.check());
+}
+
+TEST_CASE("a new crossing with both arcs in one face, and a rim crossing that stands for two, are refused") {
+  for (const bool both_below : {false, true}) {
+    HandMade x;
+    const int a = HandMade::at(1, 1), b = HandMade::at(2, 1), c = HandMade::at(2, 2), d = HandMade::at(1, 2);
+    const FaceId below = Mesh::face(x.halfedge(a, b)), above = Mesh::face(x.halfedge(c, d));
+    x.gap.faces = {std::min(below, above), std::max(below, above)};
+    x.add_inside(a, c, 0.4, 0, 1);  // cell 1 lies round the middle of the edge
+    x.add_inside(a, c, 0.6, 1, 0);
+    x.add_arc(below, 0, 1, 1, 0);
+    if (both_below) {
+      x.add_arc(below, 0, 1, 1, 0);
+    } else {
+      x.add_arc(above, 0, 1, 0, 1);
+    }
+    CHECK(x.check() != both_below);
+  }
+  TwoAcross twice;
+  twice.grown.nodes[1].rim = twice.grown.nodes[0].rim;
+  twice.grown.arcs[1].left = GeneratorId(0), twice.grown.arcs[1].right = GeneratorId(1);
+  CHECK_FALSE(twice.check());
 }
 
 TEST_CASE("an edge that contradicts the labels of its ends is refused") {

@@ -1,7 +1,6 @@
 // Growth through gaps and its events; what has grown is checked in test_check_growth.cpp.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 
 #include "diagram/growing_end.hpp"
@@ -179,12 +178,21 @@ TEST_CASE("a gap that growth does not close is assembled, and the diagram is com
   CHECK(assembled > 20);
 }
 
-TEST_CASE("a gap of more than 200 faces is left to assembly") {
-  const Mesh mesh = test::make_grid(24, 17);
-  test::GrownGaps g(mesh, test::at_vertices(mesh, kSpread));
-  const auto small = std::find_if(g.grown.begin(), g.grown.end(), [](const auto& x) { return x.has_value(); });
-  REQUIRE(small != g.grown.end());
-  Gap gap = g.gaps[static_cast<std::size_t>(std::distance(g.grown.begin(), small))];
-  gap.faces.resize(201, gap.faces.back());  // the same faces, and more than growth looks at
-  CHECK_FALSE(grow_gap(g.stages.working, g.stages.table(), g.stages.labels, g.stages.rough, gap));
+TEST_CASE("growth takes gaps of up to 200 faces, whatever their tables say, and leaves larger ones to assembly") {
+  constexpr int kWide = 30;
+  const Mesh mesh = test::make_grid(kWide, kWide);
+  const auto at = [](int i, int j) { return j * (kWide + 1) + i; };
+  const test::Stages stages(mesh, test::at_vertices(mesh, {at(2, 3), at(27, 4), at(14, 28)}), Front::circle);
+  Gap gap;  // 10 x 10 squares round the circumcentre
+  for (int j = 9; j < 19; ++j) {
+    for (int f = 2 * (j * kWide + 10); f < 2 * (j * kWide + 20); ++f) gap.faces.emplace_back(f);
+  }
+  REQUIRE(gap.faces.size() == 200);
+  const auto grown = grow_gap(stages.working, stages.table(), stages.labels, stages.rough, gap);
+  REQUIRE(grown);
+  CHECK(test::count_nodes(*grown, GapNode::Kind::rim) == 3);
+  CHECK(test::count_nodes(*grown, GapNode::Kind::branch) == 1);
+  CHECK(test::count_nodes(*grown, GapNode::Kind::crossing) > 10);
+  gap.faces.emplace_back(2 * (19 * kWide + 10));  // one more, which no bisector meets
+  CHECK_FALSE(grow_gap(stages.working, stages.table(), stages.labels, stages.rough, gap));
 }
