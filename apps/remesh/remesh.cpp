@@ -43,11 +43,21 @@ class Remesher {
     std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);
     if (!defects.empty()) return defects;
     const DualMesh dual = build_dual(mesh_, result_.diagram);
+    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+      if (has_coincident_corners(dual.faces[i])) defects.push_back(triangle_defect(dual, i, "has an edge of length 0"));
+    }
+    if (!defects.empty()) return defects;
     build_mesh(dual);
     for (const FaceId f : find_flipped_faces(mesh_, result_.mesh, result_.generators, result_.face_points)) {
-      defects.push_back(flipped(dual, f));
+      defects.push_back(triangle_defect(dual, f.index(), "is flipped"));
     }
     return defects;
+  }
+
+  /// The two sides of a slit are far from each other on the surface, and at one place in space.
+  bool has_coincident_corners(const std::array<GeneratorId, 3>& face) const {
+    const auto at = [&](std::size_t corner) { return position(mesh_, result_.generators[face[corner].index()]); };
+    return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
   }
 
   void build_mesh(const DualMesh& dual) {
@@ -67,16 +77,15 @@ class Remesher {
     }
   }
 
-  DualDefect flipped(const DualMesh& dual, FaceId f) const {
+  DualDefect triangle_defect(const DualMesh& dual, std::size_t face, const std::string& what) const {
     DualDefect defect;
     defect.property = DualProperty::not_flipped;
-    defect.branch_point = dual.branch_points[f.index()];
-    const auto& [a, b, c] = dual.faces[f.index()];
+    defect.branch_point = dual.branch_points[face];
+    const auto& [a, b, c] = dual.faces[face];
     defect.cells = {a, b, c};
     const Vec3& at = result_.diagram.branch_points[defect.branch_point].position;
-    defect.message =
-        fmt::format("(10) the triangle of the generators {}, {} and {} is flipped, near ({:.6g}, {:.6g}, {:.6g})",
-                    a.value(), b.value(), c.value(), at.x(), at.y(), at.z());
+    defect.message = fmt::format("(10) the triangle of the generators {}, {} and {} {}, near ({:.6g}, {:.6g}, {:.6g})",
+                                 a.value(), b.value(), c.value(), what, at.x(), at.y(), at.z());
     return defect;
   }
 

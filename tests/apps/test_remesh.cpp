@@ -111,6 +111,24 @@ TEST_CASE("remesh: components may touch, and a generator of one takes no room fr
   CHECK(result.certificate.output.components == 2);
 }
 
+TEST_CASE("remesh: generators on both sides of a slit, at one place in space") {
+  std::vector<Vec3> corners{{0, 0, 0}};
+  for (const auto& [x, y] : std::vector<std::pair<int, int>>{{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}}) {
+    corners.emplace_back(x, y, 0);
+  }
+  corners.push_back(corners[1]);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 1; i <= 6; ++i) faces.push_back({VertexId(0), VertexId(i), VertexId(i + 1)});
+  const Mesh mesh(corners, faces);
+  // The bisector of the first two begins at the slit's inner end and meets the cell of vertex 4: a triangle with an
+  // edge of length 0.
+  std::vector<SurfacePoint> generators{edge_point(Mesh::halfedge(FaceId(0), 0), 0.5),
+                                       edge_point(Mesh::halfedge(FaceId(5), 2), 0.5)};
+  REQUIRE(position(mesh, generators[0]) == position(mesh, generators[1]));
+  for (const int v : {4, 2, 6}) generators.push_back(vertex_point(mesh, VertexId(v)));
+  require_remesh(mesh, generators);
+}
+
 TEST_CASE("remesh: many generators in one face") {
   const Mesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{VertexId(0), VertexId(1), VertexId(2)}});
   require_remesh(triangle, {vertex_point(triangle, VertexId(0))});
