@@ -89,7 +89,7 @@ SurfacePoint nearest_point(const Mesh& mesh, const BoundaryRun& run, const Vec3&
   SurfacePoint best;
   double least = std::numeric_limits<double>::infinity();
   for (const BoundaryRun::Piece& piece : run.pieces) {
-    const Vec3 from = mesh.position(mesh.from(piece.halfedge));
+    const Vec3& from = mesh.position(mesh.from(piece.halfedge));
     const Vec3 along = mesh.position(mesh.to(piece.halfedge)) - from;
     const double t = std::clamp((to - from).dot(along) / along.squaredNorm(), piece.begin, piece.end);
     const double distance = (from + t * along - to).squaredNorm();

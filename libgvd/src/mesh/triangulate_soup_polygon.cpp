@@ -60,7 +60,7 @@ class EarClipper {
 
   // Into the unit box round the first corner, so that no product over- or underflows.
   void scale(const std::vector<Vec3>& positions) {
-    const Vec3 origin = positions[static_cast<std::size_t>(polygon_[0])];
+    const Vec3& origin = positions[static_cast<std::size_t>(polygon_[0])];
     double extent = 0;
     for (const std::int32_t v : polygon_) {
       space_.push_back(positions[static_cast<std::size_t>(v)] - origin);
