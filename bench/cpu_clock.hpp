@@ -4,8 +4,9 @@
 
 namespace gvd::bench {
 
-/// Processor time of this thread in milliseconds. What is measured runs on one thread; wall time would also count the time
-/// that other processes take, and a run longer than a time slice more of it than a short one: ratios would be wrong.
+/// Processor time of this thread in milliseconds. What is measured runs on one thread; wall time would also count the
+/// time that other processes take, and a run longer than a time slice more of it than a short one: ratios would be
+/// wrong.
 inline double cpu_milliseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -4,8 +4,9 @@
 
 namespace gvd::bench {
 
-/// Counts what this program's `new` holds while the meter lives; outside of that it costs next to nothing, so that it does
-/// not slow what is timed. Exact and repeatable, unlike the resident size; the allocator's own bookkeeping is not in it.
+/// Counts what this program's `new` holds while the meter lives; outside of that it costs next to nothing, so that it
+/// does not slow what is timed. Exact and repeatable, unlike the resident size; the allocator's own bookkeeping is not
+/// in it.
 class HeapMeter {
  public:
   HeapMeter();

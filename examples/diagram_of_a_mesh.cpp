@@ -3,11 +3,10 @@
 //   diagram_of_a_mesh MESH
 #include <cstdio>
 #include <exception>
-#include <vector>
-
 #include <gvd/check.hpp>
 #include <gvd/diagram.hpp>
 #include <gvd/soup.hpp>
+#include <vector>
 
 int main(int argc, char* argv[]) {
   if (argc != 2) return std::fprintf(stderr, "usage: %s MESH\n", argv[0]), 2;

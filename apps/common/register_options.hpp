@@ -13,7 +13,8 @@ namespace gvd::app {
 void register_options(CLI::App& cli, Options& options, const std::vector<std::string>& output_formats);
 
 /// What no single option can check: exactly one source of generators, formats of `-` named, known extensions, distinct
-/// targets, none of them a file that is read. Throws Error{invalid_option}, or Error{unwritable_output} where a target's folder does not exist.
+/// targets, none of them a file that is read. Throws Error{invalid_option}, or Error{unwritable_output} where a
+/// target's folder does not exist.
 void check_options(const Options& options, const std::vector<std::string>& output_formats);
 
 /// "3,17,99" as indices. Throws Error{invalid_option} that names the part that is no index.

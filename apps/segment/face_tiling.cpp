@@ -42,10 +42,9 @@ FaceTiling::FaceTiling(std::vector<Corner> border, double reach)
 
 std::size_t FaceTiling::find_or_add(const Corner& corner) {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const bool same = corner.vertex.valid()
-                          ? corners_[i].vertex == corner.vertex
-                          : same_place(corners_[i].bary, corner.bary) ||
-                                same_place(corners_[i].position, corner.position, reach_);
+    const bool same = corner.vertex.valid() ? corners_[i].vertex == corner.vertex
+                                            : same_place(corners_[i].bary, corner.bary) ||
+                                                  same_place(corners_[i].position, corner.position, reach_);
     if (same) return i;
   }
   corners_.push_back(corner);

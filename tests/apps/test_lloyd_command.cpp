@@ -67,7 +67,8 @@ TEST_CASE("gvd-lloyd: every list that it writes is read back by every command, b
 
 TEST_CASE("gvd-lloyd: its page shows the relaxed generators and those of the start") {
   const ScratchFolder scratch;
-  const CommandResult result = run_command("gvd-lloyd", data_file("figure.obj") + kVertices + "--view " + scratch / "v.html");
+  const CommandResult result =
+      run_command("gvd-lloyd", data_file("figure.obj") + kVertices + "--view " + scratch / "v.html");
   if (result.exit_code == 2) {
     WARN("skipped: this build is without the viewer");
     return;

@@ -42,7 +42,8 @@ TEST_CASE("the diagram is complete on every mesh of the corpus") {
         INFO(file << ", " << count << " generators, seed " << seed);
         DiagramOptions options;
         options.front = seed % 2 == 0 ? Front::circle : Front::planar;
-        const Diagram diagram = compute_diagram(checked.mesh, test::random_generators(checked.mesh, count, seed), options);
+        const Diagram diagram =
+            compute_diagram(checked.mesh, test::random_generators(checked.mesh, count, seed), options);
         const DiagramCheck check = check_diagram(checked.mesh, diagram);
         for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
         REQUIRE(check.ok());

@@ -36,8 +36,7 @@ TEST_CASE("the commands succeed on every mesh of the corpus, or refuse it with o
     for (const Call& call : calls()) {
       const ScratchFolder scratch;
       CAPTURE(file, call.command, call.options);
-      const std::string arguments =
-          fmt::format("'{}' -q {} -o {}", file.string(), call.options, scratch / call.output);
+      const std::string arguments = fmt::format("'{}' -q {} -o {}", file.string(), call.options, scratch / call.output);
       const CommandResult result = run_command(call.command, arguments);
       CAPTURE(result.err);
       CHECK(result.out.empty());

@@ -1,10 +1,9 @@
-#include "geodesic/bucket_queue.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "geodesic/bucket_queue.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

@@ -1,11 +1,10 @@
 // The numbered properties of geodesic/local_update.hpp, over seeded random triangles.
-#include "geodesic/local_update.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "geodesic/local_update.hpp"
 #include "gvd/vec.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -67,7 +66,8 @@ TEST_CASE("(1) both updates are symmetric in A and B") {
   }
 }
 
-TEST_CASE("(2) the circle is exact for a planar point source that sees D through A B, and falls back to the edges (3)") {
+TEST_CASE(
+    "(2) the circle is exact for a planar point source that sees D through A B, and falls back to the edges (3)") {
   test::Random random(2);
   int seen = 0;
   for (int i = 0; i < kRounds; ++i) {
@@ -109,8 +109,8 @@ TEST_CASE("(2) the planar front is exact for a plane wave that passes A B on its
 
 TEST_CASE("(3) distances that break the triangle inequality fall back to the edges") {
   const UpdateTriangle t = triangle_of(1, {0.4, 0.9});
-  for (const auto& [a, b] : {std::pair(3.0, 1.5), std::pair(1.5, 3.0), std::pair(0.3, 0.3), std::pair(0.0, 0.0),
-                             std::pair(0.0, 5.0)}) {
+  for (const auto& [a, b] :
+       {std::pair(3.0, 1.5), std::pair(1.5, 3.0), std::pair(0.3, 0.3), std::pair(0.0, 0.0), std::pair(0.0, 5.0)}) {
     CHECK(update_circle(t, a, b) == update_along_edges(t, a, b));
   }
   for (const auto& [a, b] : {std::pair(3.0, 1.5), std::pair(1.5, 3.0), std::pair(0.0, 1.0)}) {

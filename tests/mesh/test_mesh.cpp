@@ -1,6 +1,5 @@
-#include "gvd/mesh.hpp"
-
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

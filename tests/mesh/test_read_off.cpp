@@ -28,8 +28,8 @@ TEST_CASE("OFF: colours of vertices and faces are read over") {
 }
 
 TEST_CASE("OFF: a vertex or a face may go on in the next lines") {
-  const PolygonSoup soup = parse(
-      "OFF\n4 2 0\n0 0\n0\n1 0 0 255 0 0 255\n1\n# between\n\n1 # y\n0\n0 1 0\n4 0 1\n 2 3 # last\n3\n0\n1\n2");
+  const PolygonSoup soup =
+      parse("OFF\n4 2 0\n0 0\n0\n1 0 0 255 0 0 255\n1\n# between\n\n1 # y\n0\n0 1 0\n4 0 1\n 2 3 # last\n3\n0\n1\n2");
   CHECK(soup.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2, 3, 0, 1, 2});
   CHECK(soup.first_corner == std::vector<std::size_t>{0, 4, 7});
@@ -49,7 +49,8 @@ TEST_CASE("OFF: bad bytes are refused with their line") {
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "file:6: face 0 refers to vertex 3, and there are 3");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "file:6: face 0 refers to vertex -1");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "ends after line 6, and a corner of the face is missing");
-  refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2 1 0\n", "file:6: face 0 has too few numbers, or goes on to line 7");
+  refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2 1 0\n",
+          "file:6: face 0 has too few numbers, or goes on to line 7");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "file:6: face 0 has -3 corners");
   refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after line 6, and face 1 of 2 is missing");
   refused("OFF\n3 1 0\n0.0 0 0\n10.0 0 0\n", "ends after line 4, and vertex 2 of 3 is missing");

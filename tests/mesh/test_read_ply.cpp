@@ -59,7 +59,8 @@ TEST_CASE("PLY: an element may go on in the next lines") {
   require_tetrahedron(parse(replaced(kPly, "1 0 1\n", "1\n\n0 1\n")));
   require_tetrahedron(parse(replaced(kPly, "3 0 3 1", "3 0\r\n3 1")));
   require_refused(replaced(wrapped, "3\n0\n3\n1", "3\n0\n9\n1"), MeshFormat::ply, "face 1 refers to vertex 9");
-  require_refused(wrapped.substr(0, wrapped.size() - 2), MeshFormat::ply, "announces 3 entries, and there is room for 2");
+  require_refused(wrapped.substr(0, wrapped.size() - 2), MeshFormat::ply,
+                  "announces 3 entries, and there is room for 2");
 }
 
 TEST_CASE("PLY: lists in binary files are read over") {

@@ -1,8 +1,7 @@
-#include "mesh/working_mesh.hpp"
-
 #include <random>
 
 #include "gvd/error.hpp"
+#include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
@@ -50,8 +49,11 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
     const FaceId f(static_cast<int>(random() % static_cast<unsigned>(mesh.face_count())));
     const double u = real(), v = real() * (1 - u);
     switch (i % 4) {
-      case 0: points.push_back(edge_point(Mesh::halfedge(f, i % 3), 0.01 + 0.98 * u)); break;
-      default: points.push_back(make_surface_point(f, {u, v, 1 - u - v}));
+      case 0:
+        points.push_back(edge_point(Mesh::halfedge(f, i % 3), 0.01 + 0.98 * u));
+        break;
+      default:
+        points.push_back(make_surface_point(f, {u, v, 1 - u - v}));
     }
   }
   return points;
@@ -94,7 +96,8 @@ TEST_CASE("coincident generators are refused with both names, whichever faces th
   };
   refused({edge_point(h, 0.25), edge_point(twin, 0.75)});
   refused({make_surface_point(FaceId(2), {0.2, 0.3, 0.5}), make_surface_point(FaceId(2), {0.2, 0.3, 0.5})});
-  refused({make_surface_point(FaceId(2), {0.2, 0.3, 0.5}), make_surface_point(FaceId(2), {0.2, 0.3 + 1e-13, 0.5 - 1e-13})});
+  refused(
+      {make_surface_point(FaceId(2), {0.2, 0.3, 0.5}), make_surface_point(FaceId(2), {0.2, 0.3 + 1e-13, 0.5 - 1e-13})});
   refused({vertex_point(mesh, mesh.from(h)), edge_point(h, 0.0)});
 }
 

@@ -44,9 +44,8 @@ struct SamplingOptions {
 ///
 /// Throws Error{invalid_option} where count < 1 or the radius is not a finite number > 0; Error{precondition} where the
 /// mesh has no room (random and poisson need an area that is finite and > 0, and all need `count` places that rounding
-/// can tell apart, and no more than kMaxSamplingVertices vertices added, which for a covering means a radius of some 0.0015 times
-/// the square root of the area, or more); Error{interrupted} where the progress
-/// callback cancels.
+/// can tell apart, and no more than kMaxSamplingVertices vertices added, which for a covering means a radius of some
+/// 0.0015 times the square root of the area, or more); Error{interrupted} where the progress callback cancels.
 ///
 /// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); poisson a march
 /// to the neighbours from each of 5 count candidates, O(n log n) in all. Memory: O(n).

@@ -29,7 +29,8 @@ struct SurfacePoint {
 inline constexpr double kBarycentricSnap = 1e-12;
 
 /// The point of face f with these coordinates, scaled to sum 1; those at or below kBarycentricSnap become exactly 0.
-/// Throws Error{precondition} where a coordinate is not finite or below -1e-9, or where they do not sum to 1 within 1e-6.
+/// Throws Error{precondition} where a coordinate is not finite or below -1e-9, or where their sum is not within 1e-6 of
+/// 1.
 SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary);
 
 /// The vertex v, in the face of `mesh.halfedge(v)`.

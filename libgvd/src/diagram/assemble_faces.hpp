@@ -6,13 +6,14 @@
 
 namespace gvd {
 
-/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found nothing.
-std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
-                                       GeneratorId g);
+/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found
+/// nothing.
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
+                                       FaceId f, GeneratorId g);
 
 /// The distance forms of the generators whose cells lie along a face's boundary, in the order in which they are met.
-std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
-                                     const std::vector<BoundaryCrossing>& boundary, Front front);
+std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
+                                     FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front);
 
 /// Joins the crossings in every face but those in `skipped` (ascending), and appends the arcs and branch points to
 /// `diagram`. Cost: O(k) for k faces near bisectors.

@@ -25,23 +25,23 @@ struct Exit {
 /// The end of a bisector that grows through a face (section 4.3). Positions and images are in the face's own plane.
 struct GrowingEnd {
   FaceId face;
-  int node;                 ///< where it starts: a node of the gap that it grows in
+  int node;  ///< where it starts: a node of the gap that it grows in
   Vec2 start;
   GeneratorId left, right;
   Vec2 left_image, right_image;
   std::optional<Exit> exit{};  ///< its exit event, if there is one
   bool active = true;
 
-  /// Along the bisector of the two images, with the left one on the left: also after a merge, when they are the images of
-  /// the two outer generators.
+  /// Along the bisector of the two images, with the left one on the left: also after a merge, when they are the images
+  /// of the two outer generators.
   Vec2 direction() const { return turned_left(right_image - left_image).normalized(); }
 
   /// Predicted distance of a point from the two generators.
   double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
 };
 
-/// The exit event of an end: the first edge that its ray meets on the way out. None where it runs along an edge, away from
-/// the triangle, or has no direction.
+/// The exit event of an end: the first edge that its ray meets on the way out. None where it runs along an edge, away
+/// from the triangle, or has no direction.
 inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner) {
   const Vec2 direction = end.direction();
   if (!direction.allFinite()) return std::nullopt;
@@ -56,13 +56,14 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
     if (reach >= soonest) continue;
     soonest = reach;
     const Vec2 point = end.start + reach * direction;
-    first = Exit{Mesh::halfedge(end.face, i), (point - a).dot(along) / along.squaredNorm(), point, end.distance_at(point)};
+    first =
+        Exit{Mesh::halfedge(end.face, i), (point - a).dot(along) / along.squaredNorm(), point, end.distance_at(point)};
   }
   return first;
 }
 
-/// Where the rays of two ends in one face meet, if both get there before they leave it. `first` is the left one of the two,
-/// so that the cell between them narrows towards the meeting.
+/// Where the rays of two ends in one face meet, if both get there before they leave it. `first` is the left one of the
+/// two, so that the cell between them narrows towards the meeting.
 inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
   if (!first.exit || !second.exit) return std::nullopt;
   const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;

@@ -71,9 +71,10 @@ class GapGrowth {
 
   /// An end that enters the face beyond halfedge h, at parameter t of h's twin, with images in the plane of h's face.
   void enter(HalfedgeId h, double t, int node, GeneratorId left, GeneratorId right, const Vec2& left_image,
-                   const Vec2& right_image) {
+             const Vec2& right_image) {
     const HalfedgeId twin = mesh_.twin(h);
-    const auto old_plane = FaceLayout(mesh_, Mesh::face(h)).corner, new_plane = FaceLayout(mesh_, Mesh::face(twin)).corner;
+    const auto old_plane = FaceLayout(mesh_, Mesh::face(h)).corner,
+               new_plane = FaceLayout(mesh_, Mesh::face(twin)).corner;
     const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(twin));
     const Vec2 &a = new_plane[j], &b = new_plane[(j + 1) % 3];
     const EdgeRotation rotate(old_plane[(i + 1) % 3], old_plane[i], a, b);
@@ -104,8 +105,8 @@ class GapGrowth {
     return true;
   }
 
-  /// The nearest meeting of two neighbouring bisectors becomes a branch point; the cell between them ends there, and one
-  /// bisector grows on between the two outer generators.
+  /// The nearest meeting of two neighbouring bisectors becomes a branch point; the cell between them ends there, and
+  /// one bisector grows on between the two outer generators.
   bool merge_meeting() {
     std::optional<Meeting> best;
     for (std::size_t i = 0; i < ends_.size(); ++i) {

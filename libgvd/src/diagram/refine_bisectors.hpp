@@ -15,8 +15,8 @@ struct CrossingEstimate {
   double t;  ///< parameter along the edge's halfedge
 };
 
-/// Refines the crossings of every face that a single bisector runs through: both generators are unfolded into the face's
-/// plane, and the bisector becomes the perpendicular bisector of their two images.
+/// Refines the crossings of every face that a single bisector runs through: both generators are unfolded into the
+/// face's plane, and the bisector becomes the perpendicular bisector of their two images.
 ///
 /// Source: section 4.2 (refinement by unfolding). An estimate that leaves its edge is not given.
 /// Returns at most two estimates a crossing, one from each face, ascending by face. Cost: O(k) for k crossings.
@@ -25,8 +25,9 @@ std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const
 
 /// Puts every crossing at the mean of what its two faces estimate, so that the bisector's parts meet on the edge.
 ///
-/// Source: section 4.2 (the weld across edges). A crossing without an estimate stays; crossings keep their order and their
-/// gap on the edge. Cost: O(k).
+/// Source: section 4.2 (the weld across edges). A crossing without an estimate stays; crossings keep their order and
+/// their gap on the edge.
+/// Cost: O(k).
 void weld_crossings(const std::vector<CrossingEstimate>& estimates, Crossings& crossings);
 
 }  // namespace gvd

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off by
-/// about a hundredth of an edge, so that such a run says nothing.
+/// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off
+/// by about a hundredth of an edge, so that such a run says nothing.
 constexpr double kShortestRun = 1e-3;
 
 /// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
@@ -71,8 +71,8 @@ class EdgeEnvelope {
     require_label(mesh_.to(h), 2, mesh_.length(e));
   }
 
-  /// Whether another cell could own the inside of an edge whose ends belong to `own`: a distance changes by half a length
-  /// at the most from an end to the midpoint.
+  /// Whether another cell could own the inside of an edge whose ends belong to `own`: a distance changes by half a
+  /// length at the most from an end to the midpoint.
   bool may_be_poked(GeneratorId own, double length) {
     const EdgeCandidate mine = candidate(own);
     return std::any_of(candidates_.begin(), candidates_.end(), [&](const EdgeCandidate& c) {
@@ -205,8 +205,8 @@ Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable&
 }
 
 std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings) {
-  // A run inside an edge lies between crossing i - 1 and crossing i; it is anchored when a face of the edge shows its cell
-  // at a corner, or in an anchored run of another edge.
+  // A run inside an edge lies between crossing i - 1 and crossing i; it is anchored when a face of the edge shows its
+  // cell at a corner, or in an anchored run of another edge.
   const auto& items = crossings.items();
   std::vector<char> anchored(items.size(), 0);
   const auto shows_in_face = [&](HalfedgeId h, GeneratorId g) {

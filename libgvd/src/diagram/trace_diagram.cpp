@@ -58,9 +58,9 @@ class Tracer {
     cross_plainly(working_, table_, labels_, front_, plain_, rough_);
   }
 
-  /// With planar fronts the rough crossings interpolate distances, and unfolding makes them better. With circles they come
-  /// from sources that were unfolded over the very edge, the same for both of its faces: there is nothing to refine or weld,
-  /// and images unfolded over other edges would make them worse (docs/performance.md has the figures).
+  /// With planar fronts the rough crossings interpolate distances, and unfolding makes them better. With circles they
+  /// come from sources that were unfolded over the very edge, the same for both of its faces: there is nothing to
+  /// refine or weld, and images unfolded over other edges would make them worse (docs/performance.md has the figures).
   void refine(Crossings& crossings) const {
     if (front_ == Front::circle) return;
     weld_crossings(refine_bisectors(working_, table_, labels_, crossings), crossings);
@@ -91,9 +91,9 @@ class Tracer {
                      [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
   }
 
-  /// A vertex or a run inside an edge may hang together with no part of its cell. Then the gaps there are assembled, such
-  /// vertices take the label of a neighbour, and the edges there are crossed plainly, between the labels of their ends. False
-  /// where there is no island.
+  /// A vertex or a run inside an edge may hang together with no part of its cell. Then the gaps there are assembled,
+  /// such vertices take the label of a neighbour, and the edges there are crossed plainly, between the labels of their
+  /// ends. False where there is no island.
   bool give_way_to_islands(TracedDiagram& traced) {
     CellParts parts(working_, traced);
     traced.cell_components = parts.count_components();
@@ -118,8 +118,8 @@ class Tracer {
     return true;
   }
 
-  /// The last resort, whose cells are connected by construction: no growth, every vertex joined to its generator by edges,
-  /// and every edge near a bisector crossed at most once.
+  /// The last resort, whose cells are connected by construction: no growth, every vertex joined to its generator by
+  /// edges, and every edge near a bisector crossed at most once.
   void give_way_everywhere() {
     std::fill(may_grow_.begin(), may_grow_.end(), 0);
     relabelled_ += relabel_unsupported(working_, table_, labels_);

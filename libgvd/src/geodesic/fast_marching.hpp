@@ -12,8 +12,8 @@ namespace gvd {
 /// What the adapted fast marching leaves behind.
 struct FastMarchingResult {
   GeneratorTable table;
-  double offset_step;        ///< generator g's distances carry a symbolic offset of (g + 1) offset_step, mesh units
-  std::int64_t events = 0;   ///< triangle events that propagated
+  double offset_step;       ///< generator g's distances carry a symbolic offset of (g + 1) offset_step, mesh units
+  std::int64_t events = 0;  ///< triangle events that propagated
 };
 
 /// Distances from all generators at once, by triangle events in the order of the sum of the three corner distances;

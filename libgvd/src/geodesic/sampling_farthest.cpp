@@ -133,8 +133,8 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& positions, const Samp
 
 /// A covering radius below this certainly takes more than kMaxSamplingVertices splits until no edge is longer than
 /// kCoveringEdge of it, by two lower bounds on their number. An edge of length l takes l / longest - 1 of its own. And
-/// since no triangle with such edges has more area than the equilateral one, sqrt(3) / 4 longest^2, and a split adds two
-/// faces at most, they are half of area / (sqrt(3) / 4 longest^2) without the faces that are there.
+/// since no triangle with such edges has more area than the equilateral one, sqrt(3) / 4 longest^2, and a split adds
+/// two faces at most, they are half of area / (sqrt(3) / 4 longest^2) without the faces that are there.
 double least_covering_radius(const Mesh& mesh) {
   double length = 0;
   for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));

@@ -9,8 +9,9 @@
 
 namespace gvd {
 
-/// The image of a point source in the plane of a, b, at distances d_a and d_b from them, on the right of a -> b: outside of
-/// a triangle that lies to the left. Distances that break the triangle inequality put it on the line through a and b.
+/// The image of a point source in the plane of a, b, at distances d_a and d_b from them, on the right of a -> b:
+/// outside of a triangle that lies to the left. Distances that break the triangle inequality put it on the line through
+/// a and b.
 inline Vec2 unfold_source(const Vec2& a, const Vec2& b, double d_a, double d_b) {
   const Vec2 along = b - a;
   const double length = along.norm();

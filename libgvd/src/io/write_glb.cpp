@@ -192,8 +192,6 @@ class GlbWriter {
 
 }  // namespace
 
-void write_glb(std::ostream& stream, const LabelledMesh& mesh) {
-  GlbWriter(mesh).write(stream);
-}
+void write_glb(std::ostream& stream, const LabelledMesh& mesh) { GlbWriter(mesh).write(stream); }
 
 }  // namespace gvd::io

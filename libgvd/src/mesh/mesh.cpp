@@ -51,8 +51,8 @@ Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> fac
   measure();
 }
 
-// Pairs the halfedges by a counting sort on their smaller vertex, then a short sort within each bucket: O(n) memory, and
-// O(n) time where degrees are bounded.
+// Pairs the halfedges by a counting sort on their smaller vertex, then a short sort within each bucket: O(n) memory,
+// and O(n) time where degrees are bounded.
 void Mesh::link_twins() {
   const std::int32_t n = halfedge_count();
   std::vector<std::int32_t> first(positions_.size() + 1, 0);

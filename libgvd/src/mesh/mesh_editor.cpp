@@ -11,9 +11,7 @@ FaceId MeshEditor::add_face() {
   return mesh_.faces_.push_back({});
 }
 
-EdgeId MeshEditor::add_edge() {
-  return mesh_.edge_halfedge_.push_back(HalfedgeId());
-}
+EdgeId MeshEditor::add_edge() { return mesh_.edge_halfedge_.push_back(HalfedgeId()); }
 
 VertexId MeshEditor::add_vertex(const Vec3& position) {
   mesh_.vertex_halfedge_.push_back(HalfedgeId());

@@ -12,7 +12,8 @@ class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Puts a vertex at `position` inside f = (a, b, c): f becomes (a, b, v); (b, c, v) and (c, a, v) are appended in this order.
+  /// Puts a vertex at `position` inside f = (a, b, c): f becomes (a, b, v); (b, c, v) and (c, a, v) are appended in
+  /// this order.
   VertexId split_face(FaceId f, const Vec3& position);
 
   /// Puts a vertex on the edge of h, from a to b. h's face (a, b, c), rotated to begin at a, becomes (a, v, c), and

@@ -75,9 +75,12 @@ HalfedgeId halfedge(const SurfacePoint& point) {
 
 bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point) {
   switch (point.kind()) {
-    case SurfacePoint::Kind::vertex: return mesh.is_boundary(vertex(mesh, point));
-    case SurfacePoint::Kind::edge: return mesh.is_boundary(mesh.edge(halfedge(point)));
-    case SurfacePoint::Kind::face: break;
+    case SurfacePoint::Kind::vertex:
+      return mesh.is_boundary(vertex(mesh, point));
+    case SurfacePoint::Kind::edge:
+      return mesh.is_boundary(mesh.edge(halfedge(point)));
+    case SurfacePoint::Kind::face:
+      break;
   }
   return false;
 }
@@ -114,7 +117,8 @@ SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
       other.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = from;
       return other;
     }
-    case SurfacePoint::Kind::face: break;
+    case SurfacePoint::Kind::face:
+      break;
   }
   return point;
 }

@@ -24,7 +24,8 @@ constexpr double kCoincidence = 1e-12;
 /// face split would leave there would have an angle of about this many radians.
 constexpr double kOnEdge = 1e-9;
 
-/// A flip must gain more than this, relative to the fourth power of the edge lengths, so that rounding can't flip forever.
+/// A flip must gain more than this, relative to the fourth power of the edge lengths, so that rounding can't flip
+/// forever.
 constexpr double kFlipGain = 1e-10;
 
 /// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates.
@@ -88,9 +89,15 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
   for (std::size_t i = 0; i < generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
     switch (generators[i].kind()) {
-      case SurfacePoint::Kind::vertex: claim(gvd::vertex(input, generators[i]), g); break;
-      case SurfacePoint::Kind::edge: on_edges.push_back(g); break;
-      case SurfacePoint::Kind::face: in_faces[generators[i].face].push_back(g); break;
+      case SurfacePoint::Kind::vertex:
+        claim(gvd::vertex(input, generators[i]), g);
+        break;
+      case SurfacePoint::Kind::edge:
+        on_edges.push_back(g);
+        break;
+      case SurfacePoint::Kind::face:
+        in_faces[generators[i].face].push_back(g);
+        break;
     }
   }
   if (!on_edges.empty() || !in_faces.empty()) {
@@ -172,8 +179,8 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
     };
     const double local = (t - done) / (1 - done);
     const HalfedgeId twin = copy_.twin(rest);
-    const auto changed = split_edge(rest, g, p, parent_bary_at(rest, local),
-                                    twin.valid() ? parent_bary_at(twin, 1 - local) : Bary{});
+    const auto changed =
+        split_edge(rest, g, p, parent_bary_at(rest, local), twin.valid() ? parent_bary_at(twin, 1 - local) : Bary{});
     touched.insert(touched.end(), changed.begin(), changed.end());
     rest = Mesh::halfedge(changed[1], 0);
     done = t;
@@ -181,8 +188,8 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
   make_delaunay(touched);
 }
 
-/// The copy's halfedge that stands for the input's halfedge h, none of whose edge is split yet: splits of other edges may
-/// have put it into another child of its face.
+/// The copy's halfedge that stands for the input's halfedge h, none of whose edge is split yet: splits of other edges
+/// may have put it into another child of its face.
 HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
   const VertexId from = input_->from(h), to = input_->to(h);
   HalfedgeId found = h;

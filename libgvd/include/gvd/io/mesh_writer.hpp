@@ -44,8 +44,8 @@ struct LabelledMesh {
 /// In OBJ a stream holds the geometry and the groups; the materials that they name are `write_materials`'s.
 /// Throws Error{precondition} where an array's length is not that of its elements, Error{invalid_option} for JSON
 /// without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL and
-/// GLB have 32-bit floats, GLB has 4 GiB). Distances are floats in PLY, and doubles where one leaves a float's range. Cost: O(n) time; memory O(n) for the order of the faces by label, O(1)
-/// without labels.
+/// GLB have 32-bit floats, GLB has 4 GiB). Distances are floats in PLY, and doubles where one leaves a float's range.
+/// Cost: O(n) time; memory O(n) for the order of the faces by label, O(1) without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 
 /// Writes the file whole or not at all, in the format of its extension; for OBJ with labels also the .mtl beside it.
