@@ -1,8 +1,8 @@
 // Breaks each invariant of a sound diagram in turn: the check has to name the property's number.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
-
-#include <fmt/format.h>
 
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"

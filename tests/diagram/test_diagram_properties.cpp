@@ -14,7 +14,8 @@ TEST_CASE("the diagram is complete and sound on every family, for few and for ma
     for (const int count : {1, 2, 3, 5, 30, 100, 300}) {
       for (unsigned seed = 0; seed < 4; ++seed) {
         for (const Front front : {Front::circle, Front::planar}) {
-          INFO(name << ", " << count << " generators, seed " << seed << (front == Front::circle ? ", circle" : ", planar"));
+          INFO(name << ", " << count << " generators, seed " << seed
+                    << (front == Front::circle ? ", circle" : ", planar"));
           const auto generators = test::random_generators(mesh, count, seed);
           DiagramOptions options;
           options.front = front;

@@ -1,9 +1,8 @@
-#include "diagram/face_assembly.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "diagram/face_assembly.hpp"
 #include "diagram/face_pieces.hpp"
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
@@ -92,7 +91,8 @@ TEST_CASE("no crossing: nothing is added") {
 }
 
 TEST_CASE("two crossings make one arc") {
-  for (const auto& runs : {std::vector<BoundaryRun>{{0, 0.5, 1}, {1, 0.5, 0}}, {{0, 0.2, 1}, {0, 0.7, 0}}, {{2, 0.3, 0}, {2, 0.31, 1}}}) {
+  for (const auto& runs :
+       {std::vector<BoundaryRun>{{0, 0.5, 1}, {1, 0.5, 0}}, {{0, 0.2, 1}, {0, 0.7, 0}}, {{2, 0.3, 0}, {2, 0.31, 1}}}) {
     const AssembledFace face(runs, test::flat_forms(2));
     require_sound(face);
     CHECK(face.diagram.arcs.size() == 1);
@@ -126,12 +126,14 @@ TEST_CASE("four crossings of two cells: the nearer one in the middle is united")
     CHECK(face.diagram.arcs.size() == 2);
     CHECK(face.diagram.branches.empty());
     const auto [pieces, piece_of_run] = face.pieces();
-    CHECK(std::count_if(pieces.begin(), pieces.end(), [&](const auto& p) { return p.generator == GeneratorId(near); }) == 1);
+    CHECK(std::count_if(pieces.begin(), pieces.end(),
+                        [&](const auto& p) { return p.generator == GeneratorId(near); }) == 1);
   }
 }
 
 TEST_CASE("four, five and six crossings of as many cells make two, three and four branch points") {
-  const std::vector<BoundaryRun> places{{0, 0.25, 0}, {0, 0.75, 0}, {1, 0.25, 0}, {1, 0.75, 0}, {2, 0.25, 0}, {2, 0.75, 0}};
+  const std::vector<BoundaryRun> places{{0, 0.25, 0}, {0, 0.75, 0}, {1, 0.25, 0},
+                                        {1, 0.75, 0}, {2, 0.25, 0}, {2, 0.75, 0}};
   for (std::size_t k = 4; k <= 6; ++k) {
     std::vector<BoundaryRun> runs(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k));
     for (std::size_t i = 0; i < k; ++i) runs[i].next = static_cast<int>(i);
@@ -209,7 +211,8 @@ TEST_CASE("the lower envelope of random linear forms comes back: branch points w
   for (int round = 0; round < 3000; ++round) {
     const int cells = 2 + random.below(4);
     std::vector<DistanceForm> forms;
-    for (int g = 0; g < cells; ++g) forms.push_back(test::form(g, random.real(0, 1), random.real(0, 1), random.real(0, 1)));
+    for (int g = 0; g < cells; ++g)
+      forms.push_back(test::form(g, random.real(0, 1), random.real(0, 1), random.real(0, 1)));
     const auto runs = test::envelope_runs(forms);
     if (runs.size() < 2) continue;
     const AssembledFace face(runs, forms);

@@ -1,8 +1,7 @@
-#include "diagram/face_pieces.hpp"
-
 #include <algorithm>
 #include <set>
 
+#include "diagram/face_pieces.hpp"
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
 

@@ -1,7 +1,6 @@
-#include "diagram/gaps.hpp"
-
 #include <algorithm>
 
+#include "diagram/gaps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -23,7 +22,8 @@ bool is_connected(const Mesh& mesh, const Gap& gap) {
     for (int corner = 0; corner < 3; ++corner) {
       const HalfedgeId twin = mesh.twin(Mesh::halfedge(reached[i], corner));
       if (!twin.valid() || !gap.contains(Mesh::face(twin))) continue;
-      if (std::find(reached.begin(), reached.end(), Mesh::face(twin)) == reached.end()) reached.push_back(Mesh::face(twin));
+      if (std::find(reached.begin(), reached.end(), Mesh::face(twin)) == reached.end())
+        reached.push_back(Mesh::face(twin));
     }
   }
   return reached.size() == gap.faces.size();

@@ -1,8 +1,7 @@
-#include "diagram/nearest_labels.hpp"
-
 #include <cmath>
 #include <tuple>
 
+#include "diagram/nearest_labels.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -22,8 +21,8 @@ bool is_supported(const WorkingMesh& working, const NearestLabels& labels, Verte
   return supported;
 }
 
-/// A strip of squares and a table written by hand: generator 0 at vertex 0, generator 1 at vertex 4, and vertex 5, where 1 is
-/// nearest although no neighbour has that label.
+/// A strip of squares and a table written by hand: generator 0 at vertex 0, generator 1 at vertex 4, and vertex 5,
+/// where 1 is nearest although no neighbour has that label.
 struct Strip {
   Mesh mesh = test::make_grid(4, 1);
   WorkingMesh working{mesh, test::at_vertices(mesh, {0, 4})};
@@ -64,7 +63,8 @@ TEST_CASE("a label is the nearest generator's, and all but the unsupported have 
           REQUIRE(listed != is_supported(stages.working, stages.labels, v));
         }
         REQUIRE(unsupported == stages.labels.unsupported.end());
-        for (int g = 0; g < count; ++g) REQUIRE(stages.labels.label[stages.working.vertex(GeneratorId(g))] == GeneratorId(g));
+        for (int g = 0; g < count; ++g)
+          REQUIRE(stages.labels.label[stages.working.vertex(GeneratorId(g))] == GeneratorId(g));
       }
     }
   }

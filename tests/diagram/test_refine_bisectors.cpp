@@ -1,9 +1,8 @@
 // Refinement by unfolding, and the weld.
-#include "diagram/refine_bisectors.hpp"
-
 #include <cmath>
 #include <map>
 
+#include "diagram/refine_bisectors.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/unfold.hpp"
 #include "support/catch.hpp"
@@ -20,7 +19,8 @@ const GeneratorId kA(0), kB(1), kC(2);
 
 /// Three crossings on edge 0 and one on edge 2.
 Crossings sample_crossings() {
-  return Crossings(3, {{EdgeId(0), 0.2, kA, kB}, {EdgeId(0), 0.5, kB, kC}, {EdgeId(0), 0.8, kC, kA}, {EdgeId(2), 0.4, kA, kB}});
+  return Crossings(
+      3, {{EdgeId(0), 0.2, kA, kB}, {EdgeId(0), 0.5, kB, kC}, {EdgeId(0), 0.8, kC, kA}, {EdgeId(2), 0.4, kA, kB}});
 }
 
 CrossingEstimate estimate(int crossing, double t) { return {CrossingId(crossing), t}; }
@@ -32,7 +32,8 @@ void require_sound(const Crossings& before, const Crossings& after) {
     REQUIRE((is.edge == was.edge && is.before == was.before && is.after == was.after));
     REQUIRE(is.t >= kCrossingGap * (1 - 1e-6));
     REQUIRE(is.t <= 1 - kCrossingGap * (1 - 1e-6));
-    if (i > 0 && after.items()[i - 1].edge == is.edge) REQUIRE(is.t - after.items()[i - 1].t >= kCrossingGap * (1 - 1e-6));
+    if (i > 0 && after.items()[i - 1].edge == is.edge)
+      REQUIRE(is.t - after.items()[i - 1].t >= kCrossingGap * (1 - 1e-6));
   }
 }
 

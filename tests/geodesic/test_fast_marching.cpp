@@ -1,10 +1,9 @@
-#include "geodesic/fast_marching.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geodesic/auxiliary_distance.hpp"
+#include "geodesic/fast_marching.hpp"
 #include "gvd/error.hpp"
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
@@ -62,8 +61,8 @@ TEST_CASE("a single triangle: distances along its edges") {
 TEST_CASE("circle fronts are exact on a flat grid, from a vertex, an edge and a face") {
   const Mesh mesh = test::make_grid(20, 13);
   for (const SurfacePoint& generator :
-       {vertex_point(mesh, VertexId(5 * 21 + 7)), vertex_point(mesh, VertexId(0)), edge_point(Mesh::halfedge(FaceId(177), 2), 0.3),
-        make_surface_point(FaceId(211), {0.2, 0.3, 0.5})}) {
+       {vertex_point(mesh, VertexId(5 * 21 + 7)), vertex_point(mesh, VertexId(0)),
+        edge_point(Mesh::halfedge(FaceId(177), 2), 0.3), make_surface_point(FaceId(211), {0.2, 0.3, 0.5})}) {
     CHECK(largest_flat_error(mesh, generator, Front::circle) < kOffset);
   }
 }
@@ -99,8 +98,9 @@ NearestError nearest_error(const test::Reference& reference, Front front) {
 }  // namespace
 
 TEST_CASE("nearest distances at the vertices agree with the reference distances") {
-  // Measured: circle 0.01 to 0.3 % on an average, planar 2 to 7 %. Below the exact distance: a circle is unfolded from two
-  // distances whose paths pass different sides of a saddle vertex, so it can fall short (by 7 % at worst, on rotor).
+  // Measured: circle 0.01 to 0.3 % on an average, planar 2 to 7 %. Below the exact distance: a circle is unfolded from
+  // two distances whose paths pass different sides of a saddle vertex, so it can fall short (by 7 % at worst, on
+  // rotor).
   struct Bound {
     const char* name;
     Front front;
@@ -108,9 +108,10 @@ TEST_CASE("nearest distances at the vertices agree with the reference distances"
   };
   const auto shared = test::shared_folder();
   if (!shared) return;
-  for (const Bound& bound : {Bound{"spot.m30", Front::circle, 0.0026, 0.065}, Bound{"spot.m30", Front::planar, 0.05, 0.002},
-                             Bound{"rotor.m15", Front::circle, 0.0028, 0.087}, Bound{"rotor.m15", Front::planar, 0.063, 0},
-                             Bound{"eight.m10", Front::circle, 0.0032, 0.02}, Bound{"plate.m12", Front::circle, 2e-5, 0.008}}) {
+  for (const Bound& bound :
+       {Bound{"spot.m30", Front::circle, 0.0026, 0.065}, Bound{"spot.m30", Front::planar, 0.05, 0.002},
+        Bound{"rotor.m15", Front::circle, 0.0028, 0.087}, Bound{"rotor.m15", Front::planar, 0.063, 0},
+        Bound{"eight.m10", Front::circle, 0.0032, 0.02}, Bound{"plate.m12", Front::circle, 2e-5, 0.008}}) {
     const test::Reference reference = test::read_reference(*shared / "reference", bound.name);
     const NearestError error = nearest_error(reference, bound.front);
     INFO(bound.name << ", " << test::name(bound.front));
@@ -207,7 +208,8 @@ TEST_CASE("what no generator reaches stays out of the tables") {
   }
 }
 
-TEST_CASE("with circles an auxiliary distance is exact on a flat grid where a front comes through the face's other edges") {
+TEST_CASE(
+    "with circles an auxiliary distance is exact on a flat grid where a front comes through the face's other edges") {
   const Mesh mesh = test::make_grid(12, 9);
   const VertexId from(4 * 13 + 6);
   for (const Front front : kFronts) {

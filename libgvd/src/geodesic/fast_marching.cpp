@@ -15,8 +15,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Largest symbolic offset, in mean edge lengths. Mirror-symmetric models put whole bisectors exactly on edges; offsets
-/// that grow with the generator's id decide every tie the same way all along. Far above rounding (1e-16 times a distance
-/// of up to 1e5 edges), far below any length that shows.
+/// that grow with the generator's id decide every tie the same way all along. Far above rounding (1e-16 times a
+/// distance of up to 1e5 edges), far below any length that shows.
 constexpr double kTieOffset = 1e-9;
 
 /// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
@@ -123,7 +123,8 @@ class Marcher {
       const TableEntry& other = table_.entry(i);
       if (other.generator == entry.generator || other.dominated) continue;
       const auto theirs = table_.corner_distances(other);
-      if (theirs[0] < own[0] && theirs[1] < own[1] && theirs[2] < own[2] && dominates_midpoints(other, entry)) return true;
+      if (theirs[0] < own[0] && theirs[1] < own[1] && theirs[2] < own[2] && dominates_midpoints(other, entry))
+        return true;
     }
     return false;
   }
@@ -178,7 +179,8 @@ class Marcher {
   double update(FaceId f, std::size_t i, double distance_a, double distance_b) const {
     const FaceShape& s = mesh_.shape(f);
     const auto t = make_update_triangle(s.length[i], s.length[kPrevious[i]], s.length[kNext[i]], s.twice_area);
-    return front_ == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
+    return front_ == Front::circle ? update_circle(t, distance_a, distance_b)
+                                   : update_planar(t, distance_a, distance_b);
   }
 
   /// The distance at the vertex that h leaves improved: its triangles have to go through the queue again.

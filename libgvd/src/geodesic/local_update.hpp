@@ -35,8 +35,8 @@ inline double update_along_edges(const UpdateTriangle& t, double distance_a, dou
 /// Returns: mesh units; never less than (distance_a + distance_b - base) / 2, for the ray meets the base between A and
 ///   B. It may be less than both distances: a source close behind a long base is nearer to D than to A and B.
 /// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) where the
-///   distances break the triangle inequality, or the source does not see D through A B (obtuse triangles), it falls back
-///   to the edges: an acausal update would be worth less than that upper bound.
+///   distances break the triangle inequality, or the source does not see D through A B (obtuse triangles), it falls
+///   back to the edges: an acausal update would be worth less than that upper bound.
 /// Cost: O(1), two square roots.
 inline double update_circle(const UpdateTriangle& t, double distance_a, double distance_b) {
   const double source_x = 0.5 * (t.base + (distance_a - distance_b) * (distance_a + distance_b) * t.inverse_base);
