@@ -176,7 +176,8 @@ TEST_CASE("dual: many generators on smooth meshes need nothing") {
 TEST_CASE("dual: the surface's normal on faces, edges and vertices") {
   const Mesh box = test::make_plate(4, 1.0);
   for (std::int32_t v = 0; v < box.vertex_count(); ++v) {
-    const Vec3 p = box.position(VertexId(v)), n = surface_normal(box, vertex_point(box, VertexId(v)));
+    const Vec3& p = box.position(VertexId(v));
+    const Vec3 n = surface_normal(box, vertex_point(box, VertexId(v)));
     CHECK(n.norm() == Approx(1));
     const Vec3 out = p - Vec3(0.5, 0.5, 0.5);
     CHECK(n.dot(out) > 0);

@@ -17,7 +17,8 @@ namespace {
 SurfacePoint grid_point(const Mesh& mesh, double x, double y) {
   for (int f = 0; f < mesh.face_count(); ++f) {
     const auto& [a, b, c] = mesh.vertices(FaceId(f));
-    const Vec3 pa = mesh.position(a), u = mesh.position(b) - pa, v = mesh.position(c) - pa, w = Vec3(x, y, 0) - pa;
+    const Vec3& pa = mesh.position(a);
+    const Vec3 u = mesh.position(b) - pa, v = mesh.position(c) - pa, w = Vec3(x, y, 0) - pa;
     const double area = u.cross(v).z(), s = w.cross(v).z() / area, t = u.cross(w).z() / area;
     if (s >= -1e-12 && t >= -1e-12 && s + t <= 1 + 1e-12) return make_surface_point(FaceId(f), {1 - s - t, s, t});
   }

@@ -19,13 +19,12 @@ struct Call {
   std::vector<int> refusals;  ///< exit codes of meshes that the command can honestly not handle
 };
 
-const std::vector<Call>& calls() {
+std::vector<Call> calls() {
   // A remesh guarantees a proper mesh, which slivers and parts of a few faces do not always have room for.
-  static const std::vector<Call> list{{"gvd-segment", "-n 30", "regions.ply", {3, 4}},
-                                      {"gvd-segment", "-n 30 --cut", "pieces.ply", {3, 4}},
-                                      {"gvd-lloyd", "-n 12 --iterations 5", "relaxed.txt", {3, 4}},
-                                      {"gvd-remesh", "-n 60", "coarse.ply", {3, 4, 5}}};
-  return list;
+  return {{"gvd-segment", "-n 30", "regions.ply", {3, 4}},
+          {"gvd-segment", "-n 30 --cut", "pieces.ply", {3, 4}},
+          {"gvd-lloyd", "-n 12 --iterations 5", "relaxed.txt", {3, 4}},
+          {"gvd-remesh", "-n 60", "coarse.ply", {3, 4, 5}}};
 }
 
 }  // namespace
