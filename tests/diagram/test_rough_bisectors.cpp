@@ -109,12 +109,12 @@ TEST_CASE("with circles the crossings on a flat grid lie on the perpendicular bi
        {std::tuple(3 * 21 + 4, 8 * 21 + 13, kStopped), std::tuple(6 * 21 + 2, 6 * 21 + 17, kOffset),
         std::tuple(0, 13 * 21 + 20, kOffset)}) {
     const test::Stages stages(mesh, test::at_vertices(mesh, {a, b}), Front::circle);
-    const Vec3 p = mesh.position(VertexId(a)), q = mesh.position(VertexId(b));
+    const Vec3 &p = mesh.position(VertexId(a)), &q = mesh.position(VertexId(b));
     CHECK(stages.rough.size() > 10);
     for (const Crossing& c : stages.rough.items()) {
       const Vec3 x = place(mesh, c);
       REQUIRE(std::abs((x - p).norm() - (x - q).norm()) < tolerance);
-      const Vec3 from = mesh.position(mesh.from(mesh.halfedge(c.edge)));
+      const Vec3& from = mesh.position(mesh.from(mesh.halfedge(c.edge)));
       const double lead = (from - p).norm() - (from - q).norm();
       REQUIRE((c.before == GeneratorId(0) ? lead : -lead) <= tolerance);
     }
@@ -138,7 +138,7 @@ TEST_CASE("a cell that pokes through the inside of an edge shows there") {
   CHECK(second.before == GeneratorId(2));
   for (const Crossing& c : {first, second}) {
     const Vec3 x = place(mesh, c);
-    const Vec3 corner = mesh.position(x.x() < 2 ? VertexId(0) : VertexId(1));
+    const Vec3& corner = mesh.position(x.x() < 2 ? VertexId(0) : VertexId(1));
     CHECK((x - corner).norm() == Approx((x - mesh.position(VertexId(3))).norm()).epsilon(1e-6));
   }
 }

@@ -126,7 +126,7 @@ TEST_CASE("on a flat grid the left generator is nearer on the left, and the righ
   const Traced t(mesh, test::at_vertices(mesh, {28, 355, 195, 63, 417, 211}), Front::circle);
   CHECK(t.diagram.bisectors.size() >= 6);
   for (const Bisector& b : t.diagram.bisectors) {
-    const Vec3 left = mesh.position(t.working.vertex(b.left)), right = mesh.position(t.working.vertex(b.right));
+    const Vec3 &left = mesh.position(t.working.vertex(b.left)), &right = mesh.position(t.working.vertex(b.right));
     for (std::size_t k = 0; k + 1 < b.points.size(); ++k) {
       const Vec3 p = position(mesh, b.points[k]), way = position(mesh, b.points[k + 1]) - p;
       if (way.norm() < 1e-3) continue;

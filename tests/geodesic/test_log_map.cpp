@@ -140,7 +140,7 @@ TEST_CASE("on a sphere the log map is close to the analytic one") {
     const Vec3 y = pole.cross(x);
     for (int f = 0; f < mesh.face_count(); ++f) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 p = mesh.position(mesh.vertices(FaceId(f))[k]);
+        const Vec3& p = mesh.position(mesh.vertices(FaceId(f))[k]);
         const double distance = std::acos(std::clamp(p.dot(pole), -1.0, 1.0));
         if (distance > 1.6) continue;  // errors grow towards the antipode, where directions run together
         const Vec2 expected = distance * Vec2(p.dot(x), p.dot(y)).normalized();
