@@ -1,0 +1,69 @@
+#include "geodesic/face_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gvd {
+namespace {
+
+/// The sum of angles in [0, pi], as whole turns and the rest's cosine and sine: no inverse trigonometry.
+struct Turning {
+  double cosine = 1, sine = 0;
+  std::int32_t half_turns = 0;  // how often the sum has crossed a multiple of pi
+
+  void add(double c, double s) {
+    const double turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
+    // One angle is at most pi: it crosses one multiple of pi at the most, and there the sine changes sign.
+    if ((turned_sine < 0) != (sine < 0)) ++half_turns;
+    cosine = turned_cosine;
+    sine = turned_sine;
+  }
+  /// Whether the sum is `half` times pi, to within kFlatAngle.
+  bool is_near(std::int32_t half) const {
+    if (!(std::abs(sine) < kFlatAngle) || (cosine > 0) != (half % 2 == 0)) return false;
+    return std::abs(half_turns - half) <= 1;  // the sine's sign is chance there
+  }
+};
+
+VertexKind kind_of(const Turning& total, bool boundary) {
+  const std::int32_t straight = boundary ? 1 : 2;
+  if (total.is_near(straight)) return boundary ? VertexKind::plain : VertexKind::flat;
+  if (total.half_turns < straight) return VertexKind::plain;
+  return boundary ? VertexKind::reflex : VertexKind::saddle;
+}
+
+FaceFrame make_frame(const Mesh& mesh, FaceId f) {
+  FaceFrame frame{};
+  const auto& corners = mesh.vertices(f);
+  const FaceShape& shape = mesh.shape(f);
+  std::array<Vec3, 3> side;
+  for (std::size_t i = 0; i < 3; ++i) side[i] = mesh.position(corners[(i + 1) % 3]) - mesh.position(corners[i]);
+  frame.length = shape.length;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t before = (i + 2) % 3;
+    // The products of lengths and not those of sides would lose all digits of a needle's cosines.
+    const double scale = 1 / (shape.length[i] * shape.length[before]);
+    frame.cosine[i] = -side[i].dot(side[before]) * scale;
+    frame.sine[i] = shape.twice_area * scale;
+    frame.vertex[i] = corners[i].value();
+    frame.twin[i] = mesh.twin(Mesh::halfedge(f, static_cast<int>(i))).value();
+  }
+  return frame;
+}
+
+}  // namespace
+
+FaceFrames::FaceFrames(const Mesh& mesh) : kind(static_cast<std::size_t>(mesh.vertex_count())) {
+  frame.reserve(static_cast<std::size_t>(mesh.face_count()));
+  std::vector<Turning> total(static_cast<std::size_t>(mesh.vertex_count()));
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const FaceFrame made = make_frame(mesh, FaceId(f));
+    for (std::size_t i = 0; i < 3; ++i) total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i]);
+    frame.push_back(made);
+  }
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    kind[VertexId(i)] = kind_of(total[static_cast<std::size_t>(i)], mesh.is_boundary(VertexId(i)));
+  }
+}
+
+}  // namespace gvd

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// A face as window propagation sees it: what it takes to carry an image across the face without a division by a length
+/// or an angle. 96 bytes, one and a half lines of the cache.
+struct FaceFrame {
+  std::array<double, 3> length;         ///< of halfedge i, mesh units
+  std::array<double, 3> cosine;         ///< of the angle at corner i
+  std::array<double, 3> sine;           ///< of the angle at corner i, >= 0
+  std::array<std::int32_t, 3> vertex;   ///< at corner i
+  std::array<std::int32_t, 3> twin;     ///< of halfedge i, or -1 on the boundary
+};
+static_assert(sizeof(FaceFrame) == 96);
+
+/// What the total angle theta of the faces round a vertex means for shortest paths.
+enum class VertexKind : std::uint8_t {
+  plain,   ///< convex, or on the boundary with theta <= pi: no shortest path goes through it but at its end
+  flat,    ///< theta = 2 pi: paths go straight on; the images that its two sides see are one
+  saddle,  ///< theta > 2 pi: a pseudo-source
+  reflex,  ///< on the boundary with theta > pi: a pseudo-source
+};
+
+/// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is right
+/// to 1e-14; a path that bends by 1e-9 is longer than the straight one by 1e-18 of itself.
+inline constexpr double kFlatAngle = 1e-9;
+
+struct FaceFrames {
+  IdVector<FaceId, FaceFrame> frame;
+  IdVector<VertexId, VertexKind> kind;
+
+  /// Cost: O(n), no trigonometry.
+  explicit FaceFrames(const Mesh& mesh);
+};
+
+}  // namespace gvd

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "geodesic/face_frames.hpp"
+
+namespace gvd {
+
+/// All shortest paths that reach one interval of an edge from one side through the same faces: they come straight from
+/// one image of a generator, or of a pseudo-source, in the plane of the face that they leave.
+///
+/// Source: Mitchell, Mount and Papadimitriou (1987); Chen and Han (1990).
+/// Frame: the edge lies on the x axis and the window comes from below. Its origin is the start of the halfedge that the
+/// paths cross next, in the face beyond, x towards that halfedge's end; on the boundary, where there is no such halfedge,
+/// the end of the halfedge of the face that they leave, x towards its start. Mesh units.
+struct alignas(64) Window {
+  double begin, end;        ///< interval on the edge, 0 <= begin < end <= length
+  double x, depth;          ///< the image lies at (x, -depth), depth > 0
+  double offset;            ///< distance from the generator to the image's vertex
+  std::int32_t generator;   ///< GeneratorId
+  std::int32_t next;        ///< the next window in the same list, or -1
+  float key;                ///< least distance on the interval, a little below: for the queue
+  std::uint8_t joins;       ///< bit 0: another window may join at `begin` without a step; bit 1: at `end`
+
+  static constexpr std::uint8_t kJoinsAtBegin = 1, kJoinsAtEnd = 2;
+
+  /// Square of the distance from the image to the point t of the edge.
+  double squared_reach(double t) const { return (t - x) * (t - x) + depth * depth; }
+  /// Distance from the generator to the point t of the edge.
+  double distance(double t) const { return offset + std::sqrt(squared_reach(t)); }
+  /// The least distance on the interval.
+  double least_distance() const {
+    return x < begin ? distance(begin) : x > end ? distance(end) : offset + depth;
+  }
+};
+static_assert(sizeof(Window) == 64);
+
+/// One side of a face, seen from a window that enters through another: what the window's rays meet there.
+///
+/// `near` is the corner that the side shares with the window's edge. With u the distance from `near` along the window's
+/// edge, the image at (u_image, -depth), and the angle at `near` between the two sides, the ray through u meets the side
+/// at distance u depth / (depth cos + (u_image - u) sin) from `near`: one division, and no cancellation but where the
+/// ray runs along the side.
+struct SideView {
+  double cosine, sine;  ///< of the angle at `near`
+  double along;         ///< of the image's foot on the side, from `near`
+  double depth;         ///< of the image behind the side
+  double image, below;  ///< u_image and depth on the window's edge
+
+  SideView(double cos_near, double sin_near, double u_image, double image_depth)
+      : cosine(cos_near),
+        sine(sin_near),
+        along(u_image * cos_near - image_depth * sin_near),
+        depth(u_image * sin_near + image_depth * cos_near),
+        image(u_image),
+        below(image_depth) {}
+
+  double hit(double u) const { return u * below / (below * cosine + (image - u) * sine); }
+};
+
+/// Where the apex, the corner of the face opposite to a window's edge, lies between the window's rays.
+struct ApexView {
+  double x, y;         ///< the apex in the window's frame
+  double beyond_begin; ///< > 0: the ray through `begin` passes to the right of the apex, which stays outside
+  double beyond_end;   ///< < 0: the ray through `end` passes to the left of the apex, which stays outside
+
+  ApexView(const Window& w, double apex_x, double apex_y)
+      : x(apex_x),
+        y(apex_y),
+        beyond_begin((w.begin - w.x) * apex_y - (apex_x - w.begin) * w.depth),
+        beyond_end((w.end - w.x) * apex_y - (apex_x - w.end) * w.depth) {}
+
+  bool all_right() const { return beyond_begin > 0; }
+  bool all_left() const { return beyond_end < 0; }
+  bool covered() const { return beyond_begin <= 0 && beyond_end >= 0; }
+  double squared_reach(const Window& w) const { return (x - w.x) * (x - w.x) + (y + w.depth) * (y + w.depth); }
+};
+
+/// A path that bends by less than this, in radians, at the end of a window's interval is taken for straight: rays that
+/// graze a vertex would otherwise miss the windows on both sides of it by rounding, which comes to 1e-12. What is
+/// accepted wrongly is too short by half the square of it: 5e-19 of the last piece of the path.
+inline constexpr double kGrazingAngle = 1e-9;
+
+/// Whether the apex, not covered, lies on the continuation of the window's outermost ray within kGrazingAngle.
+inline bool is_grazed(const Window& w, const ApexView& apex) {
+  const double t = apex.all_right() ? w.begin : w.end;
+  const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
+  const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
+  return beyond * beyond <= kGrazingAngle * kGrazingAngle * w.squared_reach(t) * squared_step;
+}
+
+/// The part of a window that leaves the face by the left side, from the edge's start to the apex.
+inline Window cross_left(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
+  const std::size_t side = (i + 2) % 3;
+  const SideView view(f.cosine[i], f.sine[i], w.x, w.depth);
+  Window child = w;
+  child.begin = std::max(0.0, view.hit(w.begin));
+  child.end = f.length[side];
+  if (apex.all_left()) child.end = std::min(child.end, view.hit(w.end));
+  child.x = view.along;
+  child.depth = view.depth;
+  return child;
+}
+
+/// The part of a window that leaves the face by the right side, from the apex to the edge's end.
+inline Window cross_right(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
+  const std::size_t side = (i + 1) % 3;
+  const double base = f.length[i], length = f.length[side];
+  const SideView view(f.cosine[side], f.sine[side], base - w.x, w.depth);
+  Window child = w;
+  child.begin = apex.all_right() ? std::max(0.0, length - view.hit(base - w.begin)) : 0;
+  child.end = std::min(length, length - view.hit(base - w.end));
+  child.x = length - view.along;
+  child.depth = view.depth;
+  return child;
+}
+
+}  // namespace gvd

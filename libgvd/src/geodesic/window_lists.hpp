@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geodesic/window.hpp"
+
+namespace gvd {
+
+/// Windows in blocks that never move, and a list of those that are free again: the last one freed is the next one used,
+/// while the cache still holds it.
+class WindowPool {
+ public:
+  Window& operator[](std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  const Window& operator[](std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+
+  std::int32_t add(const Window& w) {
+    ++live_;
+    if (free_ >= 0) {
+      const std::int32_t place = free_;
+      Window& slot = (*this)[place];
+      free_ = slot.next;
+      slot = w;
+      return place;
+    }
+    if ((used_ & kMask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
+    (*this)[used_] = w;
+    return used_++;
+  }
+  void free(std::int32_t place) {
+    --live_;
+    (*this)[place].next = free_;
+    free_ = place;
+  }
+  /// Windows that are not free.
+  std::int64_t live() const { return live_; }
+
+ private:
+  static constexpr int kShift = 10;
+  static constexpr std::int32_t kMask = (1 << kShift) - 1;
+
+  std::vector<std::unique_ptr<Window[]>> blocks_;
+  std::int32_t used_ = 0, free_ = -1;
+  std::int64_t live_ = 0;
+};
+
+}  // namespace gvd

@@ -1,0 +1,305 @@
+#include "geodesic/window_propagation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geodesic/bucket_queue.hpp"
+#include "geodesic/saddle_fan.hpp"
+#include "geodesic/window_filters.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kMaxBuckets = 1 << 16;
+/// Windows whose images differ by less than this part of their distance, the same up to rounding, are one.
+constexpr double kSameImage = 3e-13;
+
+/// A distance must fall by this part of itself to be news.
+constexpr double kNews = 4e-15;
+
+class Propagation {
+ public:
+  Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
+      : field_(mesh),
+        frames_(field_.frames),
+        fan_(frames_),
+        pool_(field_.pool),
+        options_(options),
+        progress_(progress),
+        queue_(options.bucket_width * mesh.mean_edge_length(), bucket_count(mesh, options)),
+        inverse_width_(1 / (options.bucket_width * mesh.mean_edge_length())),
+        waiting_(static_cast<std::size_t>(mesh.halfedge_count()), -1) {}
+
+  WindowField run(const Mesh& mesh, const std::vector<VertexId>& generators) {
+    for (std::size_t g = 0; g < generators.size(); ++g) {
+      const auto v = static_cast<std::size_t>(generators[g].value());
+      field_.distance.raw()[v] = 0;
+      field_.label.raw()[v] = static_cast<std::int32_t>(g);
+      events_.push_back({generators[g].value(), 0, {mesh.halfedge(generators[g]).value(), {}}, true});
+      queue_.push(0, ~static_cast<std::int32_t>(events_.size() - 1));
+    }
+    while (!queue_.empty()) {
+      const std::int32_t item = queue_.pop();
+      if (item >= 0) {
+        process_halfedge(item);
+      } else {
+        process_vertex(~item);
+      }
+    }
+    return std::move(field_);
+  }
+
+ private:
+  struct VertexEvent {
+    std::int32_t vertex;
+    double distance;
+    FanRay back;  // towards where the path came from
+    bool all_round;
+  };
+
+  static std::size_t bucket_count(const Mesh& mesh, const PropagationOptions& options) {
+    double longest = 0;
+    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+      for (const double length : mesh.shape(FaceId(f)).length) longest = std::max(longest, length);
+    }
+    return static_cast<std::size_t>(
+        std::min(kMaxBuckets, 3 * longest / (options.bucket_width * mesh.mean_edge_length()) + 3));
+  }
+
+  double& distance(std::int32_t v) { return field_.distance.raw()[static_cast<std::size_t>(v)]; }
+  VertexKind kind(std::int32_t v) const { return frames_.kind.raw()[static_cast<std::size_t>(v)]; }
+  bool is_flat(std::int32_t v) const { return kind(v) == VertexKind::flat; }
+
+  /// A path to vertex v. Where it is news and v is a pseudo-source, v will send windows.
+  void reach_vertex(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
+    double& known = distance(v);
+    if (!(d < known * (1 - kNews))) return;
+    known = d;
+    field_.label.raw()[static_cast<std::size_t>(v)] = generator;
+    if (kind(v) < VertexKind::saddle) return;
+    std::int32_t place = 0;
+    if (free_events_.empty()) {
+      place = static_cast<std::int32_t>(events_.size());
+      events_.push_back({v, d, back, false});
+    } else {
+      place = free_events_.back();
+      free_events_.pop_back();
+      events_[static_cast<std::size_t>(place)] = {v, d, back, false};
+    }
+    queue_.push(d, ~place);
+  }
+
+  void process_vertex(std::int32_t place) {
+    const VertexEvent event = events_[static_cast<std::size_t>(place)];
+    free_events_.push_back(place);
+    if (event.distance > distance(event.vertex)) return;  // a shorter path came since
+    if (event.all_round) {
+      const std::int32_t start = event.back.halfedge;
+      std::int32_t h = start;
+      do {
+        send(event, h, nullptr, nullptr);
+        h = fan_.left_of(h);
+      } while (h >= 0 && h != start);
+      return;
+    }
+    const FanRay left = fan_.straight_left(event.back), right = fan_.straight_right(event.back);
+    if (kind(event.vertex) == VertexKind::saddle) {
+      send_between(event, left, right);
+    } else {
+      if (left.valid()) send_between(event, left, {});
+      if (right.valid()) send_between(event, {}, right);
+    }
+  }
+
+  /// Sends windows into the faces from `first` counter-clockwise to `last`; a ray that is not valid stands for the boundary.
+  void send_between(const VertexEvent& event, const FanRay& first, const FanRay& last) {
+    if (first.valid()) {
+      for (std::int32_t h = first.halfedge; h >= 0; h = fan_.left_of(h)) {
+        const bool is_first = h == first.halfedge, is_last = last.valid() && h == last.halfedge;
+        send(event, h, is_first ? &first.angle : nullptr, is_last ? &last.angle : nullptr);
+        if (is_last) return;
+      }
+    } else {
+      for (std::int32_t h = last.halfedge; h >= 0; h = fan_.right_of(h)) {
+        send(event, h, nullptr, h == last.halfedge ? &last.angle : nullptr);
+      }
+    }
+  }
+
+  /// Sends one window across the face of `outgoing`, between two rays; null for the face's own sides.
+  void send(const VertexEvent& event, std::int32_t outgoing, const Rotation* first, const Rotation* last) {
+    const FaceFrame& f = fan_.face(outgoing);
+    const auto c = static_cast<std::size_t>(outgoing % 3), p = (c + 1) % 3, q = (c + 2) % 3;
+    const std::int32_t generator = field_.label.raw()[static_cast<std::size_t>(event.vertex)];
+    const std::int32_t base = outgoing - static_cast<std::int32_t>(c);
+    if (!first || first->sine < kGrazingAngle) {
+      reach_vertex(f.vertex[p], event.distance + f.length[c], generator,
+                   {base + static_cast<std::int32_t>(p), {f.cosine[p], f.sine[p]}});
+    }
+    if (!last || (Rotation{f.cosine[c], f.sine[c]} - *last).sine < kGrazingAngle) {
+      reach_vertex(f.vertex[q], event.distance + f.length[q], generator, {base + static_cast<std::int32_t>(q), {}});
+    }
+    Window w{};
+    const double length = f.length[p];
+    const auto position = [&](const Rotation& ray) {
+      const double from_p = f.length[c] * ray.sine / (ray.sine * f.cosine[p] + ray.cosine * f.sine[p]);
+      return std::clamp(length - from_p, 0.0, length);
+    };
+    w.begin = last ? position(*last) : 0;
+    w.end = first ? position(*first) : length;
+    w.x = f.length[q] * f.cosine[q];
+    w.depth = f.length[q] * f.sine[q];
+    w.offset = event.distance;
+    w.generator = generator;
+    w.joins = static_cast<std::uint8_t>((!last && is_flat(f.vertex[q]) ? Window::kJoinsAtBegin : 0) |
+                                        (!first && is_flat(f.vertex[p]) ? Window::kJoinsAtEnd : 0));
+    add_window(w, base + static_cast<std::int32_t>(p), f, p, f.vertex[q], f.vertex[p]);
+  }
+
+  /// Puts a window that leaves face f by its side i on the edge, unless it is beaten.
+  void add_window(Window& w, std::int32_t exit, const FaceFrame& f, std::size_t i, std::int32_t start, std::int32_t end) {
+    if (!(w.begin < w.end) || !(w.depth > 0)) return;
+    const double length = f.length[i];
+    if (is_beaten_by_start(w, distance(start)) || is_beaten_by_end(w, distance(end), length)) return;
+    const std::int32_t twin = f.twin[i];
+    w.key = static_cast<float>(w.least_distance());
+    ++field_.created_count;
+    if (twin < 0) {
+      keep(exit, pool_.add(w));
+      return;
+    }
+    std::int32_t& head = waiting_[static_cast<std::size_t>(twin)];
+    if (head < 0) {
+      w.next = -1;
+      head = pool_.add(w);
+      queue_.push(w.key, twin);
+      return;
+    }
+    if (w.joins != 0 && join(head, w, length)) {
+      const float key = std::min(w.key, pool_[head].key);
+      if (is_earlier(key, pool_[head].key)) queue_.push(key, twin);
+      pool_[head].key = key;
+      return;
+    }
+    if (is_earlier(w.key, pool_[head].key)) {
+      w.next = head;
+      head = pool_.add(w);
+      queue_.push(w.key, twin);
+    } else {
+      w.next = pool_[head].next;
+      const std::int32_t place = pool_.add(w);
+      pool_[head].next = place;
+    }
+  }
+
+  bool is_earlier(double a, double b) const { return std::floor(a * inverse_width_) < std::floor(b * inverse_width_); }
+
+  bool join(std::int32_t head, const Window& w, double length) {
+    const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
+    for (std::int32_t i = head; i >= 0; i = pool_[i].next) {
+      Window& other = pool_[i];
+      if (other.generator != w.generator || other.offset != w.offset) continue;
+      if (std::abs(other.x - w.x) > tolerance || std::abs(other.depth - w.depth) > tolerance) continue;
+      if ((w.joins & Window::kJoinsAtBegin) && (other.joins & Window::kJoinsAtEnd) &&
+          std::abs(other.end - w.begin) <= 1e-9 * length) {
+        other.end = w.end;
+        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtBegin) | (w.joins & Window::kJoinsAtEnd));
+        return true;
+      }
+      if ((w.joins & Window::kJoinsAtEnd) && (other.joins & Window::kJoinsAtBegin) &&
+          std::abs(other.begin - w.end) <= 1e-9 * length) {
+        other.begin = w.begin;
+        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtEnd) | (w.joins & Window::kJoinsAtBegin));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void keep(std::int32_t h, std::int32_t place) {
+    if (options_.keep == KeepWindows::none) {
+      pool_.free(place);
+      return;
+    }
+    std::int32_t& last = field_.kept[static_cast<std::size_t>(h)];
+    if (last < 0) {
+      pool_[place].next = place;
+    } else {
+      pool_[place].next = pool_[last].next;
+      pool_[last].next = place;
+    }
+    last = place;
+  }
+
+  void process_halfedge(std::int32_t h) {
+    std::int32_t place = waiting_[static_cast<std::size_t>(h)];
+    if (place < 0) return;  // an earlier entry has done the work
+    waiting_[static_cast<std::size_t>(h)] = -1;
+    const FaceFrame& f = fan_.face(h);
+    const auto i = static_cast<std::size_t>(h % 3);
+    while (place >= 0) {
+      const std::int32_t next = pool_[place].next;
+      Window w = pool_[place];
+      if (is_beaten_by_start(w, distance(f.vertex[i])) ||
+          is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
+        pool_.free(place);
+      } else {
+        keep(h, place);
+        cross_face(w, f, h, i);
+      }
+      place = next;
+    }
+  }
+
+  void cross_face(const Window& w, const FaceFrame& f, std::int32_t h, std::size_t i) {
+    ++field_.window_count;
+    const std::size_t right = (i + 1) % 3, left = (i + 2) % 3;
+    const std::int32_t base = h - static_cast<std::int32_t>(i);
+    const ApexView apex(w, f.length[left] * f.cosine[i], f.length[left] * f.sine[i]);
+    if (apex.covered() || is_grazed(w, apex)) reach_apex(w, f, base, i, apex);
+    const bool flat = is_flat(f.vertex[left]);
+    if (!apex.all_right()) {
+      Window child = cross_left(w, f, i, apex);
+      if (!apex.all_left()) child.joins = static_cast<std::uint8_t>((w.joins & Window::kJoinsAtBegin) | (flat ? Window::kJoinsAtEnd : 0));
+      add_window(child, base + static_cast<std::int32_t>(left), f, left, f.vertex[i], f.vertex[left]);
+    }
+    if (!apex.all_left()) {
+      Window child = cross_right(w, f, i, apex);
+      if (!apex.all_right()) child.joins = static_cast<std::uint8_t>((w.joins & Window::kJoinsAtEnd) | (flat ? Window::kJoinsAtBegin : 0));
+      add_window(child, base + static_cast<std::int32_t>(right), f, right, f.vertex[left], f.vertex[right]);
+    }
+  }
+
+  void reach_apex(const Window& w, const FaceFrame& f, std::int32_t base, std::size_t i, const ApexView& apex) {
+    const std::size_t left = (i + 2) % 3;
+    const double reach = std::sqrt(apex.squared_reach(w)), d = w.offset + reach;
+    if (!(d < distance(f.vertex[left]))) return;
+    // The way back, turned from the side towards the edge's start.
+    const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
+    const double side_x = -f.cosine[i], side_y = -f.sine[i];
+    const Rotation angle{side_x * back_x + side_y * back_y, side_x * back_y - side_y * back_x};
+    reach_vertex(f.vertex[left], d, w.generator, {base + static_cast<std::int32_t>(left), angle});
+  }
+
+  WindowField field_;
+  const FaceFrames& frames_;
+  VertexFan fan_;
+  WindowPool& pool_;
+  PropagationOptions options_;
+  const Progress& progress_;
+  BucketQueue<std::int32_t> queue_;
+  double inverse_width_;
+  std::vector<std::int32_t> waiting_;  // [halfedge] windows that wait to cross it, the first in the queue's order ahead
+  std::vector<VertexEvent> events_;
+  std::vector<std::int32_t> free_events_;
+};
+
+}  // namespace
+
+WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
+                              const PropagationOptions& options, const Progress& progress) {
+  return Propagation(mesh, options, progress).run(mesh, generators);
+}
+
+}  // namespace gvd
