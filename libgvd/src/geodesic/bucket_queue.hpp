@@ -19,6 +19,9 @@ class BucketQueue {
 
   bool empty() const { return size_ == 0; }
 
+  /// No item has a key below this, but those that were pushed with a key below it.
+  double front() const { return static_cast<double>(turn_) / inverse_width_; }
+
   void push(double key, const Item& item) {
     const double ahead = key * inverse_width_ - turn_;
     // A cast cuts off the fraction; below 0 everything goes into the current bucket.

@@ -27,6 +27,11 @@ struct WindowField {
 
   /// Calls visit(const Window&) for the windows that cross halfedge h into its face; for a halfedge of the boundary, those
   /// that end there.
+  std::int64_t count_kept() const {
+    std::int64_t n = 0;
+    for (std::size_t h = 0; h < kept.size(); ++h) for_each_window(HalfedgeId(std::int64_t(h)), [&](const Window&) { ++n; });
+    return n;
+  }
   template <class Visit>
   void for_each_window(HalfedgeId h, Visit visit) const {
     const std::int32_t last = kept[h.index()];

@@ -17,7 +17,7 @@ class WindowPool {
   const Window& operator[](std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
   std::int32_t add(const Window& w) {
-    ++live_;
+
     if (free_ >= 0) {
       const std::int32_t place = free_;
       Window& slot = (*this)[place];
@@ -30,12 +30,19 @@ class WindowPool {
     return used_++;
   }
   void free(std::int32_t place) {
-    --live_;
+
     (*this)[place].next = free_;
     free_ = place;
   }
-  /// Windows that are not free.
-  std::int64_t live() const { return live_; }
+  /// Frees a closed list, given its last window. Cost: O(1).
+  void free_list(std::int32_t last) {
+    Window& end = (*this)[last];
+    const std::int32_t first = end.next;
+    end.next = free_;
+    free_ = first;
+  }
+  /// Memory of all blocks.
+  std::int64_t bytes() const { return static_cast<std::int64_t>(blocks_.size()) * (kMask + 1) * static_cast<std::int64_t>(sizeof(Window)); }
 
  private:
   static constexpr int kShift = 10;
@@ -43,7 +50,7 @@ class WindowPool {
 
   std::vector<std::unique_ptr<Window[]>> blocks_;
   std::int32_t used_ = 0, free_ = -1;
-  std::int64_t live_ = 0;
+
 };
 
 }  // namespace gvd

@@ -7,6 +7,7 @@
 #include "geodesic/bucket_queue.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/window_filters.hpp"
+#include "geodesic/window_retention.hpp"
 
 namespace gvd {
 namespace {
@@ -29,7 +30,8 @@ class Propagation {
         progress_(progress),
         queue_(options.bucket_width * mesh.mean_edge_length(), bucket_count(mesh, options)),
         inverse_width_(1 / (options.bucket_width * mesh.mean_edge_length())),
-        waiting_(static_cast<std::size_t>(mesh.halfedge_count()), -1) {}
+        waiting_(static_cast<std::size_t>(mesh.halfedge_count()), -1),
+        retention_(field_) {}
 
   WindowField run(const Mesh& mesh, const std::vector<VertexId>& generators) {
     for (std::size_t g = 0; g < generators.size(); ++g) {
@@ -41,6 +43,7 @@ class Propagation {
     }
     while (!queue_.empty()) {
       const std::int32_t item = queue_.pop();
+      if (retention_.is_due()) retention_.sweep(queue_.front());
       if (item >= 0) {
         process_halfedge(item);
       } else {
@@ -68,6 +71,7 @@ class Propagation {
   }
 
   double& distance(std::int32_t v) { return field_.distance.raw()[static_cast<std::size_t>(v)]; }
+  std::int32_t label(std::int32_t v) const { return field_.label.raw()[static_cast<std::size_t>(v)]; }
   VertexKind kind(std::int32_t v) const { return frames_.kind.raw()[static_cast<std::size_t>(v)]; }
   bool is_flat(std::int32_t v) const { return kind(v) == VertexKind::flat; }
 
@@ -76,7 +80,11 @@ class Propagation {
     double& known = distance(v);
     if (!(d < known * (1 - kNews))) return;
     known = d;
-    field_.label.raw()[static_cast<std::size_t>(v)] = generator;
+    std::int32_t& label = field_.label.raw()[static_cast<std::size_t>(v)];
+    if (label != generator) {
+      if (label >= 0) mark_round(back.halfedge);
+      label = generator;
+    }
     if (kind(v) < VertexKind::saddle) return;
     std::int32_t place = 0;
     if (free_events_.empty()) {
@@ -166,6 +174,7 @@ class Propagation {
     w.key = static_cast<float>(w.least_distance());
     ++field_.created_count;
     if (twin < 0) {
+      if (w.generator != label(start) || w.generator != label(end)) retention_.mark_mixed(exit);
       keep(exit, pool_.add(w));
       return;
     }
@@ -217,12 +226,24 @@ class Propagation {
     return false;
   }
 
+  /// A vertex changes its label: windows on its edges may have had the old one.
+  void mark_round(std::int32_t outgoing) {
+    std::int32_t h = outgoing;
+    do {
+      retention_.mark(h / 3);
+      h = fan_.left_of(h);
+    } while (h >= 0 && h != outgoing);
+    if (h == outgoing) return;
+    for (h = outgoing; h >= 0; h = fan_.right_of(h)) retention_.mark(h / 3);
+  }
+
   void keep(std::int32_t h, std::int32_t place) {
     if (options_.keep == KeepWindows::none) {
       pool_.free(place);
       return;
     }
     std::int32_t& last = field_.kept[static_cast<std::size_t>(h)];
+    if (options_.keep == KeepWindows::near_bisectors) retention_.add(h, last < 0);
     if (last < 0) {
       pool_[place].next = place;
     } else {
@@ -245,6 +266,7 @@ class Propagation {
           is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
         pool_.free(place);
       } else {
+        if (w.generator != label(f.vertex[i]) || w.generator != label(f.vertex[(i + 1) % 3])) retention_.mark_mixed(h);
         keep(h, place);
         cross_face(w, f, h, i);
       }
@@ -291,6 +313,7 @@ class Propagation {
   BucketQueue<std::int32_t> queue_;
   double inverse_width_;
   std::vector<std::int32_t> waiting_;  // [halfedge] windows that wait to cross it, the first in the queue's order ahead
+  WindowRetention retention_;
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
 };
