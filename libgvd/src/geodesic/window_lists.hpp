@@ -34,13 +34,6 @@ class WindowPool {
     (*this)[place].next = free_;
     free_ = place;
   }
-  /// Frees a closed list, given its last window. Cost: O(1).
-  void free_list(std::int32_t last) {
-    Window& end = (*this)[last];
-    const std::int32_t first = end.next;
-    end.next = free_;
-    free_ = first;
-  }
   /// Memory of all blocks.
   std::int64_t bytes() const { return static_cast<std::int64_t>(blocks_.size()) * (kMask + 1) * static_cast<std::int64_t>(sizeof(Window)); }
 

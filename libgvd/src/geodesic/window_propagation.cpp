@@ -7,6 +7,7 @@
 #include "geodesic/bucket_queue.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/window_filters.hpp"
+#include "geodesic/window_lists.hpp"
 #include "geodesic/window_retention.hpp"
 
 namespace gvd {
@@ -25,13 +26,12 @@ class Propagation {
       : field_(mesh),
         frames_(field_.frames),
         fan_(frames_),
-        pool_(field_.pool),
         options_(options),
         progress_(progress),
         queue_(options.bucket_width * mesh.mean_edge_length(), bucket_count(mesh, options)),
         inverse_width_(1 / (options.bucket_width * mesh.mean_edge_length())),
         waiting_(static_cast<std::size_t>(mesh.halfedge_count()), -1),
-        retention_(field_) {}
+        retention_(options.keep, field_.frames, field_.distance, field_.label) {}
 
   WindowField run(const Mesh& mesh, const std::vector<VertexId>& generators) {
     for (std::size_t g = 0; g < generators.size(); ++g) {
@@ -50,6 +50,7 @@ class Propagation {
         process_vertex(~item);
       }
     }
+    field_.windows = retention_.finish();
     return std::move(field_);
   }
 
@@ -174,8 +175,8 @@ class Propagation {
     w.key = static_cast<float>(w.least_distance());
     ++field_.created_count;
     if (twin < 0) {
-      if (w.generator != label(start) || w.generator != label(end)) retention_.mark_mixed(exit);
-      keep(exit, pool_.add(w));
+      if (w.generator != label(start) || w.generator != label(end)) retention_.mark_edge(exit);
+      retention_.add(w, exit);
       return;
     }
     std::int32_t& head = waiting_[static_cast<std::size_t>(twin)];
@@ -230,27 +231,11 @@ class Propagation {
   void mark_round(std::int32_t outgoing) {
     std::int32_t h = outgoing;
     do {
-      retention_.mark(h / 3);
+      retention_.mark_face(h / 3);
       h = fan_.left_of(h);
     } while (h >= 0 && h != outgoing);
     if (h == outgoing) return;
-    for (h = outgoing; h >= 0; h = fan_.right_of(h)) retention_.mark(h / 3);
-  }
-
-  void keep(std::int32_t h, std::int32_t place) {
-    if (options_.keep == KeepWindows::none) {
-      pool_.free(place);
-      return;
-    }
-    std::int32_t& last = field_.kept[static_cast<std::size_t>(h)];
-    if (options_.keep == KeepWindows::near_bisectors) retention_.add(h, last < 0);
-    if (last < 0) {
-      pool_[place].next = place;
-    } else {
-      pool_[place].next = pool_[last].next;
-      pool_[last].next = place;
-    }
-    last = place;
+    for (h = outgoing; h >= 0; h = fan_.right_of(h)) retention_.mark_face(h / 3);
   }
 
   void process_halfedge(std::int32_t h) {
@@ -261,13 +246,12 @@ class Propagation {
     const auto i = static_cast<std::size_t>(h % 3);
     while (place >= 0) {
       const std::int32_t next = pool_[place].next;
-      Window w = pool_[place];
-      if (is_beaten_by_start(w, distance(f.vertex[i])) ||
-          is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
-        pool_.free(place);
-      } else {
-        if (w.generator != label(f.vertex[i]) || w.generator != label(f.vertex[(i + 1) % 3])) retention_.mark_mixed(h);
-        keep(h, place);
+      const Window w = pool_[place];
+      pool_.free(place);
+      if (!is_beaten_by_start(w, distance(f.vertex[i])) &&
+          !is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
+        if (w.generator != label(f.vertex[i]) || w.generator != label(f.vertex[(i + 1) % 3])) retention_.mark_edge(h);
+        retention_.add(w, h);
         cross_face(w, f, h, i);
       }
       place = next;
@@ -307,7 +291,7 @@ class Propagation {
   WindowField field_;
   const FaceFrames& frames_;
   VertexFan fan_;
-  WindowPool& pool_;
+  WindowPool pool_;
   PropagationOptions options_;
   const Progress& progress_;
   BucketQueue<std::int32_t> queue_;
