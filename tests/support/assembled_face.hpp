@@ -45,7 +45,7 @@ struct AssembledFace {
   WorkingPieces pieces_of(const std::vector<FaceArc>& arcs) const {
     WorkingPieces result;
     result.pieces.resize(1);  // what stands there before must not matter
-    trace_pieces(boundary, arcs, diagram.branches, result);
+    trace_pieces(boundary, arcs, diagram, result);
     return result;
   }
 

@@ -21,12 +21,15 @@ enum class Front {
 
 /// Which distance solver and tracer build the diagram.
 enum class Method {
+  exact,  ///< exact polyhedral distances by windows, and their lower envelope
   gbgvd,  ///< the paper's: adapted fast marching, refinement by unfolding, growth
 };
 
 struct DiagramOptions {
   Method method = Method::gbgvd;
   Front front = Front::circle;
+  /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. For exact diagrams.
+  double chord_tolerance = 1e-4;
   Progress progress;  ///< may be empty
 };
 
@@ -75,6 +78,7 @@ struct DiagramReport {
   std::int64_t gaps = 0;                ///< groups of faces with three or more generators
   std::int64_t gaps_grown = 0;          ///< of these, closed by growth
   std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
+  std::int64_t straightened_faces = 0;  ///< faces whose exact arcs would have crossed by rounding, and are straight instead
   std::int64_t unresolved_ends = 0;     ///< bisector ends that meet nothing; zero in a complete diagram
 };
 

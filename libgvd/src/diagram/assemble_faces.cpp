@@ -88,7 +88,7 @@ void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, con
     }
     const auto forms = face_forms(mesh, table, labels, f, boundary, front);
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
-    assemble_face(f, boundary, forms, diagram);
+    assemble_face(f, boundary, FormMetric(forms), diagram);
     measure_branches(mesh, f, forms, front, first_arc, first_branch, diagram);
   }
 }

@@ -93,7 +93,7 @@ void CellParts::number_pieces(FaceId f, std::span<const FaceArc> arcs) {
     for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = add_part(boundary_[i].next, f);
     return;
   }
-  trace_pieces(boundary_, arcs, traced_.faces.branches, pieces_);
+  trace_pieces(boundary_, arcs, traced_.faces, pieces_);
   const auto first = static_cast<std::int32_t>(parts_.size());
   for (const WorkingPiece& piece : pieces_.pieces) add_part(piece.generator, f);
   for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = first + pieces_.piece_of_run[i];

@@ -87,7 +87,7 @@ class CellCollector {
   void take_pieces(FaceId f, std::span<const FaceArc> arcs) {
     const double area = mesh_.area(f);
     boundary_crossings(mesh_, traced_.crossings, f, boundary_);
-    trace_pieces(boundary_, arcs, traced_.faces.branches, pieces_);
+    trace_pieces(boundary_, arcs, traced_.faces, pieces_);
     for (WorkingPiece& piece : pieces_.pieces) {
       Cell& owner = diagram_.cells[piece.generator];
       ++owner.euler_characteristic;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "diagram/crossings.hpp"
-#include "diagram/distance_form.hpp"
 #include "diagram/face_diagram.hpp"
+#include "diagram/face_metric.hpp"
 
 namespace gvd {
 
@@ -15,10 +15,11 @@ namespace gvd {
 /// problem of the same kind. The crossings, taken round the face, are the corners of a convex polygon, and every step
 /// keeps what remains convex: so the arcs can't cross, whatever the distances say.
 ///
-/// `boundary` has 0 or at least 2 crossings; `forms` holds the distance forms of the generators on the boundary.
+/// Where the metric knows a branch point for sure, it is taken first, and as it is.
+/// `boundary` has 0 or at least 2 crossings; `metric` knows the generators on it.
 /// Source: sections 4.2 and 4.3; closed by construction, see docs/algorithm.md.
 /// Cost: O(k^5) for k crossings at worst (k rounds, each over all pairs of runs and all cells there); k is seldom above 4.
-void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const std::vector<DistanceForm>& forms,
+void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric,
                    FaceDiagram& diagram);
 
 }  // namespace gvd

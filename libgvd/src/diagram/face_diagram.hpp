@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "diagram/crossings.hpp"
@@ -18,11 +20,12 @@ struct ArcEnd {
 inline ArcEnd at(CrossingId c) { return {c, BranchPointId()}; }
 inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
 
-/// A straight piece of a bisector inside one face.
+/// A piece of a bisector inside one face: straight from point to point.
 struct FaceArc {
   FaceId face;
   ArcEnd begin, end;
   GeneratorId left, right;  ///< on the way from begin to end
+  std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
 };
 
 /// A branch point of the working mesh.
@@ -38,6 +41,11 @@ struct FaceBranch {
 struct FaceDiagram {
   std::vector<FaceArc> arcs;
   IdVector<BranchPointId, FaceBranch> branches;
+  std::vector<std::array<double, 3>> points;  ///< inner points of bent arcs, barycentric in their face
+
+  std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
+    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point), static_cast<std::size_t>(arc.point_count));
+  }
 };
 
 }  // namespace gvd

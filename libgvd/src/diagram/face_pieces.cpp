@@ -15,8 +15,8 @@ constexpr std::size_t kUsualCorners = 5;
 class PieceTracer {
  public:
   PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-              const IdVector<BranchPointId, FaceBranch>& branches, WorkingPieces& result)
-      : boundary_(boundary), arcs_(arcs), branches_(branches), result_(result) {}
+              const FaceDiagram& diagram, WorkingPieces& result)
+      : boundary_(boundary), arcs_(arcs), diagram_(diagram), result_(result) {}
 
   void trace() {
     result_.pieces.clear();
@@ -59,10 +59,17 @@ class PieceTracer {
     const FaceArc* last = nullptr;
     while (true) {
       const FaceArc& arc = leaving(here, own, last);
-      here = arc.begin == here ? arc.end : arc.begin;
+      const bool forwards = arc.begin == here;
+      const auto inner = diagram_.inner_points(arc);
+      if (forwards) {
+        corners.insert(corners.end(), inner.begin(), inner.end());
+      } else {
+        corners.insert(corners.end(), inner.rbegin(), inner.rend());
+      }
+      here = forwards ? arc.end : arc.begin;
       last = &arc;
       if (here.crossing.valid()) break;
-      corners.push_back(branches_[here.branch].bary);
+      corners.push_back(diagram_.branches[here.branch].bary);
     }
     const auto arrived = std::find_if(boundary_.begin(), boundary_.end(),
                                       [&](const BoundaryCrossing& c) { return c.id == here.crossing; });
@@ -81,15 +88,15 @@ class PieceTracer {
 
   const std::vector<BoundaryCrossing>& boundary_;
   std::span<const FaceArc> arcs_;
-  const IdVector<BranchPointId, FaceBranch>& branches_;
+  const FaceDiagram& diagram_;
   WorkingPieces& result_;
 };
 
 }  // namespace
 
 void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-                  const IdVector<BranchPointId, FaceBranch>& branches, WorkingPieces& result) {
-  PieceTracer(boundary, arcs, branches, result).trace();
+                  const FaceDiagram& diagram, WorkingPieces& result) {
+  PieceTracer(boundary, arcs, diagram, result).trace();
 }
 
 }  // namespace gvd

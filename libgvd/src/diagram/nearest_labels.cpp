@@ -124,6 +124,24 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
   return labels;
 }
 
+NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
+                          const IdVector<VertexId, std::int32_t>& label) {
+  NearestLabels labels;
+  labels.distance = distance;
+  for (const std::int32_t g : label.raw()) labels.label.push_back(g < 0 ? GeneratorId() : GeneratorId(g));
+  const Mesh& mesh = working.mesh();
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    if (!labels.label[v].valid() || working.generator(v) == labels.label[v]) continue;
+    bool supported = false;
+    for_each_neighbour(mesh, v, [&](VertexId u, HalfedgeId) {
+      supported = supported || (labels.label[u] == labels.label[v] && labels.distance[u] < labels.distance[v]);
+    });
+    if (!supported) labels.unsupported.push_back(v);
+  }
+  return labels;
+}
+
 void relabel_from_neighbours(const WorkingMesh& working, const GeneratorTable& table, const std::vector<VertexId>& vertices,
                              NearestLabels& labels) {
   Labeller labeller(working, table, labels);

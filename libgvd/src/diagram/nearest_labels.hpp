@@ -21,6 +21,10 @@ struct NearestLabels {
 /// has a neighbour of its label that is nearer to the generator. Cost: O(n).
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table);
 
+/// The same from exact distances and labels.
+NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
+                          const IdVector<VertexId, std::int32_t>& label);
+
 /// Gives these vertices the label of a neighbour that keeps its own, so that an edge joins each to its new cell.
 /// Cost: O(k log k) for k vertices.
 void relabel_from_neighbours(const WorkingMesh& working, const GeneratorTable& table, const std::vector<VertexId>& vertices,

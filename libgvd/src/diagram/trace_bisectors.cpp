@@ -97,6 +97,7 @@ class BisectorTracer {
     while (arc != kNone && !visited_[static_cast<std::size_t>(arc)]) {
       visited_[static_cast<std::size_t>(arc)] = true;
       const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
+      add_inner_points(a, a.begin == here, bisector.points);
       here = a.begin == here ? a.end : a.begin;
       bisector.points.push_back(point(here));
       if (here.branch.valid()) break;
@@ -105,6 +106,13 @@ class BisectorTracer {
     }
     bisector.ends[1] = here.branch;
     add(bisector);
+  }
+
+  void add_inner_points(const FaceArc& arc, bool forwards, std::vector<SurfacePoint>& points) const {
+    const auto inner = traced_.faces.inner_points(arc);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      points.push_back(input_point(arc.face, inner[forwards ? i : inner.size() - 1 - i]));
+    }
   }
 
   void trace_open(std::int32_t arc, const ArcEnd& from) {

@@ -1,0 +1,199 @@
+#include "diagram/edge_envelope.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gvd {
+namespace {
+
+/// A run shorter than this part of its edge is rounding, of a place where windows meet: what is lost is a sliver whose
+/// points are as near to the neighbouring cell, within twice its length.
+constexpr double kShortestRun = 1e-9;
+
+/// Gaps between windows are narrower than this part of their edge: windows end where rays pass a vertex, and rays that were
+/// unfolded over hundreds of thin faces are off by up to 1e-9 of the edge.
+constexpr double kWidestGap = 1e-6;
+
+/// Crossings keep this distance from the ends of their edge, as a part of it: above the snapping of surface points.
+constexpr double kEndGap = 2e-12;
+
+/// Two distances that differ by less than this part of themselves meet.
+constexpr double kMeeting = 1e-14;
+
+constexpr int kMeetingSteps = 100;
+
+}  // namespace
+
+void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, double tie_step) {
+  sources_ = sources;
+  length_ = length;
+  for (EdgeSource& s : sources_) {
+    s.offset += tie_step * static_cast<double>(s.generator.value());
+    s.begin = std::max(s.begin, 0.0);
+    s.end = std::min(s.end, length);
+  }
+  segments_.assign(1, {length, 0});
+  for (std::size_t i = 1; i < sources_.size(); ++i) insert(static_cast<std::int32_t>(i));
+}
+
+double EdgeEnvelope::straight(std::int32_t source, double t) const {
+  return sources_[static_cast<std::size_t>(source)].straight(t);
+}
+
+double EdgeEnvelope::distance(GeneratorId g, double t) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const EdgeSource& s : sources_) {
+    if (s.generator == g) least = std::min(least, s.distance(t));
+  }
+  return least;
+}
+
+std::int32_t EdgeEnvelope::nearer(std::int32_t a, std::int32_t b, double t) const {
+  return straight(b, t) < straight(a, t) ? b : a;
+}
+
+void EdgeEnvelope::append(double end, std::int32_t source) {
+  if (!segments_.empty() && segments_.back().source == source) {
+    segments_.back().end = end;
+  } else if (segments_.empty() ? end > 0 : end > segments_.back().end) {
+    segments_.push_back({end, source});
+  }
+}
+
+/// Takes the part of the edge that `source` reaches and is nearer on.
+void EdgeEnvelope::insert(std::int32_t source) {
+  const double begin = sources_[static_cast<std::size_t>(source)].begin;
+  const double end = sources_[static_cast<std::size_t>(source)].end;
+  if (!(begin < end)) return;
+  std::swap(segments_, before_);
+  segments_.clear();
+  double from = 0;
+  for (const Segment& s : before_) {
+    const double low = std::max(from, begin), high = std::min(s.end, end);
+    if (low < high) {
+      if (from < low) append(low, s.source);
+      compare(s.source, source, low, high);
+    }
+    append(s.end, s.source);
+    from = s.end;
+  }
+}
+
+/// Appends the lower one of two sources, piece by piece, from `begin` to `end`.
+void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double begin, double end) {
+  const EdgeSource &o = sources_[static_cast<std::size_t>(old_source)], &s = sources_[static_cast<std::size_t>(source)];
+  const double at_begin = s.straight(begin) - o.straight(begin), at_end = s.straight(end) - o.straight(end);
+  // A difference of two distances changes by twice the way at the most.
+  if (at_begin * at_end > 0 && std::abs(at_begin) + std::abs(at_end) > 2 * (end - begin)) {
+    return append(end, at_begin < 0 ? source : old_source);
+  }
+  // sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots that only the squares have do no harm: the
+  // pieces on their two sides go to the same source.
+  const double c = o.offset - s.offset;
+  const double slope = 2 * (o.x - s.x);
+  const double rest = (s.x - o.x) * (s.x + o.x) + (s.depth - o.depth) * (s.depth + o.depth) - c * c;
+  std::array<double, 2> roots{-1, -1};
+  if (c == 0) {
+    if (slope != 0) roots[0] = -rest / slope;
+  } else {
+    const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * o.x;
+    const double constant = rest * rest - 4 * c * c * (o.x * o.x + o.depth * o.depth);
+    // Rounding can make the discriminant of a double root negative.
+    const double root = std::sqrt(std::max(0.0, half * half - square * constant));
+    const double q = -(half + std::copysign(root, half));
+    if (square != 0) roots[0] = q / square;
+    if (q != 0) roots[1] = constant / q;
+    if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
+  }
+  double from = begin;
+  for (const double root : roots) {
+    if (!(root > from && root < end)) continue;
+    const double t = polish(old_source, source, from, end, root);
+    if (!(t > from && t < end)) continue;
+    append(t, nearer(old_source, source, 0.5 * (from + t)));
+    from = t;
+  }
+  append(end, nearer(old_source, source, 0.5 * (from + end)));
+}
+
+/// Newton's steps towards the place near t where two sources are equally far.
+double EdgeEnvelope::polish(std::int32_t a, std::int32_t b, double begin, double end, double t) const {
+  const EdgeSource &s = sources_[static_cast<std::size_t>(a)], &o = sources_[static_cast<std::size_t>(b)];
+  double error = s.straight(t) - o.straight(t);
+  for (int step = 0; step < 4 && error != 0; ++step) {
+    const double slope = (t - s.x) / (s.straight(t) - s.offset) - (t - o.x) / (o.straight(t) - o.offset);
+    const double next = t - error / slope;
+    if (!(next > begin && next < end)) break;
+    const double after = s.straight(next) - o.straight(next);
+    if (!(std::abs(after) < std::abs(error))) break;
+    t = next;
+    error = after;
+  }
+  return t;
+}
+
+/// Runs of one generator, from the label of the one end to that of the other, without those that are too short.
+void EdgeEnvelope::find_runs(GeneratorId first, GeneratorId last) {
+  runs_.assign(1, {0, first});
+  const double least = kShortestRun * length_;
+  double begin = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const GeneratorId g = generator(segments_[i]);
+    while (i + 1 < segments_.size() && generator(segments_[i + 1]) == g) ++i;
+    const double end = segments_[i].end;
+    if (g != runs_.back().generator && end - begin >= least && !is_gap(runs_.back().generator, g, begin, end)) {
+      runs_.push_back({begin, g});
+    }
+    begin = end;
+  }
+  if (runs_.back().generator == last) return;
+  // The last run is too short to be seen, or a tie: it begins where its generator is as near as the one before.
+  runs_.push_back({length_, last});
+}
+
+/// Between two windows of one generator that should meet, rounding leaves gaps, where another generator shows. A run so short
+/// is real only if it is nearer than the paths that go on along the edge from the windows before it.
+bool EdgeEnvelope::is_gap(GeneratorId before, GeneratorId g, double begin, double end) const {
+  if (end - begin > kWidestGap * length_) return false;
+  const double middle = 0.5 * (begin + end);
+  return distance(before, middle) <= distance(g, middle);
+}
+
+/// Where generators a and b are equally far, near t and between low and high: t itself where they are, and also where they
+/// never are.
+double EdgeEnvelope::meeting(GeneratorId a, GeneratorId b, double low, double t, double high) const {
+  const auto error = [&](double at) { return distance(a, at) - distance(b, at); };
+  const double here = error(t);
+  if (std::abs(here) <= kMeeting * std::abs(distance(a, t))) return t;
+  // a leads at `low`, b at `high`, if all is well.
+  double from = here < 0 ? t : low, to = here < 0 ? high : t;
+  double at_from = error(from), at_to = error(to);
+  if (!(at_from < 0 && at_to > 0)) return t;
+  for (int step = 0; step < kMeetingSteps && to - from > kMeeting * length_; ++step) {
+    double middle = from - at_from * (to - from) / (at_to - at_from);
+    if (step % 3 == 2 || !(middle > from && middle < to)) middle = 0.5 * (from + to);
+    const double value = error(middle);
+    if (value == 0) return middle;
+    (value < 0 ? from : to) = middle;
+    (value < 0 ? at_from : at_to) = value;
+  }
+  return 0.5 * (from + to);
+}
+
+void EdgeEnvelope::append_crossings(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings) {
+  find_runs(first, last);
+  double before = kEndGap;
+  for (std::size_t i = 1; i < runs_.size(); ++i) {
+    const double low = runs_[i - 1].begin, high = i + 1 < runs_.size() ? runs_[i + 1].begin : length_;
+    const double t = meeting(runs_[i - 1].generator, runs_[i].generator, low, runs_[i].begin, high) / length_;
+    // Runs that were dropped can bring two meetings out of order, by rounding.
+    const double room = kEndGap * static_cast<double>(runs_.size() - i);
+    before = std::clamp(t, before, 1 - room);
+    crossings.push_back({e, before, runs_[i - 1].generator, runs_[i].generator});
+    before = std::min(before + kEndGap, 1 - room);
+  }
+}
+
+}  // namespace gvd

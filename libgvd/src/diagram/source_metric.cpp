@@ -1,0 +1,126 @@
+#include "diagram/source_metric.hpp"
+
+#include <limits>
+#include <tuple>
+
+namespace gvd {
+namespace {
+
+/// Three distances that differ by less than this part of themselves are equal: a few units in the last place of sums of
+/// three terms.
+constexpr double kEqual = 1e-14;
+
+/// What is accepted where Newton's steps no longer gain anything: the rounding of a point far from its images.
+constexpr double kResidual = 1e-12;
+
+/// Another generator this much nearer, as a part of the distance, is as near as the three: a branch point of degree four.
+constexpr double kTie = 1e-12;
+
+/// A branch point may come out this far beyond a side, in barycentric coordinates, because crossings that it comes near are
+/// kept apart from it or were rounded; it is put this far inside.
+constexpr double kBeyond = 1e-9, kInside = 2e-12;
+
+constexpr int kNewtonSteps = 40, kHalvings = 6;
+
+/// Moves a point that lies a little beyond a side, or just on it, inside.
+std::array<double, 3> moved_inside(std::array<double, 3> bary) {
+  const double least = *std::min_element(bary.begin(), bary.end());
+  if (least >= kInside || least < -kBeyond) return bary;
+  double sum = 0;
+  for (double& b : bary) sum += b = std::max(b, kInside);
+  for (double& b : bary) b /= sum;
+  return bary;
+}
+
+}  // namespace
+
+void SourceMetric::enter(const Mesh& mesh, FaceId f) {
+  layout_.emplace(mesh, f);
+  field_.collect(f, layout_->corner, sources_);
+  std::sort(sources_.begin(), sources_.end(), [](const FaceSource& a, const FaceSource& b) {
+    return std::tie(a.generator, a.offset) < std::tie(b.generator, b.offset);
+  });
+}
+
+SourceMetric::Nearest SourceMetric::nearest_source(GeneratorId g, const Vec2& p) const {
+  Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
+  std::size_t i = 0;
+  while (i < sources_.size() && sources_[i].generator < g) ++i;
+  for (; i < sources_.size() && sources_[i].generator == g; ++i) {
+    // No path of a source is shorter than the straight one.
+    const double rest = best.reach.distance - sources_[i].offset;
+    if (!(rest > 0) || (p - sources_[i].image).squaredNorm() >= rest * rest) continue;
+    const auto reach = sources_[i].reach(p);
+    if (reach.distance < best.reach.distance) best = {&sources_[i], reach};
+  }
+  return best;
+}
+
+FaceMetric::Bary SourceMetric::bary(const Vec2& p) const {
+  const auto& corner = layout_->corner;
+  const double v = cross(p - corner[0], corner[2] - corner[0]) / layout_->twice_area;
+  const double w = cross(corner[1] - corner[0], p - corner[0]) / layout_->twice_area;
+  return {1 - v - w, v, w};
+}
+
+std::optional<double> SourceMetric::entry(GeneratorId g, const Bary& bary) const {
+  if (!sure_) return std::nullopt;
+  const Vec2 p = layout_->at(bary);
+  const Nearest best = nearest_source(g, p);
+  if (best.source == nullptr) return std::nullopt;
+  if (best.source->place >= 3) return best.source->place - 3;
+  const auto side = static_cast<std::size_t>(best.source->place);
+  const Vec2 &start = layout_->corner[side], along = layout_->corner[(side + 1) % 3] - start, way = best.reach.from - p;
+  // Where the last straight piece, or the line that it lies on, meets the side.
+  const double t = cross(p - start, way) / cross(along, way);
+  return best.source->place + (std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5);
+}
+
+double SourceMetric::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }
+
+std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, GeneratorId b, GeneratorId c,
+                                                          const Bary& start) const {
+  struct State {
+    Vec2 p;
+    FaceSource::Reach a, b, c;
+    Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
+    double size() const { return error().cwiseAbs().maxCoeff(); }
+  };
+  const auto look = [&](const Vec2& p) {
+    return State{p, nearest(a, p), nearest(b, p), nearest(c, p)};
+  };
+  State now = look(layout_->at(start));
+  const double longest = (layout_->corner[1] - layout_->corner[0]).norm() + (layout_->corner[2] - layout_->corner[1]).norm();
+  for (int step = 0; step < kNewtonSteps && now.size() > kEqual * now.a.distance; ++step) {
+    const Vec2 u = direction(now.p, now.a.from), v = direction(now.p, now.b.from), w = direction(now.p, now.c.from);
+    const Vec2 first = u - v, second = u - w, error = now.error();
+    const double determinant = cross(first, second);
+    Vec2 move((second.y() * error.x() - first.y() * error.y()) / -determinant,
+              (first.x() * error.y() - second.x() * error.x()) / -determinant);
+    if (!move.allFinite()) break;
+    if (move.norm() > longest) move *= longest / move.norm();
+    State next = look(now.p + move);
+    for (int half = 0; half < kHalvings && !(next.size() < now.size()); ++half) {
+      move *= 0.5;
+      next = look(now.p + move);
+    }
+    if (!(next.size() < now.size())) break;
+    now = next;
+  }
+  if (!(now.size() <= kResidual * now.a.distance)) return std::nullopt;
+  return moved_inside(bary(now.p));
+}
+
+bool SourceMetric::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {
+  if (!sure_ || *std::min_element(bary.begin(), bary.end()) < kInside * (1 - 1e-3)) return false;
+  const Vec2 p = layout_->at(bary);
+  const auto reach_a = nearest(a, p), reach_b = nearest(b, p), reach_c = nearest(c, p);
+  for (const FaceSource& s : sources_) {
+    if (s.generator == a || s.generator == b || s.generator == c) continue;
+    if (s.reach(p).distance < reach_a.distance * (1 - kTie)) return false;
+  }
+  const Vec2 u = direction(p, reach_a.from), v = direction(p, reach_b.from), w = direction(p, reach_c.from);
+  return cross(v - u, w - u) > 0;
+}
+
+}  // namespace gvd

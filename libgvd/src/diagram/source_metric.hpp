@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "diagram/face_metric.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/face_layout.hpp"
+
+namespace gvd {
+
+/// Unit vector at p, away from `from`; zero where they are the same.
+inline Vec2 direction(const Vec2& p, const Vec2& from) {
+  const Vec2 way = p - from;
+  const double length = way.norm();
+  return length > 0 ? Vec2(way / length) : Vec2(0, 0);
+}
+
+/// Distances inside one face, from the sources that a solver knows there: as good as the solver.
+class SourceMetric final : public FaceMetric {
+ public:
+  explicit SourceMetric(const DistanceField& field) : field_(field) {}
+
+  /// Makes this the metric of face f.
+  void enter(const Mesh& mesh, FaceId f);
+
+  const FaceLayout& layout() const { return *layout_; }
+  /// The shortest path from generator g to p.
+  FaceSource::Reach nearest(GeneratorId g, const Vec2& p) const { return nearest_source(g, p).reach; }
+  Bary bary(const Vec2& p) const;
+
+  /// False makes assembly take every point for a guess.
+  void set_sure(bool sure) { sure_ = sure; }
+  bool is_sure() const override { return sure_; }
+  std::optional<double> entry(GeneratorId g, const Bary& p) const override;
+
+  /// The distance itself, mesh units.
+  double at(GeneratorId g, const Bary& p) const override;
+  /// Newton's method on the differences of the distances. Nothing where it does not converge.
+  std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
+  /// Inside the face, with no other generator nearer, and the three directions counter-clockwise.
+  bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
+
+ private:
+  struct Nearest {
+    const FaceSource* source;
+    FaceSource::Reach reach;
+  };
+  Nearest nearest_source(GeneratorId g, const Vec2& p) const;
+
+  const DistanceField& field_;
+  bool sure_ = true;
+  std::optional<FaceLayout> layout_;
+  std::vector<FaceSource> sources_;  // ascending by generator
+};
+
+}  // namespace gvd
