@@ -6,6 +6,7 @@
 #include "diagram/trace_diagram.hpp"
 #include "diagram/trace_envelope.hpp"
 #include "geodesic/fast_marching.hpp"
+#include "geodesic/reach_along_edges.hpp"
 #include "geodesic/window_distances.hpp"
 #include "geodesic/window_propagation.hpp"
 #include "mesh/working_mesh.hpp"
@@ -32,7 +33,8 @@ Diagram compute_exact(const WorkingMesh& working, const DiagramOptions& options)
   report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
-  const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
+  WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
+  reach_along_edges(mesh, field);
   Diagram diagram;
   const NearestLabels labels = take_labels(working, field.distance, field.label);
   const TracedDiagram traced =
