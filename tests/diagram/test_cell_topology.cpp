@@ -2,7 +2,7 @@
 
 #include "diagram/assemble_faces.hpp"
 #include "diagram/cell_topology.hpp"
-#include "diagram/trace_diagram.hpp"
+#include "diagram/trace_growth.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -90,7 +90,7 @@ TEST_CASE("traced diagrams have no island, on every family") {
     const WorkingMesh working(mesh, test::random_generators(mesh, 60, 14));
     DiagramReport report;
     const FastMarchingResult marched = march(working, Front::circle, {});
-    const TracedDiagram traced = trace_diagram(working, marched.table, {}, report);
+    const TracedDiagram traced = trace_growth(working, marched.table, {}, report);
     CellParts parts(working, traced);
     REQUIRE(parts.island_edges().empty());
     REQUIRE(parts.island_vertices().empty());

@@ -77,7 +77,7 @@ TEST_CASE("after relabel_unsupported every label has a chain of falling distance
         INFO(name << ", " << test::name(front) << ", " << count << " generators");
         const test::Stages stages(mesh, test::random_generators(mesh, count, 1), front);
         NearestLabels labels = stages.labels;
-        const std::int64_t moved = relabel_unsupported(stages.working, stages.table(), labels);
+        const std::int64_t moved = relabel_unsupported(stages.working, labels);
         REQUIRE(labels.unsupported.empty());
         REQUIRE(moved >= static_cast<std::int64_t>(stages.labels.unsupported.size()));
         for (int i = 0; i < stages.mesh().vertex_count(); ++i) {
@@ -104,8 +104,8 @@ TEST_CASE("an island is listed as unsupported, and relabelled to a neighbour's g
   CHECK(labels.label[VertexId(5)] == GeneratorId(1));
   CHECK(labels.unsupported == std::vector<VertexId>{VertexId(5)});
   NearestLabels by_neighbours = labels;
-  relabel_from_neighbours(strip.working, strip.table, {VertexId(5)}, by_neighbours);
-  CHECK(relabel_unsupported(strip.working, strip.table, labels) == 1);
+  relabel_from_neighbours(strip.working, {VertexId(5)}, by_neighbours);
+  CHECK(relabel_unsupported(strip.working, labels) == 1);
   for (const NearestLabels& result : {labels, by_neighbours}) {
     CHECK(result.label[VertexId(5)] == GeneratorId(0));
     CHECK(result.distance[VertexId(5)] == 0.5);  // what the table says of generator 0 there
@@ -123,7 +123,7 @@ TEST_CASE("a vertex that the new generator's march never reached gets the way al
   strip.reach(4, 1, 0.25);
   strip.reach(5, 1, 0.2);
   NearestLabels labels = compute_nearest_labels(strip.working, strip.table);
-  relabel_from_neighbours(strip.working, strip.table, labels.unsupported, labels);
+  relabel_from_neighbours(strip.working, labels.unsupported, labels);
   CHECK(labels.label[VertexId(5)] == GeneratorId(0));
   CHECK(labels.distance[VertexId(5)] == 4);
 }

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "diagram/diagram_graph.hpp"
-#include "diagram/trace_diagram.hpp"
+#include "diagram/trace_growth.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -25,7 +25,7 @@ struct Traced {
     DiagramOptions options;
     options.front = front;
     const FastMarchingResult marched = march(working, front, {});
-    traced = trace_diagram(working, marched.table, options, report);
+    traced = trace_growth(working, marched.table, options, report);
     trace_bisectors(working, traced, diagram);
   }
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "diagram/diagram_graph.hpp"
-#include "diagram/trace_diagram.hpp"
+#include "diagram/trace_growth.hpp"
 #include "diagram/trace_envelope.hpp"
 #include "geodesic/fast_marching.hpp"
 #include "geodesic/reach_along_edges.hpp"
@@ -59,7 +59,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
   }
   const FastMarchingResult marched = march(working, options.front, options.progress);
   Diagram diagram;
-  const TracedDiagram traced = trace_diagram(working, marched.table, options, diagram.report);
+  const TracedDiagram traced = trace_growth(working, marched.table, options, diagram.report);
   report_progress(options.progress, "cells", 0);
   diagram.generators = generators;
   diagram.report.propagation_events = marched.events;

@@ -182,6 +182,12 @@ double EdgeEnvelope::meeting(GeneratorId a, GeneratorId b, double low, double t,
   return 0.5 * (from + to);
 }
 
+void EdgeEnvelope::append_plain_crossing(EdgeId e, GeneratorId first, GeneratorId last,
+                                         std::vector<Crossing>& crossings) const {
+  const double t = meeting(first, last, 0, 0.5 * length_, length_) / length_;
+  crossings.push_back({e, std::clamp(t, kEndGap, 1 - kEndGap), first, last});
+}
+
 void EdgeEnvelope::append_crossings(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings) {
   find_runs(first, last);
   double before = kEndGap;

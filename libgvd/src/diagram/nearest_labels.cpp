@@ -15,28 +15,26 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Labeller {
  public:
-  Labeller(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& labels)
-      : working_(working), mesh_(working.mesh()), table_(table), result_(labels) {}
+  Labeller(const WorkingMesh& working, NearestLabels& labels)
+      : working_(working), mesh_(working.mesh()), result_(labels) {}
 
-  void take_nearest() {
-    const auto n = static_cast<std::size_t>(mesh_.vertex_count());
-    result_.label.resize(n);
-    result_.distance.assign(n, kInfinity);
-    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
-      const VertexId v(i);
-      table_.for_each(v, [&](const VertexDistance& d) {
-        if (std::tuple(d.distance, d.generator) < std::tuple(result_.distance[v], result_.label[v]) ||
-            !result_.label[v].valid()) {
-          result_.distance[v] = d.distance;
-          result_.label[v] = d.generator;
-        }
-      });
-    }
+  bool supports(VertexId u, VertexId v) const {
+    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
   }
 
-  void list_unsupported() {
+  bool is_supported(VertexId v) const {
+    if (working_.vertex(result_.label[v]) == v) return true;
+    bool supported = false;
+    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { supported = supported || supports(u, v); });
+    return supported;
+  }
+
+  /// `is_sure(v)`: a quick look that may say that v is supported.
+  template <class Sure>
+  void list_unsupported(Sure is_sure) {
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
-      if (result_.label[VertexId(i)].valid() && !is_supported(VertexId(i))) result_.unsupported.push_back(VertexId(i));
+      const VertexId v(i);
+      if (result_.label[v].valid() && !is_sure(v) && !is_supported(v)) result_.unsupported.push_back(v);
     }
   }
 
@@ -69,12 +67,7 @@ class Labeller {
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
     const auto offer = [&](VertexId to, VertexId from, double length) {
       const GeneratorId g = result_.label[from];
-      if (!g.valid() || result_.label[to].valid()) return;
-      // The distance that the march found, where it found one; never at or below the supporting neighbour's.
-      const double along_edge = result_.distance[from] + length;
-      const std::int32_t place = table_.find(to, g);
-      const double known = place >= 0 ? table_.distance(place).distance : kInfinity;
-      offers.emplace(known > result_.distance[from] ? std::min(known, along_edge) : along_edge, g, to);
+      if (g.valid() && !result_.label[to].valid()) offers.emplace(result_.distance[from] + length, g, to);
     };
     for (const VertexId v : orphans) {
       for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh_.length(h)); });
@@ -90,37 +83,39 @@ class Labeller {
   }
 
  private:
-  bool is_generator_of(VertexId v, GeneratorId g) const { return working_.vertex(g) == v; }
-
-  bool supports(VertexId u, VertexId v) const {
-    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
-  }
-
-  bool is_supported(VertexId v) const {
-    if (is_generator_of(v, result_.label[v])) return true;
-    // Mostly one of the two corners that the distance came from has the same label.
-    const HalfedgeId via = table_.distance(v.value()).via;
-    if (via.valid() && (supports(mesh_.from(via), v) || supports(mesh_.to(via), v))) return true;
-    bool supported = false;
-    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) {
-      supported = supported || supports(u, v);
-    });
-    return supported;
-  }
-
   const WorkingMesh& working_;
   const Mesh& mesh_;
-  const GeneratorTable& table_;
   NearestLabels& result_;
 };
+
+void take_nearest(const Mesh& mesh, const GeneratorTable& table, NearestLabels& result) {
+  const auto n = static_cast<std::size_t>(mesh.vertex_count());
+  result.label.resize(n);
+  result.distance.assign(n, kInfinity);
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    table.for_each(v, [&](const VertexDistance& d) {
+      if (std::tuple(d.distance, d.generator) < std::tuple(result.distance[v], result.label[v]) ||
+          !result.label[v].valid()) {
+        result.distance[v] = d.distance;
+        result.label[v] = d.generator;
+      }
+    });
+  }
+}
 
 }  // namespace
 
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
+  const Mesh& mesh = working.mesh();
   NearestLabels labels;
-  Labeller labeller(working, table, labels);
-  labeller.take_nearest();
-  labeller.list_unsupported();
+  take_nearest(mesh, table, labels);
+  Labeller labeller(working, labels);
+  labeller.list_unsupported([&](VertexId v) {
+    // Mostly one of the two corners that the distance came from has the same label.
+    const HalfedgeId via = table.distance(v.value()).via;
+    return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
+  });
   return labels;
 }
 
@@ -129,28 +124,18 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
   NearestLabels labels;
   labels.distance = distance;
   for (const std::int32_t g : label.raw()) labels.label.push_back(g < 0 ? GeneratorId() : GeneratorId(g));
-  const Mesh& mesh = working.mesh();
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const VertexId v(i);
-    if (!labels.label[v].valid() || working.generator(v) == labels.label[v]) continue;
-    bool supported = false;
-    for_each_neighbour(mesh, v, [&](VertexId u, HalfedgeId) {
-      supported = supported || (labels.label[u] == labels.label[v] && labels.distance[u] < labels.distance[v]);
-    });
-    if (!supported) labels.unsupported.push_back(v);
-  }
+  Labeller(working, labels).list_unsupported([](VertexId) { return false; });
   return labels;
 }
 
-void relabel_from_neighbours(const WorkingMesh& working, const GeneratorTable& table, const std::vector<VertexId>& vertices,
-                             NearestLabels& labels) {
-  Labeller labeller(working, table, labels);
+void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels) {
+  Labeller labeller(working, labels);
   for (const VertexId v : vertices) labeller.strip(v);
   labeller.adopt(vertices);
 }
 
-std::int64_t relabel_unsupported(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& labels) {
-  Labeller labeller(working, table, labels);
+std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels) {
+  Labeller labeller(working, labels);
   const std::vector<VertexId> orphans = labeller.take_away_unsupported();
   labeller.adopt(orphans);
   labels.unsupported.clear();

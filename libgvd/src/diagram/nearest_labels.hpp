@@ -27,11 +27,10 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
 
 /// Gives these vertices the label of a neighbour that keeps its own, so that an edge joins each to its new cell.
 /// Cost: O(k log k) for k vertices.
-void relabel_from_neighbours(const WorkingMesh& working, const GeneratorTable& table, const std::vector<VertexId>& vertices,
-                             NearestLabels& labels);
+void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels);
 
 /// Relabels every vertex that no chain of edges with falling distance joins to its generator: then every cell is connected
 /// by the edges between its vertices. Returns how many. Cost: O(n).
-std::int64_t relabel_unsupported(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& labels);
+std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels);
 
 }  // namespace gvd

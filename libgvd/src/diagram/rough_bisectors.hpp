@@ -16,10 +16,6 @@ namespace gvd {
 Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
                                Front front);
 
-/// Edges with a run inside that no chain of runs through common faces joins to a corner of its cell, ascending: an edge
-/// sees the tables of its two faces only, and what the tables promise there may hang together with nothing.
-std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings);
-
 /// Crosses the given edges (ascending) at most once, between the labels of their ends.
 void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
                    const std::vector<EdgeId>& edges, Crossings& crossings);
