@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,17 +31,11 @@ class BlockList {
  public:
   void push_back(const T& value) {
     if (size_ == blocks_.size() * kBlock) blocks_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
-    blocks_.back()[size_++ % kBlock] = value;
-  }
-  template <class Iterator>
-  void append(Iterator first, Iterator last) {
-    for (; first != last; ++first) push_back(*first);
+    blocks_[size_ / kBlock][size_ % kBlock] = value;
+    ++size_;
   }
   std::size_t size() const { return size_; }
-  template <class Visit>
-  void for_each(Visit visit) const {
-    for (std::size_t i = 0; i < size_; ++i) visit(blocks_[i / kBlock][i % kBlock]);
-  }
+  const T& operator[](std::size_t i) const { return blocks_[i / kBlock][i % kBlock]; }
 
  private:
   static constexpr std::size_t kBlock = 1024;
@@ -50,43 +43,84 @@ class BlockList {
   std::size_t size_ = 0;
 };
 
-/// Windows by face and halfedge.
+/// A first-in-first-out queue that gives its items back a block at a time and uses its memory again.
+template <class T>
+class BlockQueue {
+ public:
+  static constexpr std::size_t kBlock = 512;
+
+  bool empty() const { return blocks_.empty(); }
+  /// Number of blocks.
+  std::size_t age() const { return blocks_.size(); }
+
+  /// Whether a block was filled before.
+  bool push_back(const T& value) {
+    const bool full = end_ == kBlock;
+    if (full || blocks_.empty()) {
+      if (spare_.empty()) spare_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
+      blocks_.push_back(std::move(spare_.back()));
+      spare_.pop_back();
+      end_ = 0;
+    }
+    blocks_.back()[end_++] = value;
+    return full;
+  }
+  /// Calls visit(const T&) for the items of the oldest block and removes them; `visit` may add items.
+  template <class Visit>
+  void take_block(Visit visit) {
+    std::unique_ptr<T[]> block = std::move(blocks_.front());
+    const std::size_t count = blocks_.size() == 1 ? end_ : kBlock;
+    blocks_.pop_front();
+    for (std::size_t i = 0; i < count; ++i) visit(block[i]);
+    spare_.push_back(std::move(block));
+  }
+
+ private:
+  std::deque<std::unique_ptr<T[]>> blocks_;
+  std::vector<std::unique_ptr<T[]>> spare_;
+  std::size_t end_ = 0;  // in the last block
+};
+
+/// Windows by halfedge.
 class EdgeWindows {
  public:
   EdgeWindows() = default;
-  /// Sorts by halfedge; windows of one halfedge stay in their order. Cost: O(windows + faces).
-  EdgeWindows(BlockList<KeptWindow> windows, std::size_t faces) : first_(faces + 1, 0), windows_(windows.size()) {
-    windows.for_each([&](const KeptWindow& w) { ++first_[face(w) + 1]; });
+  /// Windows of one halfedge stay in their order. Cost: O(windows + faces).
+  EdgeWindows(BlockList<KeptWindow> windows, std::size_t faces)
+      : windows_(std::move(windows)), first_(faces + 1, 0), order_(windows_.size()) {
+    for (std::size_t i = 0; i < windows_.size(); ++i) ++first_[face(i) + 1];
     for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
-    for (const std::int32_t corner : {0, 1, 2}) {
-      windows.for_each([&](const KeptWindow& w) {
-        if (w.halfedge % 3 == corner) windows_[static_cast<std::size_t>(first_[face(w)]++)] = w;
-      });
+    for (std::size_t i = 0; i < windows_.size(); ++i) {
+      order_[static_cast<std::size_t>(first_[face(i)]++)] = static_cast<std::int32_t>(i);
     }
     for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
     if (faces > 0) first_[0] = 0;
   }
 
-  /// The windows that cross halfedge h into its face; for a halfedge of the boundary, those that end there.
-  std::span<const KeptWindow> on(HalfedgeId h) const {
-    const std::span<const KeptWindow> all = in(Mesh::face(h));
-    const auto before = [](const KeptWindow& w, std::int32_t value) { return w.halfedge < value; };
-    const auto begin = std::lower_bound(all.begin(), all.end(), h.value(), before);
-    return {begin, std::lower_bound(begin, all.end(), h.value() + 1, before)};
+  std::size_t size() const { return windows_.size(); }
+
+  /// Calls visit(const KeptWindow&) for the windows on the three halfedges of face f: those that cross into it, and where
+  /// the halfedge lies on the boundary, those that end there.
+  template <class Visit>
+  void for_each(FaceId f, Visit visit) const {
+    for (std::int32_t i = first_[f.index()]; i < first_[f.index() + 1]; ++i) {
+      visit(windows_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])]);
+    }
   }
-  /// The windows on the three halfedges of face f.
-  std::span<const KeptWindow> in(FaceId f) const {
-    const auto begin = windows_.begin() + first_[f.index()];
-    return {begin, windows_.begin() + first_[f.index() + 1]};
+  /// The same for one halfedge.
+  template <class Visit>
+  void for_each(HalfedgeId h, Visit visit) const {
+    for_each(Mesh::face(h), [&](const KeptWindow& w) {
+      if (w.halfedge == h.value()) visit(w);
+    });
   }
-  /// All of them, ascending by halfedge.
-  const std::vector<KeptWindow>& all() const { return windows_; }
 
  private:
-  static std::size_t face(const KeptWindow& w) { return static_cast<std::size_t>(w.halfedge / 3); }
+  std::size_t face(std::size_t i) const { return static_cast<std::size_t>(windows_[i].halfedge / 3); }
 
-  std::vector<std::int64_t> first_;  // [face] place of its first window
-  std::vector<KeptWindow> windows_;
+  BlockList<KeptWindow> windows_;
+  std::vector<std::int32_t> first_;  // [face] place of its first window in order_
+  std::vector<std::int32_t> order_;  // windows by face
 };
 
 }  // namespace gvd

@@ -42,8 +42,8 @@ class Propagation {
       queue_.push(0, ~static_cast<std::int32_t>(events_.size() - 1));
     }
     while (!queue_.empty()) {
+      fetch_ahead();
       const std::int32_t item = queue_.pop();
-      if (retention_.is_due()) retention_.sweep(queue_.front());
       if (item >= 0) {
         process_halfedge(item);
       } else {
@@ -55,6 +55,19 @@ class Propagation {
   }
 
  private:
+  void fetch_ahead() const {
+    if (const std::int32_t* far = queue_.look_ahead(8); far && *far >= 0) {
+      __builtin_prefetch(&waiting_[static_cast<std::size_t>(*far)]);
+      const FaceFrame* f = &fan_.face(*far);
+      __builtin_prefetch(f);
+      __builtin_prefetch(reinterpret_cast<const char*>(f) + 64);
+    }
+    if (const std::int32_t* near = queue_.look_ahead(4); near && *near >= 0) {
+      const std::int32_t place = waiting_[static_cast<std::size_t>(*near)];
+      if (place >= 0) __builtin_prefetch(&pool_[place]);
+    }
+  }
+
   struct VertexEvent {
     std::int32_t vertex;
     double distance;
@@ -176,7 +189,7 @@ class Propagation {
     ++field_.created_count;
     if (twin < 0) {
       if (w.generator != label(start) || w.generator != label(end)) retention_.mark_edge(exit);
-      retention_.add(w, exit);
+      retention_.add(w, exit, queue_.front());
       return;
     }
     std::int32_t& head = waiting_[static_cast<std::size_t>(twin)];
@@ -251,7 +264,7 @@ class Propagation {
       if (!is_beaten_by_start(w, distance(f.vertex[i])) &&
           !is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
         if (w.generator != label(f.vertex[i]) || w.generator != label(f.vertex[(i + 1) % 3])) retention_.mark_edge(h);
-        retention_.add(w, h);
+        retention_.add(w, h, queue_.front());
         cross_face(w, f, h, i);
       }
       place = next;

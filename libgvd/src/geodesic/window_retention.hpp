@@ -30,10 +30,15 @@ class WindowRetention {
     if (keep == KeepWindows::near_bisectors) state_.assign(frames.frame.size(), State::open);
   }
 
-  /// Window w stands on halfedge h.
-  void add(const Window& w, std::int32_t h) {
+  /// Window w stands on halfedge h. `front`: no window to come holds a distance below it.
+  void add(const Window& w, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
-    recent_.push_back({w.begin, w.end, w.x, w.depth, w.offset, w.generator, h});
+    const KeptWindow kept{w.begin, w.end, w.x, w.depth, w.offset, w.generator, h};
+    if (keep_ == KeepWindows::all) {
+      kept_.push_back(kept);
+      return;
+    }
+    if (recent_.push_back(kept)) review(front);
   }
 
   /// A window whose label is not that of both ends of the edge stands on halfedge h.
@@ -43,40 +48,51 @@ class WindowRetention {
     const std::int32_t twin = twin_of(h);
     if (twin >= 0) mark_face(twin / 3);
   }
+  /// Where a face is quiet already, what comes is beaten by the paths through its corners.
   void mark_face(std::int32_t face) {
-    if (keep_ == KeepWindows::near_bisectors) state_[static_cast<std::size_t>(face)] = State::mixed;
-  }
-
-  bool is_due() const { return recent_.size() > limit_; }
-
-  /// Lets go of what can go. `settled`: no window to come holds a distance below it.
-  /// Cost: O(windows added since the last time + windows on edges not settled yet), which is amortised O(1) a window.
-  void sweep(double settled) {
-    if (keep_ != KeepWindows::near_bisectors) {
-      kept_.append(recent_.begin(), recent_.end());
-      recent_.clear();
-      return;
-    }
-    auto left = recent_.begin();
-    for (const KeptWindow& w : recent_) {
-      const State state = look_at_edge(w.halfedge, settled);
-      if (state == State::open) *left++ = w;
-      if (state == State::mixed) kept_.push_back(w);
-    }
-    recent_.erase(left, recent_.end());
-    limit_ = std::max(kLeastSweep, 3 * recent_.size());
+    if (keep_ != KeepWindows::near_bisectors) return;
+    State& state = state_[static_cast<std::size_t>(face)];
+    if (state == State::open) state = State::mixed;
   }
 
   EdgeWindows finish() {
-    sweep(std::numeric_limits<double>::infinity());
+    const double end = std::numeric_limits<double>::infinity();
+    while (!recent_.empty()) review_block(end);
     return EdgeWindows(std::move(kept_), frames_.frame.size());
   }
 
  private:
   enum class State : std::uint8_t { open, quiet, mixed };
-  static constexpr std::size_t kLeastSweep = 4096;
   /// The queue's keys are floats; a distance counts as settled this part of itself later.
   static constexpr double kMargin = 1e-6;
+  static constexpr double kReach = 0.5773503;  // 1 / sqrt(3), rounded up
+
+  /// Lets go of what can go, oldest first. Where half of a block can't be told yet, so can't what is younger.
+  void review(double settled) {
+    while (!recent_.empty() && recent_.age() > patience_) {
+      const std::size_t undecided = review_block(settled);
+      if (2 * undecided > BlockQueue<KeptWindow>::kBlock) {
+        patience_ = recent_.age() + recent_.age() / 4 + 1;
+        return;
+      }
+    }
+  }
+
+  std::size_t review_block(double settled) {
+    std::size_t undecided = 0;
+    std::int32_t last = -1;
+    State state = State::open;
+    recent_.take_block([&](const KeptWindow& w) {
+      if (w.halfedge != last) state = look_at_edge(last = w.halfedge, settled);
+      if (state == State::open) {
+        recent_.push_back(w);
+        ++undecided;
+      } else if (state == State::mixed) {
+        kept_.push_back(w);
+      }
+    });
+    return undecided;
+  }
 
   std::int32_t twin_of(std::int32_t h) const {
     return frames_.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
@@ -92,8 +108,8 @@ class WindowRetention {
     return here == State::quiet ? there : here;
   }
 
-  /// A window that stands on a side later has distances above `settled` everywhere, and where that exceeds a corner's
-  /// distance by the side's length, `is_beaten_by_start` drops it.
+  /// Every point of a triangle is within its longest side / sqrt(3) of a corner: where the farthest corner's distance plus
+  /// that is below `settled`, paths through the corners beat all windows to come.
   State look_at_face(std::int32_t face, double settled) {
     State& state = state_[static_cast<std::size_t>(face)];
     if (state != State::open) return state;
@@ -101,7 +117,7 @@ class WindowRetention {
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
     const double farthest = std::max({distance_[a], distance_[b], distance_[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
-    if (!((farthest + longest) * (1 + kMargin) < settled)) return state;
+    if (!((farthest + kReach * longest) * (1 + kMargin) < settled)) return state;
     state = label_[a] == label_[b] && label_[b] == label_[c] ? State::quiet : State::mixed;
     return state;
   }
@@ -111,9 +127,9 @@ class WindowRetention {
   const IdVector<VertexId, double>& distance_;
   const IdVector<VertexId, std::int32_t>& label_;
   std::vector<State> state_;
-  std::vector<KeptWindow> recent_;  // in the order in which they were added
-  BlockList<KeptWindow> kept_;      // for good
-  std::size_t limit_ = kLeastSweep;
+  BlockQueue<KeptWindow> recent_;  // in the order in which they were added
+  BlockList<KeptWindow> kept_;     // for good
+  std::size_t patience_ = 8;       // blocks that wait before the oldest one is looked at
 };
 
 }  // namespace gvd
