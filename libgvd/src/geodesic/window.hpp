@@ -15,25 +15,27 @@ namespace gvd {
 /// Frame: the edge lies on the x axis and the window comes from below. Its origin is the start of the halfedge that the
 /// paths cross next, in the face beyond, x towards that halfedge's end; on the boundary, where there is no such halfedge,
 /// the end of the halfedge of the face that they leave, x towards its start. Mesh units.
-struct alignas(64) Window {
-  double begin, end;        ///< interval on the edge, 0 <= begin < end <= length
-  double x, depth;          ///< the image lies at (x, -depth), depth > 0
-  double offset;            ///< distance from the generator to the image's vertex
-  std::int32_t generator;   ///< GeneratorId
-  std::int32_t next;        ///< the next window in the same list, or -1
-  float key;                ///< least distance on the interval, a little below: for the queue
-  std::uint8_t joins;       ///< bit 0: another window may join at `begin` without a step; bit 1: at `end`
-
-  static constexpr std::uint8_t kJoinsAtBegin = 1, kJoinsAtEnd = 2;
+struct Rays {
+  double begin, end;  ///< interval on the edge, 0 <= begin < end <= length
+  double x, depth;    ///< the image lies at (x, -depth), depth > 0
 
   /// Square of the distance from the image to the point t of the edge.
   double squared_reach(double t) const { return (t - x) * (t - x) + depth * depth; }
-  /// Distance from the generator to the point t of the edge.
-  double distance(double t) const { return offset + std::sqrt(squared_reach(t)); }
-  /// The least distance on the interval.
-  double least_distance() const {
-    return x < begin ? distance(begin) : x > end ? distance(end) : offset + depth;
-  }
+  /// The least distance from the image to the interval.
+  double least_reach() const { return x < begin ? reach(begin) : x > end ? reach(end) : depth; }
+  double reach(double t) const { return std::sqrt(squared_reach(t)); }
+};
+
+/// A window that waits to be carried across the face beyond its edge.
+struct alignas(64) Window {
+  Rays rays;
+  double offset;            ///< distance from the generator to the image's vertex
+  std::int32_t generator;   ///< GeneratorId
+  std::int32_t next;        ///< the next window in the same list, or -1
+  float key;                ///< least distance on the interval: for the queue
+  std::uint8_t joins;       ///< bit 0: another window may join at `begin` without a step; bit 1: at `end`
+
+  static constexpr std::uint8_t kJoinsAtBegin = 1, kJoinsAtEnd = 2;
 };
 static_assert(sizeof(Window) == 64);
 
@@ -66,7 +68,7 @@ struct ApexView {
   double beyond_begin; ///< > 0: the ray through `begin` passes to the right of the apex, which stays outside
   double beyond_end;   ///< < 0: the ray through `end` passes to the left of the apex, which stays outside
 
-  ApexView(const Window& w, double apex_x, double apex_y)
+  ApexView(const Rays& w, double apex_x, double apex_y)
       : x(apex_x),
         y(apex_y),
         beyond_begin((w.begin - w.x) * apex_y - (apex_x - w.begin) * w.depth),
@@ -75,7 +77,7 @@ struct ApexView {
   bool all_right() const { return beyond_begin > 0; }
   bool all_left() const { return beyond_end < 0; }
   bool covered() const { return beyond_begin <= 0 && beyond_end >= 0; }
-  double squared_reach(const Window& w) const { return (x - w.x) * (x - w.x) + (y + w.depth) * (y + w.depth); }
+  double squared_reach(const Rays& w) const { return (x - w.x) * (x - w.x) + (y + w.depth) * (y + w.depth); }
 };
 
 /// A path that bends by less than this, in radians, at the end of a window's interval is taken for straight: rays that
@@ -84,7 +86,7 @@ struct ApexView {
 inline constexpr double kGrazingAngle = 1e-9;
 
 /// Whether the apex, not covered, lies on the continuation of the window's outermost ray within kGrazingAngle.
-inline bool is_grazed(const Window& w, const ApexView& apex) {
+inline bool is_grazed(const Rays& w, const ApexView& apex) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
   const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
@@ -92,29 +94,20 @@ inline bool is_grazed(const Window& w, const ApexView& apex) {
 }
 
 /// The part of a window that leaves the face by the left side, from the edge's start to the apex.
-inline Window cross_left(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
-  const std::size_t side = (i + 2) % 3;
+inline Rays cross_left(const Rays& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
   const SideView view(f.cosine[i], f.sine[i], w.x, w.depth);
-  Window child = w;
-  child.begin = std::max(0.0, view.hit(w.begin));
-  child.end = f.length[side];
-  if (apex.all_left()) child.end = std::min(child.end, view.hit(w.end));
-  child.x = view.along;
-  child.depth = view.depth;
-  return child;
+  const double length = f.length[(i + 2) % 3];
+  const double end = apex.all_left() ? std::min(length, view.hit(w.end)) : length;
+  return {std::max(0.0, view.hit(w.begin)), end, view.along, view.depth};
 }
 
 /// The part of a window that leaves the face by the right side, from the apex to the edge's end.
-inline Window cross_right(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
+inline Rays cross_right(const Rays& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
   const std::size_t side = (i + 1) % 3;
   const double base = f.length[i], length = f.length[side];
   const SideView view(f.cosine[side], f.sine[side], base - w.x, w.depth);
-  Window child = w;
-  child.begin = apex.all_right() ? std::max(0.0, length - view.hit(base - w.begin)) : 0;
-  child.end = std::min(length, length - view.hit(base - w.end));
-  child.x = length - view.along;
-  child.depth = view.depth;
-  return child;
+  const double begin = apex.all_right() ? std::max(0.0, length - view.hit(base - w.begin)) : 0;
+  return {begin, std::min(length, length - view.hit(base - w.end)), length - view.along, view.depth};
 }
 
 }  // namespace gvd

@@ -23,13 +23,13 @@ inline bool is_shorter(double through, double step, double offset, double square
 /// Proof: let it be shorter at the interval's end B: d + |vB| < s + |IB|, v being the edge's start. For a point P of the
 /// interval, |vP| = |vB| - |PB| (P lies between v and B on one line) and |IP| >= |IB| - |PB|, so
 /// d + |vP| < s + |IB| - |PB| <= s + |IP|.
-inline bool is_beaten_by_start(const Window& w, double start_distance) {
-  return is_shorter(start_distance, w.end, w.offset, w.squared_reach(w.end));
+inline bool is_beaten_by_start(const Rays& w, double offset, double start_distance) {
+  return is_shorter(start_distance, w.end, offset, w.squared_reach(w.end));
 }
 
 /// The same from the end of the edge, which is `length` long.
-inline bool is_beaten_by_end(const Window& w, double end_distance, double length) {
-  return is_shorter(end_distance, length - w.begin, w.offset, w.squared_reach(w.begin));
+inline bool is_beaten_by_end(const Rays& w, double offset, double end_distance, double length) {
+  return is_shorter(end_distance, length - w.begin, offset, w.squared_reach(w.begin));
 }
 
 }  // namespace gvd

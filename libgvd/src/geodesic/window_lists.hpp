@@ -16,17 +16,14 @@ class WindowPool {
   Window& operator[](std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
   const Window& operator[](std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
-  std::int32_t add(const Window& w) {
-
+  /// A window to fill in.
+  std::int32_t take() {
     if (free_ >= 0) {
       const std::int32_t place = free_;
-      Window& slot = (*this)[place];
-      free_ = slot.next;
-      slot = w;
+      free_ = (*this)[place].next;
       return place;
     }
     if ((used_ & kMask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
-    (*this)[used_] = w;
     return used_++;
   }
   void free(std::int32_t place) {

@@ -29,7 +29,7 @@ class Propagation {
         options_(options),
         progress_(progress),
         queue_(options.bucket_width * mesh.mean_edge_length(), bucket_count(mesh, options)),
-        inverse_width_(1 / (options.bucket_width * mesh.mean_edge_length())),
+        bucket_width_(options.bucket_width * mesh.mean_edge_length()),
         waiting_(static_cast<std::size_t>(mesh.halfedge_count()), -1),
         retention_(options.keep, field_.frames, field_.distance, field_.label) {}
 
@@ -162,82 +162,112 @@ class Propagation {
     if (!last || (Rotation{f.cosine[c], f.sine[c]} - *last).sine < kGrazingAngle) {
       reach_vertex(f.vertex[q], event.distance + f.length[q], generator, {base + static_cast<std::int32_t>(q), {}});
     }
-    Window w{};
     const double length = f.length[p];
     const auto position = [&](const Rotation& ray) {
       const double from_p = f.length[c] * ray.sine / (ray.sine * f.cosine[p] + ray.cosine * f.sine[p]);
       return std::clamp(length - from_p, 0.0, length);
     };
-    w.begin = last ? position(*last) : 0;
-    w.end = first ? position(*first) : length;
-    w.x = f.length[q] * f.cosine[q];
-    w.depth = f.length[q] * f.sine[q];
-    w.offset = event.distance;
-    w.generator = generator;
-    w.joins = static_cast<std::uint8_t>((!last && is_flat(f.vertex[q]) ? Window::kJoinsAtBegin : 0) |
-                                        (!first && is_flat(f.vertex[p]) ? Window::kJoinsAtEnd : 0));
-    add_window(w, base + static_cast<std::int32_t>(p), f, p, f.vertex[q], f.vertex[p]);
+    const Rays rays{last ? position(*last) : 0, first ? position(*first) : length, f.length[q] * f.cosine[q],
+                    f.length[q] * f.sine[q]};
+    const int joins = (!last && is_flat(f.vertex[q]) ? Window::kJoinsAtBegin : 0) |
+                      (!first && is_flat(f.vertex[p]) ? Window::kJoinsAtEnd : 0);
+    add_window(rays, {event.distance, generator, joins}, {base, &f, p, q});
   }
 
-  /// Puts a window that leaves face f by its side i on the edge, unless it is beaten.
-  void add_window(Window& w, std::int32_t exit, const FaceFrame& f, std::size_t i, std::int32_t start, std::int32_t end) {
+  /// Where the paths of a window come from, and whether others may join its two ends.
+  struct Origin {
+    double offset;
+    std::int32_t generator;
+    int joins;
+  };
+  /// Side i of a face, from corner `end` to corner `start` of a window that leaves by it.
+  struct Side {
+    std::int32_t base;  // the face's first halfedge
+    const FaceFrame* face;
+    std::size_t end, start;
+  };
+
+  /// Puts a window that leaves a face on the edge, unless it is beaten.
+  void add_window(const Rays& w, const Origin& origin, const Side& side) {
     if (!(w.begin < w.end) || !(w.depth > 0)) return;
-    const double length = f.length[i];
-    if (is_beaten_by_start(w, distance(start)) || is_beaten_by_end(w, distance(end), length)) return;
-    const std::int32_t twin = f.twin[i];
-    w.key = static_cast<float>(w.least_distance());
+    const FaceFrame& f = *side.face;
+    const double length = f.length[side.end];
+    const std::int32_t start = f.vertex[side.start], end = f.vertex[side.end];
+    if (is_beaten_by_start(w, origin.offset, distance(start)) || is_beaten_by_end(w, origin.offset, distance(end), length)) return;
+    const std::int32_t twin = f.twin[side.end];
     ++field_.created_count;
     if (twin < 0) {
-      if (w.generator != label(start) || w.generator != label(end)) retention_.mark_edge(exit);
-      retention_.add(w, exit, queue_.front());
+      keep(w, origin.offset, origin.generator, side.base + static_cast<std::int32_t>(side.end), start, end);
       return;
     }
+    const double key = origin.offset + w.least_reach();
     std::int32_t& head = waiting_[static_cast<std::size_t>(twin)];
+    if (head >= 0 && origin.joins != 0 && join(head, w, origin, length)) {
+      requeue_if_earlier(head, key, twin);
+      return;
+    }
+    const std::int32_t place = pool_.take();
+    Window& added = pool_[place];
+    added.rays.begin = w.begin;
+    added.rays.end = w.end;
+    added.rays.x = w.x;
+    added.rays.depth = w.depth;
+    added.offset = origin.offset;
+    added.generator = origin.generator;
+    added.key = static_cast<float>(key);
+    added.joins = static_cast<std::uint8_t>(origin.joins);
     if (head < 0) {
-      w.next = -1;
-      head = pool_.add(w);
-      queue_.push(w.key, twin);
-      return;
-    }
-    if (w.joins != 0 && join(head, w, length)) {
-      const float key = std::min(w.key, pool_[head].key);
-      if (is_earlier(key, pool_[head].key)) queue_.push(key, twin);
-      pool_[head].key = key;
-      return;
-    }
-    if (is_earlier(w.key, pool_[head].key)) {
-      w.next = head;
-      head = pool_.add(w);
-      queue_.push(w.key, twin);
+      added.next = -1;
+      head = place;
+      queue_.push(key, twin);
     } else {
-      w.next = pool_[head].next;
-      const std::int32_t place = pool_.add(w);
-      pool_[head].next = place;
+      Window& first = pool_[head];
+      added.next = first.next;
+      first.next = place;
+      requeue_if_earlier(head, key, twin);
     }
   }
 
-  bool is_earlier(double a, double b) const { return std::floor(a * inverse_width_) < std::floor(b * inverse_width_); }
+  /// The first window of a list holds the key with which the halfedge waits.
+  void requeue_if_earlier(std::int32_t head, double key, std::int32_t h) {
+    float& queued = pool_[head].key;
+    if (!(key + bucket_width_ < static_cast<double>(queued))) return;
+    queued = static_cast<float>(key);
+    queue_.push(key, h);
+  }
 
-  bool join(std::int32_t head, const Window& w, double length) {
-    const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
+  bool join(std::int32_t head, const Rays& w, const Origin& origin, double length) {
+    const double tolerance = kSameImage * (origin.offset + w.depth + std::abs(w.x));
     for (std::int32_t i = head; i >= 0; i = pool_[i].next) {
       Window& other = pool_[i];
-      if (other.generator != w.generator || other.offset != w.offset) continue;
-      if (std::abs(other.x - w.x) > tolerance || std::abs(other.depth - w.depth) > tolerance) continue;
-      if ((w.joins & Window::kJoinsAtBegin) && (other.joins & Window::kJoinsAtEnd) &&
-          std::abs(other.end - w.begin) <= 1e-9 * length) {
-        other.end = w.end;
-        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtBegin) | (w.joins & Window::kJoinsAtEnd));
+      if (other.generator != origin.generator || other.offset != origin.offset) continue;
+      if (std::abs(other.rays.x - w.x) > tolerance || std::abs(other.rays.depth - w.depth) > tolerance) continue;
+      if ((origin.joins & Window::kJoinsAtBegin) && (other.joins & Window::kJoinsAtEnd) &&
+          std::abs(other.rays.end - w.begin) <= 1e-9 * length) {
+        other.rays.end = w.end;
+        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtBegin) | (origin.joins & Window::kJoinsAtEnd));
         return true;
       }
-      if ((w.joins & Window::kJoinsAtEnd) && (other.joins & Window::kJoinsAtBegin) &&
-          std::abs(other.begin - w.end) <= 1e-9 * length) {
-        other.begin = w.begin;
-        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtEnd) | (w.joins & Window::kJoinsAtBegin));
+      if ((origin.joins & Window::kJoinsAtEnd) && (other.joins & Window::kJoinsAtBegin) &&
+          std::abs(other.rays.begin - w.end) <= 1e-9 * length) {
+        other.rays.begin = w.begin;
+        other.joins = static_cast<std::uint8_t>((other.joins & Window::kJoinsAtEnd) | (origin.joins & Window::kJoinsAtBegin));
         return true;
       }
     }
     return false;
+  }
+
+  /// A vertex that is not reached yet takes the label for the time being, so that reach_vertex sees another one coming.
+  bool is_foreign(std::int32_t v, std::int32_t generator) {
+    std::int32_t& known = field_.label.raw()[static_cast<std::size_t>(v)];
+    if (known < 0) known = generator;
+    return known != generator;
+  }
+
+  void keep(const Rays& w, double offset, std::int32_t generator, std::int32_t h, std::int32_t start, std::int32_t end) {
+    if (is_foreign(start, generator) || is_foreign(end, generator)) retention_.mark_edge(h);
+    retention_.add(w, offset, generator, h, queue_.front() - bucket_width_);
   }
 
   /// A vertex changes its label: windows on its edges may have had the old one.
@@ -257,48 +287,50 @@ class Propagation {
     waiting_[static_cast<std::size_t>(h)] = -1;
     const FaceFrame& f = fan_.face(h);
     const auto i = static_cast<std::size_t>(h % 3);
+    const std::int32_t start = f.vertex[i], end = f.vertex[(i + 1) % 3];
     while (place >= 0) {
-      const std::int32_t next = pool_[place].next;
-      const Window w = pool_[place];
-      pool_.free(place);
-      if (!is_beaten_by_start(w, distance(f.vertex[i])) &&
-          !is_beaten_by_end(w, distance(f.vertex[(i + 1) % 3]), f.length[i])) {
-        if (w.generator != label(f.vertex[i]) || w.generator != label(f.vertex[(i + 1) % 3])) retention_.mark_edge(h);
-        retention_.add(w, h, queue_.front());
-        cross_face(w, f, h, i);
+      const Window& w = pool_[place];
+      const std::int32_t next = w.next;
+      pool_.free(place);  // what follows does not take it again before it has read it
+      const Rays rays = w.rays;
+      const Origin origin{w.offset, w.generator, w.joins};
+      if (!is_beaten_by_start(rays, origin.offset, distance(start)) &&
+          !is_beaten_by_end(rays, origin.offset, distance(end), f.length[i])) {
+        keep(rays, origin.offset, origin.generator, h, start, end);
+        cross_face(rays, origin, f, h, i);
       }
       place = next;
     }
   }
 
-  void cross_face(const Window& w, const FaceFrame& f, std::int32_t h, std::size_t i) {
+  void cross_face(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t h, std::size_t i) {
     ++field_.window_count;
     const std::size_t right = (i + 1) % 3, left = (i + 2) % 3;
     const std::int32_t base = h - static_cast<std::int32_t>(i);
     const ApexView apex(w, f.length[left] * f.cosine[i], f.length[left] * f.sine[i]);
-    if (apex.covered() || is_grazed(w, apex)) reach_apex(w, f, base, i, apex);
+    if (apex.covered() || is_grazed(w, apex)) reach_apex(w, origin, f, base, i, apex);
     const bool flat = is_flat(f.vertex[left]);
     if (!apex.all_right()) {
-      Window child = cross_left(w, f, i, apex);
-      if (!apex.all_left()) child.joins = static_cast<std::uint8_t>((w.joins & Window::kJoinsAtBegin) | (flat ? Window::kJoinsAtEnd : 0));
-      add_window(child, base + static_cast<std::int32_t>(left), f, left, f.vertex[i], f.vertex[left]);
+      Origin from = origin;
+      if (!apex.all_left()) from.joins = (origin.joins & Window::kJoinsAtBegin) | (flat ? Window::kJoinsAtEnd : 0);
+      add_window(cross_left(w, f, i, apex), from, {base, &f, left, i});
     }
     if (!apex.all_left()) {
-      Window child = cross_right(w, f, i, apex);
-      if (!apex.all_right()) child.joins = static_cast<std::uint8_t>((w.joins & Window::kJoinsAtEnd) | (flat ? Window::kJoinsAtBegin : 0));
-      add_window(child, base + static_cast<std::int32_t>(right), f, right, f.vertex[left], f.vertex[right]);
+      Origin from = origin;
+      if (!apex.all_right()) from.joins = (origin.joins & Window::kJoinsAtEnd) | (flat ? Window::kJoinsAtBegin : 0);
+      add_window(cross_right(w, f, i, apex), from, {base, &f, right, left});
     }
   }
 
-  void reach_apex(const Window& w, const FaceFrame& f, std::int32_t base, std::size_t i, const ApexView& apex) {
+  void reach_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i, const ApexView& apex) {
     const std::size_t left = (i + 2) % 3;
-    const double reach = std::sqrt(apex.squared_reach(w)), d = w.offset + reach;
+    const double reach = std::sqrt(apex.squared_reach(w)), d = origin.offset + reach;
     if (!(d < distance(f.vertex[left]))) return;
     // The way back, turned from the side towards the edge's start.
     const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
     const double side_x = -f.cosine[i], side_y = -f.sine[i];
     const Rotation angle{side_x * back_x + side_y * back_y, side_x * back_y - side_y * back_x};
-    reach_vertex(f.vertex[left], d, w.generator, {base + static_cast<std::int32_t>(left), angle});
+    reach_vertex(f.vertex[left], d, origin.generator, {base + static_cast<std::int32_t>(left), angle});
   }
 
   WindowField field_;
@@ -308,7 +340,7 @@ class Propagation {
   PropagationOptions options_;
   const Progress& progress_;
   BucketQueue<std::int32_t> queue_;
-  double inverse_width_;
+  double bucket_width_;
   std::vector<std::int32_t> waiting_;  // [halfedge] windows that wait to cross it, the first in the queue's order ahead
   WindowRetention retention_;
   std::vector<VertexEvent> events_;

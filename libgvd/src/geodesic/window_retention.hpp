@@ -30,10 +30,10 @@ class WindowRetention {
     if (keep == KeepWindows::near_bisectors) state_.assign(frames.frame.size(), State::open);
   }
 
-  /// Window w stands on halfedge h. `front`: no window to come holds a distance below it.
-  void add(const Window& w, std::int32_t h, double front) {
+  /// A window stands on halfedge h. `front`: no window to come holds a distance below it.
+  void add(const Rays& w, double offset, std::int32_t generator, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
-    const KeptWindow kept{w.begin, w.end, w.x, w.depth, w.offset, w.generator, h};
+    const KeptWindow kept{w.begin, w.end, w.x, w.depth, offset, generator, h};
     if (keep_ == KeepWindows::all) {
       kept_.push_back(kept);
       return;
