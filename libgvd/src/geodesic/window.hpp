@@ -22,7 +22,7 @@ struct Rays {
   /// Square of the distance from the image to the point t of the edge.
   double squared_reach(double t) const { return (t - x) * (t - x) + depth * depth; }
   /// The least distance from the image to the interval.
-  double least_reach() const { return x < begin ? reach(begin) : x > end ? reach(end) : depth; }
+  double least_reach() const { return reach(std::min(std::max(x, begin), end)); }
   double reach(double t) const { return std::sqrt(squared_reach(t)); }
 };
 

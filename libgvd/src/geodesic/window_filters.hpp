@@ -15,7 +15,7 @@ inline constexpr double kTie = 1e-13;
 /// No square root: the bounds are compared as (through + step - offset)^2 < squared.
 inline bool is_shorter(double through, double step, double offset, double squared) {
   const double rest = through * (1 + kTie) + step - offset;
-  return rest < 0 || rest * rest < squared * (1 - kTie);
+  return rest * std::abs(rest) < squared * (1 - kTie);  // true for a negative rest
 }
 
 /// Whether the path through the start of the edge is shorter all over the window.

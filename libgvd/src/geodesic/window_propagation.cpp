@@ -189,11 +189,14 @@ class Propagation {
 
   /// Puts a window that leaves a face on the edge, unless it is beaten.
   void add_window(const Rays& w, const Origin& origin, const Side& side) {
-    if (!(w.begin < w.end) || !(w.depth > 0)) return;
     const FaceFrame& f = *side.face;
     const double length = f.length[side.end];
     const std::int32_t start = f.vertex[side.start], end = f.vertex[side.end];
-    if (is_beaten_by_start(w, origin.offset, distance(start)) || is_beaten_by_end(w, origin.offset, distance(end), length)) return;
+    const bool empty = !(w.begin < w.end) | !(w.depth > 0);
+    if (empty | is_beaten_by_start(w, origin.offset, distance(start)) |
+        is_beaten_by_end(w, origin.offset, distance(end), length)) {
+      return;
+    }
     const std::int32_t twin = f.twin[side.end];
     ++field_.created_count;
     if (twin < 0) {
@@ -294,8 +297,8 @@ class Propagation {
       pool_.free(place);  // what follows does not take it again before it has read it
       const Rays rays = w.rays;
       const Origin origin{w.offset, w.generator, w.joins};
-      if (!is_beaten_by_start(rays, origin.offset, distance(start)) &&
-          !is_beaten_by_end(rays, origin.offset, distance(end), f.length[i])) {
+      if (!(is_beaten_by_start(rays, origin.offset, distance(start)) |
+            is_beaten_by_end(rays, origin.offset, distance(end), f.length[i]))) {
         keep(rays, origin.offset, origin.generator, h, start, end);
         cross_face(rays, origin, f, h, i);
       }
