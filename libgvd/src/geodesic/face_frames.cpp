@@ -41,7 +41,7 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   frame.length = shape.length;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t before = (i + 2) % 3;
-    // The products of lengths and not those of sides would lose all digits of a needle's cosines.
+    // From the sides themselves: the law of cosines would lose the digits of a needle's lengths.
     const double scale = 1 / (shape.length[i] * shape.length[before]);
     frame.cosine[i] = -side[i].dot(side[before]) * scale;
     frame.sine[i] = shape.twice_area * scale;

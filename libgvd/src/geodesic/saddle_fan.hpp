@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "geodesic/face_frames.hpp"
+#include "geodesic/window.hpp"
 
 namespace gvd {
 
@@ -28,14 +29,17 @@ struct FanRay {
   bool valid() const { return halfedge >= 0; }
 };
 
-/// The faces round a vertex, from one to the next.
+/// The faces round a vertex, one after the other.
+///
+/// The saddle fan rule: a shortest path that arrives at a pseudo-source goes on with an angle of at least pi on both sides.
+/// With less on one side it would be shorter to cut the corner there, through flat faces. So with the total angle theta, a
+/// path that arrives from direction phi goes on into [phi + pi, phi + theta - pi] and nowhere else; at a boundary vertex,
+/// where one of the two sides is no surface, into [phi + pi, theta] and [0, phi - pi].
 class VertexFan {
  public:
   explicit VertexFan(const FaceFrames& frames) : frames_(frames) {}
 
   const FaceFrame& face(std::int32_t h) const { return frames_.frame[FaceId(h / 3)]; }
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
   std::int32_t twin(std::int32_t h) const { return face(h).twin[static_cast<std::size_t>(h % 3)]; }
 
   /// The outgoing halfedge of the next face counter-clockwise, or -1.
@@ -52,7 +56,7 @@ class VertexFan {
 
   /// The direction at an angle of pi counter-clockwise from the ray; invalid where the boundary comes first.
   FanRay straight_left(const FanRay& ray) const {
-    Rotation turned = positive(corner(ray.halfedge) - ray.angle);
+    Rotation turned = inside(corner(ray.halfedge) - ray.angle);
     for (std::int32_t h = left_of(ray.halfedge); h >= 0; h = left_of(h)) {
       const Rotation after = turned + corner(h);
       // A corner is less than pi, so the sine changes its sign where the sum passes pi.
@@ -63,7 +67,7 @@ class VertexFan {
   }
   /// The same clockwise.
   FanRay straight_right(const FanRay& ray) const {
-    Rotation turned = positive(ray.angle);
+    Rotation turned = inside(ray.angle);
     for (std::int32_t h = right_of(ray.halfedge); h >= 0; h = right_of(h)) {
       const Rotation after = turned + corner(h);
       if (after.sine < 0) return {h, corner(h) - Rotation{-turned.cosine, turned.sine}};
@@ -73,10 +77,26 @@ class VertexFan {
   }
 
  private:
-  /// A ray accepted for grazing may lie outside of its face by rounding.
-  static Rotation positive(const Rotation& r) { return r.sine >= 0 ? r : Rotation{r.cosine > 0 ? 1.0 : -1.0, 0}; }
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  /// A ray that was accepted although it only grazes its face lies outside of it by up to kGrazingAngle.
+  static Rotation inside(const Rotation& r) { return r.sine >= 0 ? r : Rotation{r.cosine > 0 ? 1.0 : -1.0, 0}; }
 
   const FaceFrames& frames_;
 };
+
+/// The window that a vertex sends across the face of its corner c to the opposite side, between the rays `first` and
+/// `last`, counter-clockwise; null stands for a side of the face.
+inline Rays send_rays(const FaceFrame& f, std::size_t c, const Rotation* first, const Rotation* last) {
+  const std::size_t p = (c + 1) % 3, q = (c + 2) % 3;
+  const double length = f.length[p];
+  // Law of sines in the triangle of the vertex, p and the point where the ray meets the side; the frame's origin is q.
+  const auto position = [&](const Rotation& ray) {
+    const double from_p = f.length[c] * ray.sine / (ray.sine * f.cosine[p] + ray.cosine * f.sine[p]);
+    return std::clamp(length - from_p, 0.0, length);
+  };
+  return {last ? position(*last) : 0, first ? position(*first) : length, f.length[q] * f.cosine[q],
+          f.length[q] * f.sine[q]};
+}
 
 }  // namespace gvd

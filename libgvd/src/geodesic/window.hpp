@@ -12,32 +12,28 @@ namespace gvd {
 /// one image of a generator, or of a pseudo-source, in the plane of the face that they leave.
 ///
 /// Source: Mitchell, Mount and Papadimitriou (1987); Chen and Han (1990).
-/// Frame: the edge lies on the x axis and the window comes from below. Its origin is the start of the halfedge that the
-/// paths cross next, in the face beyond, x towards that halfedge's end; on the boundary, where there is no such halfedge,
-/// the end of the halfedge of the face that they leave, x towards its start. Mesh units.
+/// Frame: the edge lies on the x axis and the paths come from below. Its origin is the start of the halfedge that they
+/// cross next, in the face beyond, x towards that halfedge's end; on the boundary, where there is no such halfedge, the
+/// end of the halfedge of the face that they leave, x towards its start. Mesh units.
 struct Rays {
   double begin, end;  ///< interval on the edge, 0 <= begin < end <= length
   double x, depth;    ///< the image lies at (x, -depth), depth > 0
 
   /// Square of the distance from the image to the point t of the edge.
   double squared_reach(double t) const { return (t - x) * (t - x) + depth * depth; }
+  double reach(double t) const { return std::sqrt(squared_reach(t)); }
   /// The least distance from the image to the interval.
   double least_reach() const { return reach(std::min(std::max(x, begin), end)); }
-  double reach(double t) const { return std::sqrt(squared_reach(t)); }
 };
 
-/// A window that waits to be carried across the face beyond its edge.
-struct alignas(64) Window {
-  Rays rays;
-  double offset;            ///< distance from the generator to the image's vertex
-  std::int32_t generator;   ///< GeneratorId
-  std::int32_t next;        ///< the next window in the same list, or -1
-  float key;                ///< least distance on the interval: for the queue
-  std::uint8_t joins;       ///< bit 0: another window may join at `begin` without a step; bit 1: at `end`
+/// Where the paths of a window come from, and whether its two ends may be joined to other windows' without a step.
+struct Origin {
+  double offset;           ///< distance from the generator to the image's vertex, mesh units
+  std::int32_t generator;  ///< GeneratorId
+  std::uint8_t joins;      ///< bit 0: at `begin`; bit 1: at `end`
 
-  static constexpr std::uint8_t kJoinsAtBegin = 1, kJoinsAtEnd = 2;
+  static constexpr std::uint8_t kAtBegin = 1, kAtEnd = 2;
 };
-static_assert(sizeof(Window) == 64);
 
 /// One side of a face, seen from a window that enters through another: what the window's rays meet there.
 ///

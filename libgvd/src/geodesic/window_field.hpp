@@ -12,16 +12,16 @@ namespace gvd {
 /// What window propagation leaves: exact distances at the vertices, and windows on the edges.
 struct WindowField {
   FaceFrames frames;
-  IdVector<VertexId, double> distance;     ///< mesh units; infinity where no generator reaches
-  IdVector<VertexId, std::int32_t> label;  ///< GeneratorId of the nearest generator, or -1
+  IdVector<VertexId, double> distance;    ///< mesh units; infinity where no generator reaches
+  IdVector<VertexId, GeneratorId> label;  ///< the nearest generator; invalid where none reaches
   EdgeWindows windows;
-  std::int64_t window_count = 0;  ///< windows that were carried across a face
-  std::int64_t created_count = 0;
+  std::int64_t carried = 0;  ///< windows that were carried across a face: what the time goes with
+  std::int64_t events = 0;   ///< generators and pseudo-sources that sent windows
 
   explicit WindowField(const Mesh& mesh)
       : frames(mesh),
         distance(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity()),
-        label(static_cast<std::size_t>(mesh.vertex_count()), -1) {}
+        label(static_cast<std::size_t>(mesh.vertex_count())) {}
 };
 
 }  // namespace gvd

@@ -11,6 +11,9 @@ namespace gvd {
 /// unfolded over a thousand faces (1e-13), so that two equal paths never drop each other.
 inline constexpr double kTie = 1e-13;
 
+/// Whether a window has no width, or its rays run along the edge.
+inline bool is_empty(const Rays& w) { return !(w.begin < w.end) | !(w.depth > 0); }
+
 /// Whether a path of length `through` + `step` is shorter than one of `offset` + sqrt(squared), and not by rounding.
 /// No square root: the bounds are compared as (through + step - offset)^2 < squared.
 inline bool is_shorter(double through, double step, double offset, double squared) {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geodesic/edge_windows.hpp"
-#include "geodesic/face_frames.hpp"
+#include "geodesic/saddle_fan.hpp"
+#include "geodesic/window_field.hpp"
 
 namespace gvd {
 
@@ -24,16 +24,15 @@ enum class KeepWindows {
 /// out not to be quiet, since points inside of a face see the windows on all of its sides.
 class WindowRetention {
  public:
-  WindowRetention(KeepWindows keep, const FaceFrames& frames, const IdVector<VertexId, double>& distance,
-                  const IdVector<VertexId, std::int32_t>& label)
-      : keep_(keep), frames_(frames), distance_(distance), label_(label) {
-    if (keep == KeepWindows::near_bisectors) state_.assign(frames.frame.size(), State::open);
+  /// The field is only read.
+  WindowRetention(KeepWindows keep, const WindowField& field) : keep_(keep), field_(field) {
+    if (keep == KeepWindows::near_bisectors) state_.assign(field.frames.frame.size(), State::open);
   }
 
   /// A window stands on halfedge h. `front`: no window to come holds a distance below it.
-  void add(const Rays& w, double offset, std::int32_t generator, std::int32_t h, double front) {
+  void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
-    const KeptWindow kept{w.begin, w.end, w.x, w.depth, offset, generator, h};
+    const KeptWindow kept{w.begin, w.end, w.x, w.depth, origin.offset, origin.generator, h};
     if (keep_ == KeepWindows::all) {
       kept_.push_back(kept);
       return;
@@ -48,17 +47,22 @@ class WindowRetention {
     const std::int32_t twin = twin_of(h);
     if (twin >= 0) mark_face(twin / 3);
   }
-  /// Where a face is quiet already, what comes is beaten by the paths through its corners.
-  void mark_face(std::int32_t face) {
+  /// The vertex that halfedge `outgoing` leaves changes its label: windows on its edges may have had the old one.
+  void mark_vertex(const VertexFan& fan, std::int32_t outgoing) {
     if (keep_ != KeepWindows::near_bisectors) return;
-    State& state = state_[static_cast<std::size_t>(face)];
-    if (state == State::open) state = State::mixed;
+    std::int32_t h = outgoing;
+    do {
+      mark_face(h / 3);
+      h = fan.left_of(h);
+    } while (h >= 0 && h != outgoing);
+    if (h == outgoing) return;
+    for (h = outgoing; h >= 0; h = fan.right_of(h)) mark_face(h / 3);
   }
 
   EdgeWindows finish() {
     const double end = std::numeric_limits<double>::infinity();
     while (!recent_.empty()) review_block(end);
-    return EdgeWindows(std::move(kept_), frames_.frame.size());
+    return EdgeWindows(std::move(kept_), field_.frames.frame.size());
   }
 
  private:
@@ -94,8 +98,14 @@ class WindowRetention {
     return undecided;
   }
 
+  /// Where a face is quiet already, what comes is beaten by the paths through its corners.
+  void mark_face(std::int32_t face) {
+    State& state = state_[static_cast<std::size_t>(face)];
+    if (state == State::open) state = State::mixed;
+  }
+
   std::int32_t twin_of(std::int32_t h) const {
-    return frames_.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
+    return field_.frames.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
   }
 
   State look_at_edge(std::int32_t h, double settled) {
@@ -113,19 +123,17 @@ class WindowRetention {
   State look_at_face(std::int32_t face, double settled) {
     State& state = state_[static_cast<std::size_t>(face)];
     if (state != State::open) return state;
-    const FaceFrame& f = frames_.frame[FaceId(face)];
+    const FaceFrame& f = field_.frames.frame[FaceId(face)];
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
-    const double farthest = std::max({distance_[a], distance_[b], distance_[c]});
+    const double farthest = std::max({field_.distance[a], field_.distance[b], field_.distance[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
     if (!((farthest + kReach * longest) * (1 + kMargin) < settled)) return state;
-    state = label_[a] == label_[b] && label_[b] == label_[c] ? State::quiet : State::mixed;
+    state = field_.label[a] == field_.label[b] && field_.label[b] == field_.label[c] ? State::quiet : State::mixed;
     return state;
   }
 
   KeepWindows keep_;
-  const FaceFrames& frames_;
-  const IdVector<VertexId, double>& distance_;
-  const IdVector<VertexId, std::int32_t>& label_;
+  const WindowField& field_;
   std::vector<State> state_;
   BlockQueue<KeptWindow> recent_;  // in the order in which they were added
   BlockList<KeptWindow> kept_;     // for good

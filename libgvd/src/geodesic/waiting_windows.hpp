@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geodesic/window.hpp"
+
+namespace gvd {
+
+/// The windows that wait to be carried across the faces beyond their edges: a list for every halfedge.
+///
+/// Their places are used again in the order last out, first in, while the cache still holds them. Memory: 4 bytes a
+/// halfedge, and 64 for the most windows that wait at once.
+class WaitingWindows {
+ public:
+  /// `key_step`: keys that differ by no more than this count as equal.
+  WaitingWindows(std::size_t halfedges, double key_step) : first_(halfedges, -1), key_step_(key_step) {}
+
+  /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge has
+  /// to be queued with that key: nothing waited there, or what waited has a later one.
+  bool add(std::int32_t h, const Rays& rays, const Origin& origin, double length, double key) {
+    std::int32_t& head = first_[static_cast<std::size_t>(h)];
+    if (head >= 0 && origin.joins != 0 && join(head, rays, origin, length)) return lower_key(head, key);
+    const std::int32_t place = take_place();
+    Window& added = at(place);
+    // One by one: a copy in one piece would have to wait until the pieces have reached the cache.
+    added.rays.begin = rays.begin;
+    added.rays.end = rays.end;
+    added.rays.x = rays.x;
+    added.rays.depth = rays.depth;
+    added.offset = origin.offset;
+    added.generator = origin.generator;
+    added.joins = origin.joins;
+    added.key = static_cast<float>(key);
+    if (head < 0) {
+      added.next = -1;
+      head = place;
+      return true;
+    }
+    Window& first = at(head);
+    added.next = first.next;
+    first.next = place;
+    return lower_key(head, key);
+  }
+
+  /// Removes the windows of halfedge h and calls visit(const Rays&, const Origin&) for each; `visit` may add windows to
+  /// other halfedges.
+  template <class Visit>
+  void take(std::int32_t h, Visit visit) {
+    std::int32_t place = first_[static_cast<std::size_t>(h)];
+    first_[static_cast<std::size_t>(h)] = -1;
+    while (place >= 0) {
+      Window& w = at(place);
+      const Rays rays = w.rays;
+      const Origin origin{w.offset, w.generator, w.joins};
+      const std::int32_t next = w.next;
+      w.next = free_;
+      free_ = place;
+      visit(rays, origin);
+      place = next;
+    }
+  }
+
+ private:
+  struct alignas(64) Window {
+    Rays rays;
+    double offset;
+    std::int32_t generator;
+    std::int32_t next;   // in the list, or -1
+    float key;           // in the first window of a list: that of the halfedge in the queue
+    std::uint8_t joins;
+  };
+  static_assert(sizeof(Window) == 64);
+
+  static constexpr int kShift = 10;
+  static constexpr std::int32_t kMask = (1 << kShift) - 1;
+  /// Images that differ by less than this part of their distance are one: a thousand times its rounding, as it comes out
+  /// of unfolding a thousand faces.
+  static constexpr double kSameImage = 3e-13;
+  /// Ends that lie within this part of the edge are one.
+  static constexpr double kSameEnd = 1e-9;
+
+  Window& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+
+  std::int32_t take_place() {
+    if (free_ >= 0) {
+      const std::int32_t place = free_;
+      free_ = at(place).next;
+      return place;
+    }
+    if ((used_ & kMask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
+    return used_++;
+  }
+
+  bool lower_key(std::int32_t head, double key) {
+    float& queued = at(head).key;
+    if (!(key + key_step_ < static_cast<double>(queued))) return false;
+    queued = static_cast<float>(key);
+    return true;
+  }
+
+  /// Makes one window of this and one that waits, if they are two neighbouring parts of one: they were split at a flat
+  /// vertex, and see the same image again behind it. Nothing is lost.
+  bool join(std::int32_t head, const Rays& rays, const Origin& origin, double length) {
+    const double tolerance = kSameImage * (origin.offset + rays.depth + std::abs(rays.x));
+    for (std::int32_t i = head; i >= 0; i = at(i).next) {
+      Window& w = at(i);
+      if (w.generator != origin.generator || w.offset != origin.offset) continue;
+      if (std::abs(w.rays.x - rays.x) > tolerance || std::abs(w.rays.depth - rays.depth) > tolerance) continue;
+      const int open = w.joins & ((origin.joins >> 1) | (origin.joins << 1));  // at its begin, where our end may join
+      if ((open & Origin::kAtEnd) && std::abs(w.rays.end - rays.begin) <= kSameEnd * length) {
+        w.rays.end = rays.end;
+        w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd));
+        return true;
+      }
+      if ((open & Origin::kAtBegin) && std::abs(w.rays.begin - rays.end) <= kSameEnd * length) {
+        w.rays.begin = rays.begin;
+        w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtEnd) | (origin.joins & Origin::kAtBegin));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::int32_t> first_;  // [halfedge] or -1
+  std::vector<std::unique_ptr<Window[]>> blocks_;
+  std::int32_t used_ = 0, free_ = -1;
+  double key_step_;
+};
+
+}  // namespace gvd
