@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+struct ExactFieldOptions {
+  /// Distance at which each generator starts, in mesh units, >= 0: an additive weight. Empty: 0 for all.
+  std::vector<double> offsets;
+  Progress progress;  ///< may be empty
+};
+
+/// A shortest path on the surface.
+struct GeodesicPath {
+  std::vector<SurfacePoint> points;  ///< from the point that was asked for to the generator; neighbours share a face
+  GeneratorId generator;             ///< invalid, and no points, where no generator reaches
+  double length = 0;                 ///< mesh units, the generator's offset apart; infinity where no generator reaches
+};
+
+/// Exact distances on the surface of a mesh from the nearest of several generators.
+///
+/// The metric is that of the polyhedron itself, not of its edges, and not an approximation: straight lines over unfolded
+/// faces, round saddles and round corners of the boundary.
+/// Source: window propagation after Mitchell, Mount and Papadimitriou (1987), Chen and Han (1990), Xin and Wang (2009).
+/// Properties: (1) distances are right to 1e-13 of themselves, and a little less where slivers abound; (2) what no generator
+/// reaches is infinitely far, and has no label; (3) where two generators are equally near, either may be the label.
+/// Memory: 50 bytes a window, about 10 windows a face on curved meshes and 2 on refined flat ones, and 130 bytes a face.
+class ExactField {
+ public:
+  /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face of the
+  /// mesh, two of them coincide (both are named) or there is not one offset for each; Error{invalid_option} where an
+  /// offset is negative or not finite; Error{interrupted} where the progress callback cancels.
+  /// Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
+  ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options = {});
+  ~ExactField();
+  ExactField(ExactField&&) noexcept;
+  ExactField& operator=(ExactField&&) noexcept;
+
+  /// Distance of a vertex from its nearest generator, its offset included; mesh units, infinity where none reaches.
+  double distance(VertexId v) const;
+  /// The nearest generator of a vertex; invalid where none reaches.
+  GeneratorId label(VertexId v) const;
+
+  struct Nearest {
+    double distance;        ///< mesh units, the offset included; infinity where none reaches
+    GeneratorId generator;  ///< invalid where none reaches
+  };
+  /// The same for any surface point. Cost: O(windows on its faces).
+  Nearest nearest(const SurfacePoint& point) const;
+
+  /// A shortest path from a point to its nearest generator. Cost: O(faces crossed).
+  GeodesicPath path(const SurfacePoint& point) const;
+
+  /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to `point`
+  /// departs, as long as the path: the logarithm of the point. Zero for the generator itself, and where none reaches.
+  Vec2 departure(const SurfacePoint& point) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,72 @@
+#include "geodesic/window_sources.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geodesic/face_layout.hpp"
+
+namespace gvd {
+
+double EdgeSource::distance(double t) const {
+  const double entry = std::min(std::max(t, begin), end);
+  return offset + std::hypot(entry - x, depth) + std::abs(t - entry);
+}
+
+void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources) {
+  sources.clear();
+  const double length = mesh.length(h);
+  const HalfedgeId twin = mesh.twin(h);
+  const auto mirrored = [&](const KeptWindow& w) {
+    sources.push_back({length - w.end, length - w.begin, length - w.x, w.depth, w.offset, GeneratorId(w.generator)});
+  };
+  if (twin.valid()) {
+    field.windows.for_each(h, [&](const KeptWindow& w) {
+      sources.push_back({w.begin, w.end, w.x, w.depth, w.offset, GeneratorId(w.generator)});
+    });
+    field.windows.for_each(twin, mirrored);
+  } else {
+    field.windows.for_each(h, mirrored);
+  }
+  const VertexId from = mesh.from(h), to = mesh.to(h);
+  if (field.label[from].valid()) sources.push_back({0, length, 0, 0, field.distance[from], field.label[from]});
+  if (field.label[to].valid()) sources.push_back({0, length, length, 0, field.distance[to], field.label[to]});
+}
+
+Vec2 FaceSource::entry(const Vec2& p) const {
+  if (is_corner) return image;
+  // Weights of the interval's ends: the areas that the line from the image to p cuts off.
+  const double to_begin = cross(begin - image, p - image), to_end = cross(p - image, end - image);
+  if (to_begin <= 0) return begin;
+  if (to_end <= 0) return end;
+  return begin + to_begin / (to_begin + to_end) * (end - begin);
+}
+
+double FaceSource::distance(const Vec2& p) const {
+  if (is_corner) return offset + (p - image).norm();
+  const double to_begin = cross(begin - image, p - image), to_end = cross(p - image, end - image);
+  if (to_begin >= 0 && to_end >= 0) return offset + (p - image).norm();
+  const Vec2& bend = to_begin < 0 ? begin : end;
+  return offset + (bend - image).norm() + (p - bend).norm();
+}
+
+void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, std::vector<FaceSource>& sources) {
+  sources.clear();
+  const FaceLayout layout(mesh, f);
+  field.windows.for_each(f, [&](const KeptWindow& w) {
+    const HalfedgeId h(w.halfedge);
+    if (!mesh.twin(h).valid()) return;  // it ends there
+    const int i = Mesh::corner(h);
+    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i), inwards(-along.y(), along.x());
+    const Vec2 image = origin + w.x * along - w.depth * inwards;
+    sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h,
+                       false});
+  });
+  for (int i = 0; i < 3; ++i) {
+    const VertexId v = mesh.vertices(f)[static_cast<std::size_t>(i)];
+    if (!field.label[v].valid()) continue;
+    const Vec2 at = layout.corner[static_cast<std::size_t>(i)];
+    sources.push_back({at, at, at, field.distance[v], field.label[v], Mesh::halfedge(f, i), true});
+  }
+}
+
+}  // namespace gvd
