@@ -59,12 +59,14 @@ class PathTracer {
     return faces;
   }
 
-  /// Looks for a shorter way to p in face f; through no vertex that is not nearer than `reached`.
+  /// Looks for a shorter way to p in face f. Where p is the vertex `reached`, a way that leads on: from a vertex that is
+  /// nearer, and not through the vertex itself.
   void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
     collect_face_sources(mesh_, field_, f, sources_);
     const Vec2 at = *locate_in_face(mesh_, f, p);
     for (const FaceSource& s : sources_) {
       if (reached.valid() && !(s.offset < field_.distance[reached])) continue;
+      if (reached.valid() && !s.is_corner && mesh_.opposite(s.halfedge) != reached) continue;
       if (path_.generator.valid() && s.generator != path_.generator) continue;
       const double d = s.distance(at);
       if (!(d < best_distance_)) continue;

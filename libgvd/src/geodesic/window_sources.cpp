@@ -34,8 +34,8 @@ void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId
 
 Vec2 FaceSource::entry(const Vec2& p) const {
   if (is_corner) return image;
-  // Weights of the interval's ends: the areas that the line from the image to p cuts off.
-  const double to_begin = cross(begin - image, p - image), to_end = cross(p - image, end - image);
+  // The areas that the line from the image to p cuts off on both sides: >= 0 where it stays inside of the interval.
+  const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
   if (to_begin <= 0) return begin;
   if (to_end <= 0) return end;
   return begin + to_begin / (to_begin + to_end) * (end - begin);
@@ -43,7 +43,7 @@ Vec2 FaceSource::entry(const Vec2& p) const {
 
 double FaceSource::distance(const Vec2& p) const {
   if (is_corner) return offset + (p - image).norm();
-  const double to_begin = cross(begin - image, p - image), to_end = cross(p - image, end - image);
+  const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
   if (to_begin >= 0 && to_end >= 0) return offset + (p - image).norm();
   const Vec2& bend = to_begin < 0 ? begin : end;
   return offset + (bend - image).norm() + (p - bend).norm();
