@@ -170,13 +170,28 @@ TEST_CASE("equal paths do not drop each other") {
 }
 
 TEST_CASE("each rule keeps the number of windows down") {
-  // Measured; without the rule that is named the number is at least the one in the comment.
   const auto carried_a_face = [](const Mesh& mesh) {
     std::vector<VertexId> generators;
     for (int v = 0; v < mesh.vertex_count(); v += mesh.vertex_count() / 5) generators.emplace_back(v);
     return double(propagate(mesh, generators).carried) / mesh.face_count();
   };
-  CHECK(carried_a_face(test::make_grid(40, 40)) < 1e9);
-  CHECK(carried_a_face(test::make_bumpy_sphere(4, 1)) < 1e9);
-  WARN("grid " << carried_a_face(test::make_grid(40, 40)) << " bumpy " << carried_a_face(test::make_bumpy_sphere(4, 1)));
+  // 10.49 windows a face; 26.8 where saddles send into all directions, 11.3 without the filter of the edge's start, 11.2
+  // without that of its end, 10.6 where vertices send again for distances that were bettered since.
+  CHECK(carried_a_face(test::make_bumpy_sphere(4, 1)) < 10.55);
+  // 1.78; 7.0 where windows that were split at flat vertices are not joined again.
+  CHECK(carried_a_face(test::make_grid(40, 40)) < 1.8);
+}
+
+TEST_CASE("vertices behind faces without area are reached") {
+  // Between (0,0) and (2,0) lies a face that is a line, its third corner at (1,0).
+  const auto face = [](int a, int b, int c) { return std::array{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh mesh({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.7, -1, 0}, {1.2, -1, 0}},
+                  {face(0, 1, 3), face(1, 0, 2), face(0, 4, 2), face(2, 4, 5), face(2, 5, 1)});
+  for (int g = 0; g < mesh.vertex_count(); ++g) {
+    const WindowField field = propagate(mesh, {VertexId(g)});
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const double straight = (mesh.position(VertexId(v)) - mesh.position(VertexId(g))).norm();
+      CHECK(field.distance[VertexId(v)] == Approx(straight).epsilon(1e-11));
+    }
+  }
 }

@@ -32,13 +32,6 @@ class BucketQueue {
     ++size_;
   }
 
-  /// The item `ahead` places behind the next one in the current bucket, or null where the bucket ends before: a hint of
-  /// what to fetch into the cache.
-  const Item* look_ahead(std::size_t ahead) const {
-    const std::vector<Item>& bucket = buckets_[current_];
-    return next_ + ahead < bucket.size() ? &bucket[next_ + ahead] : nullptr;
-  }
-
   /// The next item. The queue must not be empty.
   Item pop() {
     while (next_ == buckets_[current_].size()) {

@@ -32,6 +32,10 @@ VertexKind kind_of(const Turning& total, bool boundary) {
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
 
+/// Height of a face without area, relative to its longest side, so that paths find the way across: from its middle corner
+/// to what lies behind the longest side. It makes them longer by as little.
+constexpr double kLeastHeight = 1e-12;
+
 FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   FaceFrame frame{};
   const auto& corners = mesh.vertices(f);
@@ -39,12 +43,14 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   std::array<Vec3, 3> side;
   for (std::size_t i = 0; i < 3; ++i) side[i] = mesh.position(corners[(i + 1) % 3]) - mesh.position(corners[i]);
   frame.length = shape.length;
+  const double longest = std::max({shape.length[0], shape.length[1], shape.length[2]});
+  const double twice_area = std::max(shape.twice_area, kLeastHeight * longest * longest);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t before = (i + 2) % 3;
     // From the sides themselves: the law of cosines would lose the digits of a needle's lengths.
     const double scale = 1 / (shape.length[i] * shape.length[before]);
     frame.cosine[i] = -side[i].dot(side[before]) * scale;
-    frame.sine[i] = shape.twice_area * scale;
+    frame.sine[i] = twice_area * scale;
     frame.vertex[i] = corners[i].value();
     frame.twin[i] = mesh.twin(Mesh::halfedge(f, static_cast<int>(i))).value();
   }

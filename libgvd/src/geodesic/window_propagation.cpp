@@ -36,7 +36,7 @@ class Propagation {
 
   WindowField run(const std::vector<VertexId>& generators, const std::vector<double>& offsets) {
     for (std::size_t g = 0; g < generators.size(); ++g) {
-      start_generator(generators[g], static_cast<std::int32_t>(g), offsets.empty() ? 0 : offsets[g]);
+      start_vertex(generators[g], GeneratorId(static_cast<std::int64_t>(g)), offsets.empty() ? 0 : offsets[g]);
     }
     for (std::int64_t pops = 1; !queue_.empty(); ++pops) {
       if (pops % kProgressStride == 0) report();
@@ -84,11 +84,12 @@ class Propagation {
   VertexKind kind(std::int32_t v) const { return field_.frames.kind[VertexId(v)]; }
   bool is_flat(std::int32_t v) const { return kind(v) == VertexKind::flat; }
 
-  void start_generator(VertexId v, std::int32_t g, double offset) {
-    if (!(offset < field_.distance[v])) return;
-    field_.distance[v] = offset;
-    field_.label[v] = GeneratorId(g);
-    push_event({v.value(), true, offset, {mesh_.halfedge(v).value(), {}}});
+  /// Windows will start from v in all directions.
+  void start_vertex(VertexId v, GeneratorId g, double d) {
+    if (!(d < field_.distance[v])) return;
+    field_.distance[v] = d;
+    field_.label[v] = g;
+    push_event({v.value(), true, d, {mesh_.halfedge(v).value(), {}}});
   }
 
   void push_event(const VertexEvent& event) {
@@ -219,6 +220,7 @@ class Propagation {
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const ApexView apex(w, f.length[top] * f.cosine[i], f.length[top] * f.sine[i]);
     if (apex.covered() || is_grazed(w, apex)) reach_apex(w, origin, f, base, i, apex);
+    if (std::isinf(distance(f.vertex[top]))) reach_apex_along_sides(f, base, i);
     // Where the apex splits the window, the two parts may join again behind it.
     const int split = is_flat(f.vertex[top]) ? Origin::kAtBegin | Origin::kAtEnd : 0;
     if (!apex.all_right()) {
@@ -244,6 +246,15 @@ class Propagation {
     const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
     const Rotation angle{-f.cosine[i] * back_x - f.sine[i] * back_y, -f.cosine[i] * back_y + f.sine[i] * back_x};
     reach_vertex(f.vertex[top], d, origin.generator, {base + static_cast<std::int32_t>(top), angle});
+  }
+
+  /// Paths along the sides, so that no window ever stands on an edge with an end that is not reached: it would have nothing
+  /// to be beaten by. What the propagation does ends for that reason, whatever rounding does.
+  void reach_apex_along_sides(const FaceFrame& f, std::int32_t base, std::size_t i) {
+    const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
+    const std::int32_t start = f.vertex[i], end = f.vertex[right], outgoing = base + static_cast<std::int32_t>(top);
+    reach_vertex(f.vertex[top], distance(start) + f.length[top], label(start), {outgoing, {}});
+    reach_vertex(f.vertex[top], distance(end) + f.length[right], label(end), {outgoing, {f.cosine[top], f.sine[top]}});
   }
 
   void forget_unreached_labels() {
