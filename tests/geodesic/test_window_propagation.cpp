@@ -131,7 +131,8 @@ TEST_CASE("windows near bisectors are all that the faces near them need") {
           if (i % 2) points.back() = {u, 1 - u, 0};
         }
         bool mixed = near.label[a] != near.label[b] || near.label[b] != near.label[c];
-        for (const auto& p : points) mixed = mixed || nearest_in_face(mesh, all, FaceId(f), p).generator != near.label[a];
+        for (const auto& p : points)
+          mixed = mixed || nearest_in_face(mesh, all, FaceId(f), p).generator != near.label[a];
         for (const auto& p : points) {
           const Nearest expected = nearest_in_face(mesh, all, FaceId(f), p);
           const Nearest found = nearest_in_face(mesh, near, FaceId(f), p);
@@ -175,8 +176,8 @@ TEST_CASE("each rule keeps the number of windows down") {
     for (int v = 0; v < mesh.vertex_count(); v += mesh.vertex_count() / 5) generators.emplace_back(v);
     return double(propagate(mesh, generators).carried) / mesh.face_count();
   };
-  // 10.49 windows a face; 26.8 where saddles send into all directions, 11.3 without the filter of the edge's start, 11.2
-  // without that of its end, 10.6 where vertices send again for distances that were bettered since.
+  // 10.49 windows a face; 26.8 where saddles send into all directions, 11.3 without the filter of the edge's
+  // start, 11.2 without that of its end, 10.6 where vertices send again for distances that were bettered since.
   CHECK(carried_a_face(test::make_bumpy_sphere(4, 1)) < 10.55);
   // 1.78; 7.0 where windows that were split at flat vertices are not joined again.
   CHECK(carried_a_face(test::make_grid(40, 40)) < 1.8);

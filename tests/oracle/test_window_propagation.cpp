@@ -30,7 +30,8 @@ TEST_CASE("windows give the reference's distances, one run a generator") {
     const test::Reference reference = test::read_reference(*shared / "reference", name);
     double worst = 0;
     for (std::size_t g = 0; g < reference.generators.size(); ++g) {
-      const WindowField field = propagate_windows(reference.mesh, {reference.generators[g]}, {KeepWindows::none, {}}, {});
+      const WindowField field =
+          propagate_windows(reference.mesh, {reference.generators[g]}, {KeepWindows::none, {}}, {});
       for (std::size_t v = 0; v < reference.distances[g].size(); ++v) {
         worst = std::max(worst, relative_difference(field.distance.raw()[v], reference.distances[g][v]));
       }
@@ -53,8 +54,8 @@ TEST_CASE("windows of all generators at once give the nearest distance, and a la
         for (const auto& row : reference.distances) nearest = std::min(nearest, row[v]);
         worst = std::max(worst, relative_difference(field.distance.raw()[v], nearest));
         REQUIRE(field.label.raw()[v].valid());
-        worst_label = std::max(
-            worst_label, relative_difference(reference.distances[field.label.raw()[v].index()][v], nearest));
+        worst_label =
+            std::max(worst_label, relative_difference(reference.distances[field.label.raw()[v].index()][v], nearest));
       }
       CHECK(worst <= 1e-12);
       CHECK(worst_label <= 1e-9);

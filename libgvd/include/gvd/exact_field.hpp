@@ -26,18 +26,18 @@ struct GeodesicPath {
 
 /// Exact distances on the surface of a mesh from the nearest of several generators.
 ///
-/// The metric is that of the polyhedron itself, not of its edges, and not an approximation: straight lines over unfolded
-/// faces, round saddles and round corners of the boundary.
-/// Source: window propagation after Mitchell, Mount and Papadimitriou (1987), Chen and Han (1990), Xin and Wang (2009).
-/// Properties: (1) distances are right to 1e-13 of themselves, and a little less where slivers abound; (2) what no generator
-/// reaches is infinitely far, and has no label; (3) where two generators are equally near, either may be the label.
-/// Memory: 50 bytes a window, about 10 windows a face on curved meshes and 2 on refined flat ones, and 130 bytes a face.
+/// The metric is that of the polyhedron itself, not of its edges, and not an approximation: straight lines over
+/// unfolded faces, round saddles and round corners of the boundary. Source: window propagation after Mitchell, Mount
+/// and Papadimitriou (1987), Chen and Han (1990), Xin and Wang (2009). Properties: (1) distances are right to 1e-13 of
+/// themselves, and a little less where slivers abound; (2) what no generator reaches is infinitely far, and has no
+/// label; (3) where two generators are equally near, either may be the label. Memory: 50 bytes a window, about 10
+/// windows a face on curved meshes and 2 on refined flat ones, and 130 bytes a face.
 class ExactField {
  public:
-  /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face of the
-  /// mesh, two of them coincide (both are named) or there is not one offset for each; Error{invalid_option} where an
-  /// offset is negative or not finite; Error{interrupted} where the progress callback cancels.
-  /// Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
+  /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face
+  /// of the mesh, two of them coincide (both are named) or there is not one offset for each; Error{invalid_option}
+  /// where an offset is negative or not finite; Error{interrupted} where the progress callback cancels. Cost:
+  /// O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
   ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options = {});
   ~ExactField();
   ExactField(ExactField&&) noexcept;
@@ -58,8 +58,9 @@ class ExactField {
   /// A shortest path from a point to its nearest generator. Cost: O(faces crossed).
   GeodesicPath path(const SurfacePoint& point) const;
 
-  /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to `point`
-  /// departs, as long as the path: the logarithm of the point. Zero for the generator itself, and where none reaches.
+  /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to
+  /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, and where none
+  /// reaches.
   Vec2 departure(const SurfacePoint& point) const;
 
  private:

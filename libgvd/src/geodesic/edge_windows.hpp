@@ -99,8 +99,8 @@ class EdgeWindows {
 
   std::size_t size() const { return windows_.size(); }
 
-  /// Calls visit(const KeptWindow&) for the windows on the three halfedges of face f: those that cross into it, and where
-  /// the halfedge lies on the boundary, those that end there.
+  /// Calls visit(const KeptWindow&) for the windows on the three halfedges of face f: those that cross into it, and
+  /// where the halfedge lies on the boundary, those that end there.
   template <class Visit>
   void for_each(FaceId f, Visit visit) const {
     for (std::int32_t i = first_[f.index()]; i < first_[f.index() + 1]; ++i) {

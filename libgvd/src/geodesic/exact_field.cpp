@@ -67,8 +67,9 @@ struct ExactField::State {
     double best_least = -std::numeric_limits<double>::infinity();
     for (; child != children.end() && child->first == point.face; ++child) {
       const FaceId f = child->second;
-      const Bary local = local_bary({working.parent_bary(f, {1, 0, 0}), working.parent_bary(f, {0, 1, 0}),
-                                     working.parent_bary(f, {0, 0, 1})}, point.bary);
+      const Bary local = local_bary(
+          {working.parent_bary(f, {1, 0, 0}), working.parent_bary(f, {0, 1, 0}), working.parent_bary(f, {0, 0, 1})},
+          point.bary);
       const double least = *std::min_element(local.begin(), local.end());
       if (!(least > best_least)) continue;
       best_least = least;
@@ -90,8 +91,7 @@ struct ExactField::State {
   std::vector<std::pair<FaceId, FaceId>> children;  // split faces: (of the input, of the working mesh), ascending
 };
 
-ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                               const ExactFieldOptions& options)
+ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
     : state_(std::make_unique<State>(mesh, generators, options)) {}
 ExactField::~ExactField() = default;
 ExactField::ExactField(ExactField&&) noexcept = default;
@@ -125,8 +125,8 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
 
 GeodesicPath ExactField::path(const SurfacePoint& point) const {
   const WorkingMesh& working = state_->working;
-  const ShortestPath found = trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(),
-                                                 state_->to_working(point));
+  const ShortestPath found =
+      trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
   if (!found.generator.valid()) return {{}, GeneratorId(), found.distance};
   GeodesicPath path{{}, found.generator, found.distance - state_->offset(found.generator)};
   for (const SurfacePoint& p : found.points) path.points.push_back(state_->to_input(p));

@@ -32,8 +32,8 @@ VertexKind kind_of(const Turning& total, bool boundary) {
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
 
-/// Height of a face without area, relative to its longest side, so that paths find the way across: from its middle corner
-/// to what lies behind the longest side. It makes them longer by as little.
+/// Height of a face without area, relative to its longest side, so that paths find the way across: from its middle
+/// corner to what lies behind the longest side. It makes them longer by as little.
 constexpr double kLeastHeight = 1e-12;
 
 FaceFrame make_frame(const Mesh& mesh, FaceId f) {
@@ -64,7 +64,8 @@ FaceFrames::FaceFrames(const Mesh& mesh) : kind(static_cast<std::size_t>(mesh.ve
   std::vector<Turning> total(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const FaceFrame made = make_frame(mesh, FaceId(f));
-    for (std::size_t i = 0; i < 3; ++i) total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i]);
     frame.push_back(made);
   }
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {

@@ -11,11 +11,11 @@ namespace gvd {
 /// A face as window propagation sees it: what it takes to carry an image across the face without a division by a length
 /// or an angle. 96 bytes, one and a half lines of the cache.
 struct FaceFrame {
-  std::array<double, 3> length;         ///< of halfedge i, mesh units
-  std::array<double, 3> cosine;         ///< of the angle at corner i
-  std::array<double, 3> sine;           ///< of the angle at corner i, >= 0
-  std::array<std::int32_t, 3> vertex;   ///< at corner i
-  std::array<std::int32_t, 3> twin;     ///< of halfedge i, or -1 on the boundary
+  std::array<double, 3> length;        ///< of halfedge i, mesh units
+  std::array<double, 3> cosine;        ///< of the angle at corner i
+  std::array<double, 3> sine;          ///< of the angle at corner i, >= 0
+  std::array<std::int32_t, 3> vertex;  ///< at corner i
+  std::array<std::int32_t, 3> twin;    ///< of halfedge i, or -1 on the boundary
 };
 static_assert(sizeof(FaceFrame) == 96);
 
@@ -27,8 +27,8 @@ enum class VertexKind : std::uint8_t {
   reflex,  ///< on the boundary with theta > pi: a pseudo-source
 };
 
-/// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is right
-/// to 1e-14; a path that bends by 1e-9 is longer than the straight one by 1e-18 of itself.
+/// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is
+/// right to 1e-14; a path that bends by 1e-9 is longer than the straight one by 1e-18 of itself.
 inline constexpr double kFlatAngle = 1e-9;
 
 struct FaceFrames {

@@ -31,10 +31,10 @@ struct FanRay {
 
 /// The faces round a vertex, one after the other.
 ///
-/// The saddle fan rule: a shortest path that arrives at a pseudo-source goes on with an angle of at least pi on both sides.
-/// With less on one side it would be shorter to cut the corner there, through flat faces. So with the total angle theta, a
-/// path that arrives from direction phi goes on into [phi + pi, phi + theta - pi] and nowhere else; at a boundary vertex,
-/// where one of the two sides is no surface, into [phi + pi, theta] and [0, phi - pi].
+/// The saddle fan rule: a shortest path that arrives at a pseudo-source goes on with an angle of at least pi on both
+/// sides. With less on one side it would be shorter to cut the corner there, through flat faces. So with the total
+/// angle theta, a path that arrives from direction phi goes on into [phi + pi, phi + theta - pi] and nowhere else; at a
+/// boundary vertex, where one of the two sides is no surface, into [phi + pi, theta] and [0, phi - pi].
 class VertexFan {
  public:
   explicit VertexFan(const FaceFrames& frames) : frames_(frames) {}

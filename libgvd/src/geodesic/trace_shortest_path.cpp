@@ -11,15 +11,16 @@ namespace gvd {
 namespace {
 
 /// A line that passes a corner this close, relative to the distances there (an angle, in radians), goes through it: the
-/// corner's own shortest path goes on from there. Otherwise rounding could lead the line past the wrong side of the corner
-/// that its window ends at. Far above the rounding of an image (1e-13), far below the distance to another corner.
+/// corner's own shortest path goes on from there. Otherwise rounding could lead the line past the wrong side of the
+/// corner that its window ends at. Far above the rounding of an image (1e-13), far below the distance to another
+/// corner.
 constexpr double kAtCorner = 1e-9;
 
 /// A straight line towards an image, where it meets a halfedge on its way into the halfedge's face.
 struct Step {
   HalfedgeId halfedge;
-  double t;     // from the halfedge's start, mesh units
-  Vec2 image;   // in the frame of the halfedge, its face above
+  double t;    // from the halfedge's start, mesh units
+  Vec2 image;  // in the frame of the halfedge, its face above
 };
 
 class PathTracer {
@@ -59,8 +60,8 @@ class PathTracer {
     return faces;
   }
 
-  /// Looks for a shorter way to p in face f. Where p is the vertex `reached`, a way that leads on: from a vertex that is
-  /// nearer, and not through the vertex itself.
+  /// Looks for a shorter way to p in face f. Where p is the vertex `reached`, a way that leads on: from a vertex that
+  /// is nearer, and not through the vertex itself.
   void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
     collect_face_sources(mesh_, field_, f, sources_);
     const Vec2 at = *locate_in_face(mesh_, f, p);

@@ -19,8 +19,8 @@ class WaitingWindows {
   /// `key_step`: keys that differ by no more than this count as equal.
   WaitingWindows(std::size_t halfedges, double key_step) : first_(halfedges, -1), key_step_(key_step) {}
 
-  /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge has
-  /// to be queued with that key: nothing waited there, or what waited has a later one.
+  /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge
+  /// has to be queued with that key: nothing waited there, or what waited has a later one.
   bool add(std::int32_t h, const Rays& rays, const Origin& origin, double length, double key) {
     std::int32_t& head = first_[static_cast<std::size_t>(h)];
     if (head >= 0 && origin.joins != 0 && join(head, rays, origin, length)) return lower_key(head, key);
@@ -69,16 +69,16 @@ class WaitingWindows {
     Rays rays;
     double offset;
     std::int32_t generator;
-    std::int32_t next;   // in the list, or -1
-    float key;           // in the first window of a list: that of the halfedge in the queue
+    std::int32_t next;  // in the list, or -1
+    float key;          // in the first window of a list: that of the halfedge in the queue
     std::uint8_t joins;
   };
   static_assert(sizeof(Window) == 64);
 
   static constexpr int kShift = 10;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
-  /// Images that differ by less than this part of their distance are one: a thousand times its rounding, as it comes out
-  /// of unfolding a thousand faces.
+  /// Images that differ by less than this part of their distance are one: a thousand times its rounding, as it comes
+  /// out of unfolding a thousand faces.
   static constexpr double kSameImage = 3e-13;
   /// Ends that lie within this part of the edge are one.
   static constexpr double kSameEnd = 1e-9;

@@ -38,9 +38,9 @@ struct Origin {
 /// One side of a face, seen from a window that enters through another: what the window's rays meet there.
 ///
 /// `near` is the corner that the side shares with the window's edge. With u the distance from `near` along the window's
-/// edge, the image at (u_image, -depth), and the angle at `near` between the two sides, the ray through u meets the side
-/// at distance u depth / (depth cos + (u_image - u) sin) from `near`: one division, and no cancellation but where the
-/// ray runs along the side.
+/// edge, the image at (u_image, -depth), and the angle at `near` between the two sides, the ray through u meets the
+/// side at distance u depth / (depth cos + (u_image - u) sin) from `near`: one division, and no cancellation but where
+/// the ray runs along the side.
 struct SideView {
   double cosine, sine;  ///< of the angle at `near`
   double along;         ///< of the image's foot on the side, from `near`
@@ -60,9 +60,9 @@ struct SideView {
 
 /// Where the apex, the corner of the face opposite to a window's edge, lies between the window's rays.
 struct ApexView {
-  double x, y;         ///< the apex in the window's frame
-  double beyond_begin; ///< > 0: the ray through `begin` passes to the right of the apex, which stays outside
-  double beyond_end;   ///< < 0: the ray through `end` passes to the left of the apex, which stays outside
+  double x, y;          ///< the apex in the window's frame
+  double beyond_begin;  ///< > 0: the ray through `begin` passes to the right of the apex, which stays outside
+  double beyond_end;    ///< < 0: the ray through `end` passes to the left of the apex, which stays outside
 
   ApexView(const Rays& w, double apex_x, double apex_y)
       : x(apex_x),

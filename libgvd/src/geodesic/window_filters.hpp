@@ -7,8 +7,8 @@ namespace gvd {
 // Rules that drop windows, or parts of them, that hold no shortest path. Each one is sound for any upper bounds on the
 // vertices' distances that real paths have, so that the order in which windows are processed changes no result.
 
-/// A path must be shorter by this part of its length to drop another: far above the rounding of a distance that has been
-/// unfolded over a thousand faces (1e-13), so that two equal paths never drop each other.
+/// A path must be shorter by this part of its length to drop another: far above the rounding of a distance that has
+/// been unfolded over a thousand faces (1e-13), so that two equal paths never drop each other.
 inline constexpr double kTie = 1e-13;
 
 /// Whether a window has no width, or its rays run along the edge.
@@ -23,9 +23,9 @@ inline bool is_shorter(double through, double step, double offset, double square
 
 /// Whether the path through the start of the edge is shorter all over the window.
 ///
-/// Proof: let it be shorter at the interval's end B: d + |vB| < s + |IB|, v being the edge's start. For a point P of the
-/// interval, |vP| = |vB| - |PB| (P lies between v and B on one line) and |IP| >= |IB| - |PB|, so
-/// d + |vP| < s + |IB| - |PB| <= s + |IP|.
+/// Proof: let it be shorter at the interval's end B: d + |vB| < s + |IB|, v being the edge's start. For a point P of
+/// the interval, |vP| = |vB| - |PB| (P lies between v and B on one line) and |IP| >= |IB| - |PB|, so d + |vP| < s +
+/// |IB| - |PB| <= s + |IP|.
 inline bool is_beaten_by_start(const Rays& w, double offset, double start_distance) {
   return is_shorter(start_distance, w.end, offset, w.squared_reach(w.end));
 }

@@ -168,8 +168,8 @@ class Propagation {
     if (!last || (fan_.corner(outgoing) - *last).sine < kGrazingAngle) {
       reach_vertex(f.vertex[q], event.distance + f.length[q], generator, {base + static_cast<std::int32_t>(q), {}});
     }
-    const int joins = (!last && is_flat(f.vertex[q]) ? Origin::kAtBegin : 0) |
-                      (!first && is_flat(f.vertex[p]) ? Origin::kAtEnd : 0);
+    const int joins =
+        (!last && is_flat(f.vertex[q]) ? Origin::kAtBegin : 0) | (!first && is_flat(f.vertex[p]) ? Origin::kAtEnd : 0);
     add_window(send_rays(f, c, first, last), {event.distance, generator, static_cast<std::uint8_t>(joins)},
                {base, &f, p, q});
   }
@@ -179,15 +179,12 @@ class Propagation {
     const FaceFrame& f = *side.face;
     const double length = f.length[side.end];
     const std::int32_t start = f.vertex[side.start], end = f.vertex[side.end];
-    // Without shortcuts: two branches less that can't be foretold.
-    if (is_empty(w) | is_beaten_by_start(w, origin.offset, distance(start)) |
-        is_beaten_by_end(w, origin.offset, distance(end), length)) {
-      return;
-    }
+    const bool by_start = is_beaten_by_start(w, origin.offset, distance(start));
+    const bool by_end = is_beaten_by_end(w, origin.offset, distance(end), length);
+    if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be foretold cost more
     const std::int32_t twin = f.twin[side.end];
-    const std::int32_t stands_on = twin >= 0 ? twin : side.base + static_cast<std::int32_t>(side.end);
     if (twin < 0) {
-      keep(w, origin, stands_on, start, end);
+      keep(w, origin, side.base + static_cast<std::int32_t>(side.end), start, end);
       return;
     }
     const double key = origin.offset + w.least_reach();
@@ -195,11 +192,13 @@ class Propagation {
   }
 
   void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start, std::int32_t end) {
-    if (is_foreign(start, origin.generator) | is_foreign(end, origin.generator)) retention_.mark_edge(h);
+    const bool foreign_start = is_foreign(start, origin.generator), foreign_end = is_foreign(end, origin.generator);
+    if (foreign_start || foreign_end) retention_.mark_edge(h);
     retention_.add(w, origin, h, queue_.front() - bucket_width_);
   }
 
-  /// A vertex that is not reached yet takes the label for the time being, so that reach_vertex sees when another one comes.
+  /// A vertex that is not reached yet takes the label for the time being, so that reach_vertex sees when another one
+  /// comes.
   bool is_foreign(std::int32_t v, std::int32_t generator) {
     GeneratorId& known = field_.label[VertexId(v)];
     if (!known.valid()) known = GeneratorId(generator);
@@ -248,8 +247,8 @@ class Propagation {
     reach_vertex(f.vertex[top], d, origin.generator, {base + static_cast<std::int32_t>(top), angle});
   }
 
-  /// Paths along the sides, so that no window ever stands on an edge with an end that is not reached: it would have nothing
-  /// to be beaten by. What the propagation does ends for that reason, whatever rounding does.
+  /// Paths along the sides, so that no window ever stands on an edge with an end that is not reached: it would have
+  /// nothing to be beaten by. What the propagation does ends for that reason, whatever rounding does.
   void reach_apex_along_sides(const FaceFrame& f, std::int32_t base, std::size_t i) {
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const std::int32_t start = f.vertex[i], end = f.vertex[right], outgoing = base + static_cast<std::int32_t>(top);

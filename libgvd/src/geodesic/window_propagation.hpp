@@ -18,17 +18,16 @@ struct PropagationOptions {
 /// Exact distances from the nearest of the generators, by propagation of windows.
 ///
 /// A window is a bundle of straight paths through the same faces (window.hpp). It is carried across one face after the
-/// other and split at the corners; where it meets a corner it offers a distance. A corner that paths can bend at, a saddle or a
-/// reflex boundary vertex, sends windows itself (saddle_fan.hpp). What can hold no shortest path is dropped
+/// other and split at the corners; where it meets a corner it offers a distance. A corner that paths can bend at, a
+/// saddle or a reflex boundary vertex, sends windows itself (saddle_fan.hpp). What can hold no shortest path is dropped
 /// (window_filters.hpp). Windows of different generators need not be trimmed against each other: a shortest path stays
 /// in the closed cell of its generator, so the ones that matter are never dropped.
 ///
-/// Source: DESIGN of Chen and Han (1990) with the filters of Xin and Wang (2009), for many generators at once.
+/// Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
 /// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance on ordinary meshes, 1e-13 with slivers.
-/// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are taken
-/// changes no distance, and it is always the same.
-/// Cost: O(windows); about 5 to 16 a face on curved meshes, 2 where flat parts are refined. 130 bytes a face while it
-/// runs, and the windows kept.
+/// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
+/// taken changes no distance, and it is always the same. Cost: O(windows); about 5 to 16 a face on curved meshes, 2
+/// where flat parts are refined. 130 bytes a face while it runs, and the windows kept.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
 

@@ -19,9 +19,9 @@ enum class KeepWindows {
 /// Keeps the windows that have done their work, and lets go of those that no bisector can need while the propagation
 /// goes on, so that they never fill the memory.
 ///
-/// A face is quiet where every distance in it is settled and has one label: the corners' labels are equal, and no window
-/// with another label has ever stood on its sides. The windows on an edge are needed as long as one of its faces may turn
-/// out not to be quiet, since points inside of a face see the windows on all of its sides.
+/// A face is quiet where every distance in it is settled and has one label: the corners' labels are equal, and no
+/// window with another label has ever stood on its sides. The windows on an edge are needed as long as one of its faces
+/// may turn out not to be quiet, since points inside of a face see the windows on all of its sides.
 class WindowRetention {
  public:
   /// The field is only read.
@@ -118,8 +118,8 @@ class WindowRetention {
     return here == State::quiet ? there : here;
   }
 
-  /// Every point of a triangle is within its longest side / sqrt(3) of a corner: where the farthest corner's distance plus
-  /// that is below `settled`, paths through the corners beat all windows to come.
+  /// Every point of a triangle is within its longest side / sqrt(3) of a corner: where the farthest corner's distance
+  /// plus that is below `settled`, paths through the corners beat all windows to come.
   State look_at_face(std::int32_t face, double settled) {
     State& state = state_[static_cast<std::size_t>(face)];
     if (state != State::open) return state;

@@ -56,10 +56,11 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
     const HalfedgeId h(w.halfedge);
     if (!mesh.twin(h).valid()) return;  // it ends there
     const int i = Mesh::corner(h);
-    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i), inwards(-along.y(), along.x());
+    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i),
+               inwards(-along.y(), along.x());
     const Vec2 image = origin + w.x * along - w.depth * inwards;
-    sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h,
-                       false});
+    sources.push_back(
+        {image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h, false});
   });
   for (int i = 0; i < 3; ++i) {
     const VertexId v = mesh.vertices(f)[static_cast<std::size_t>(i)];

@@ -17,8 +17,8 @@ struct EdgeSource {
   double offset;      ///< distance from the generator to the image's vertex
   GeneratorId generator;
 
-  /// Length of a path to the point t of the edge: straight from the image for t in [begin, end], and round the near end of
-  /// the interval elsewhere. Continuous; never below the exact distance.
+  /// Length of a path to the point t of the edge: straight from the image for t in [begin, end], and round the near end
+  /// of the interval elsewhere. Continuous; never below the exact distance.
   double distance(double t) const;
 };
 
@@ -26,8 +26,8 @@ struct EdgeSource {
 /// In coordinates from `from(h)`. Replaces what `sources` held. Cost: O(windows on the two faces).
 void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources);
 
-/// One of the ways to the points of a face, in the face's layout (FaceLayout): straight from an image through an interval
-/// of one of its sides, or from a corner.
+/// One of the ways to the points of a face, in the face's layout (FaceLayout): straight from an image through an
+/// interval of one of its sides, or from a corner.
 struct FaceSource {
   Vec2 image;
   Vec2 begin, end;  ///< ends of the interval; both the image itself for a corner
@@ -46,7 +46,8 @@ struct FaceSource {
 /// Replaces what `sources` held. Cost: O(windows on the face).
 void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, std::vector<FaceSource>& sources);
 
-/// The nearest of the sources; ties go to the lower generator, then to the one that comes first. Null where there is none.
+/// The nearest of the sources; ties go to the lower generator, then to the one that comes first. Null where there is
+/// none.
 template <class Source, class Point>
 const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {
   const Source* best = nullptr;

@@ -1,0 +1,80 @@
+#include <cmath>
+#include <limits>
+
+#include "gvd/error.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/geodesic_tracing.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// Whether a path leads through a vertex between its ends: round a saddle or a corner of the boundary.
+bool bends(const GeodesicPath& path) {
+  for (std::size_t i = 1; i + 1 < path.points.size(); ++i) {
+    if (path.points[i].kind() == SurfacePoint::Kind::vertex) return true;
+  }
+  return false;
+}
+
+ErrorCode code_of(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options) {
+  try {
+    ExactField(mesh, generators, options);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  FAIL("not refused");
+  return ErrorCode::precondition;
+}
+
+}  // namespace
+
+TEST_CASE("at a generator everything is zero") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const auto generators = test::random_generators(mesh, 9, 1);
+  const ExactField field(mesh, generators);
+  for (std::size_t g = 0; g < generators.size(); ++g) {
+    CHECK(field.nearest(generators[g]).distance < 1e-12);
+    CHECK(field.nearest(generators[g]).generator.index() == g);
+    CHECK(field.path(generators[g]).length < 1e-12);
+    CHECK(field.departure(generators[g]).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("a geodesic traced in the direction of departure arrives") {
+  int traced = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto generators = test::random_generators(mesh, 5, 2), points = test::random_generators(mesh, 60, 3);
+    const ExactField field(mesh, generators);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      INFO(name << " " << i);
+      const GeodesicPath path = field.path(points[i]);
+      if (!path.generator.valid()) {
+        CHECK(field.departure(points[i]) == Vec2::Zero());
+        continue;
+      }
+      const Vec2 tangent = field.departure(points[i]);
+      CHECK(tangent.norm() == Approx(path.length).epsilon(1e-12).margin(1e-14));
+      if (bends(path)) continue;
+      const GeodesicTrace trace = trace_geodesic(mesh, generators[path.generator.index()], tangent);
+      CHECK((position(mesh, trace.points.back()) - position(mesh, points[i])).norm() < 1e-8 * mesh.bbox_diagonal());
+      ++traced;
+    }
+  }
+  CHECK(traced > 300);
+}
+
+TEST_CASE("an exact field refuses what it can't do") {
+  const Mesh mesh = test::make_sphere(1);
+  const SurfacePoint good = vertex_point(mesh, VertexId(0)), other = vertex_point(mesh, VertexId(5));
+  CHECK(code_of(mesh, {}, {}) == ErrorCode::precondition);
+  CHECK(code_of(mesh, {good, good}, {}) == ErrorCode::precondition);
+  CHECK(code_of(mesh, {{FaceId(9999), {1, 0, 0}}}, {}) == ErrorCode::precondition);
+  CHECK(code_of(mesh, {good, other}, {{0.5}, {}}) == ErrorCode::precondition);
+  CHECK(code_of(mesh, {good, other}, {{0.5, -1}, {}}) == ErrorCode::invalid_option);
+  CHECK(code_of(mesh, {good}, {{std::numeric_limits<double>::quiet_NaN()}, {}}) == ErrorCode::invalid_option);
+  CHECK(code_of(mesh, {good}, {{}, [](std::string_view, double) { return false; }}) == ErrorCode::interrupted);
+}
