@@ -6,7 +6,6 @@
 #include "diagram/trace_growth.hpp"
 #include "diagram/trace_envelope.hpp"
 #include "geodesic/fast_marching.hpp"
-#include "geodesic/reach_along_edges.hpp"
 #include "geodesic/window_distances.hpp"
 #include "geodesic/window_propagation.hpp"
 #include "mesh/working_mesh.hpp"
@@ -33,15 +32,14 @@ Diagram compute_exact(const WorkingMesh& working, const DiagramOptions& options)
   report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
-  WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
-  reach_along_edges(mesh, field);
+  const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
   Diagram diagram;
   const NearestLabels labels = take_labels(working, field.distance, field.label);
   const TracedDiagram traced =
       trace_envelope(working, labels, WindowDistances(mesh, field), options.chord_tolerance * mesh.mean_edge_length(),
                      options.progress, diagram.report);
   report_progress(options.progress, "cells", 0);
-  diagram.report.propagation_events = field.window_count;
+  diagram.report.propagation_events = field.carried;
   take_vertex_labels(working, traced.labels, 0, diagram);
   trace_bisectors(working, traced, diagram);
   collect_cells(working, traced, diagram);

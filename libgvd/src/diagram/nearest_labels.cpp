@@ -120,10 +120,8 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
 }
 
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
-                          const IdVector<VertexId, std::int32_t>& label) {
-  NearestLabels labels;
-  labels.distance = distance;
-  for (const std::int32_t g : label.raw()) labels.label.push_back(g < 0 ? GeneratorId() : GeneratorId(g));
+                          const IdVector<VertexId, GeneratorId>& label) {
+  NearestLabels labels{label, distance, {}};
   Labeller(working, labels).list_unsupported([](VertexId) { return false; });
   return labels;
 }

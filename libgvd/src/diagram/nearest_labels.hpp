@@ -23,7 +23,7 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
 
 /// The same from exact distances and labels.
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
-                          const IdVector<VertexId, std::int32_t>& label);
+                          const IdVector<VertexId, GeneratorId>& label);
 
 /// Gives these vertices the label of a neighbour that keeps its own, so that an edge joins each to its new cell.
 /// Cost: O(k log k) for k vertices.

@@ -36,7 +36,7 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
-  field_.collect(f, layout_->corner, sources_);
+  field_.collect(f, sources_);
   std::sort(sources_.begin(), sources_.end(), [](const FaceSource& a, const FaceSource& b) {
     return std::tie(a.generator, a.offset) < std::tie(b.generator, b.offset);
   });
@@ -68,12 +68,11 @@ std::optional<double> SourceMetric::entry(GeneratorId g, const Bary& bary) const
   const Vec2 p = layout_->at(bary);
   const Nearest best = nearest_source(g, p);
   if (best.source == nullptr) return std::nullopt;
-  if (best.source->place >= 3) return best.source->place - 3;
-  const auto side = static_cast<std::size_t>(best.source->place);
-  const Vec2 &start = layout_->corner[side], along = layout_->corner[(side + 1) % 3] - start, way = best.reach.from - p;
-  // Where the last straight piece, or the line that it lies on, meets the side.
-  const double t = cross(p - start, way) / cross(along, way);
-  return best.source->place + (std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5);
+  const int side = Mesh::corner(best.source->halfedge);
+  if (best.source->is_corner) return side;
+  const Vec2 start = layout_->corner[static_cast<std::size_t>(side)];
+  const Vec2 along = layout_->corner[static_cast<std::size_t>((side + 1) % 3)] - start;
+  return side + std::clamp((best.source->entry(p) - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
 }
 
 double SourceMetric::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }

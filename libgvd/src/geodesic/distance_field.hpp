@@ -1,13 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/plane.hpp"
 
 namespace gvd {
 
@@ -28,30 +28,33 @@ struct EdgeSource {
   }
 };
 
-/// Straight paths that enter a face through an opening: an interval of a side, or a corner. In the face's plane.
+/// Straight paths that enter a face through an opening: an interval of a side, or a corner. In the face's layout
+/// (FaceLayout).
 struct FaceSource {
-  GeneratorId generator;
   Vec2 image;
-  Vec2 begin, end;                ///< the opening's ends, seen from the image on the left and on the right
-  double offset;                  ///< distance from the generator to the image
-  double reach_begin, reach_end;  ///< and to the two ends
-  int place;                      ///< side i of the face, or 3 + i for its corner i
+  Vec2 begin, end;  ///< the opening's ends, seen from the image on the left and on the right; a corner's are the image
+  double offset;    ///< distance from the generator to the image
+  GeneratorId generator;
+  HalfedgeId halfedge;  ///< the side that they come through; for a corner the halfedge that leaves it
+  bool is_corner;
+  double reach_begin, reach_end;  ///< distance from the generator to the opening's two ends
 
   /// The last straight piece of a path, and its length in all.
   struct Reach {
     double distance;
     Vec2 from;
   };
-  /// Length of the straight path to p, which is a path of the surface where p can be seen through the opening.
-  double straight(const Vec2& p) const { return offset + (p - image).norm(); }
   /// The shortest path of this source to p: straight where p can be seen through the opening, round its end elsewhere.
   /// A path of the surface in any case, so an upper bound; continuous in p.
   Reach reach(const Vec2& p) const {
-    const Vec2 ray = p - image, left = begin - image, right = end - image;
-    if (ray.x() * left.y() - ray.y() * left.x() < 0) return {reach_begin + (p - begin).norm(), begin};
-    if (ray.x() * right.y() - ray.y() * right.x() > 0) return {reach_end + (p - end).norm(), end};
+    const Vec2 ray = p - image;
+    if (cross(ray, begin - image) < 0) return {reach_begin + (p - begin).norm(), begin};
+    if (cross(ray, end - image) > 0) return {reach_end + (p - end).norm(), end};
     return {offset + ray.norm(), image};
   }
+  double distance(const Vec2& p) const { return reach(p).distance; }
+  /// Where that path enters: the point of the opening next to the straight line from the image.
+  Vec2 entry(const Vec2& p) const;
 };
 
 /// What a distance solver knows of the distances on edges and in faces near bisectors: what a tracer asks for.
@@ -64,8 +67,8 @@ class DistanceField {
   /// Overwrites `sources` with all that reach edge e; those of its two ends come first. The least distance over them is the
   /// distance to the nearest generator.
   virtual void collect(EdgeId e, std::vector<EdgeSource>& sources) const = 0;
-  /// The same for the inside of face f, whose corners lie at `corner` in the plane, counter-clockwise.
-  virtual void collect(FaceId f, const std::array<Vec2, 3>& corner, std::vector<FaceSource>& sources) const = 0;
+  /// The same for the inside of face f.
+  virtual void collect(FaceId f, std::vector<FaceSource>& sources) const = 0;
 };
 
 }  // namespace gvd

@@ -13,7 +13,7 @@ class WindowDistances final : public DistanceField {
 
   std::vector<EdgeId> contested_edges() const override;
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
-  void collect(FaceId f, const std::array<Vec2, 3>& corner, std::vector<FaceSource>& sources) const override;
+  void collect(FaceId f, std::vector<FaceSource>& sources) const override;
 
  private:
   const Mesh& mesh_;

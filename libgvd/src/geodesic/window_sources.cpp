@@ -7,14 +7,12 @@
 
 namespace gvd {
 
-double EdgeSource::distance(double t) const {
-  const double entry = std::min(std::max(t, begin), end);
-  return offset + std::hypot(entry - x, depth) + std::abs(t - entry);
-}
-
 void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources) {
   sources.clear();
   const double length = mesh.length(h);
+  const VertexId from = mesh.from(h), to = mesh.to(h);
+  if (field.label[from].valid()) sources.push_back({0, length, 0, 0, field.distance[from], field.label[from]});
+  if (field.label[to].valid()) sources.push_back({0, length, length, 0, field.distance[to], field.label[to]});
   const HalfedgeId twin = mesh.twin(h);
   const auto mirrored = [&](const KeptWindow& w) {
     sources.push_back({length - w.end, length - w.begin, length - w.x, w.depth, w.offset, GeneratorId(w.generator)});
@@ -27,9 +25,6 @@ void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId
   } else {
     field.windows.for_each(h, mirrored);
   }
-  const VertexId from = mesh.from(h), to = mesh.to(h);
-  if (field.label[from].valid()) sources.push_back({0, length, 0, 0, field.distance[from], field.label[from]});
-  if (field.label[to].valid()) sources.push_back({0, length, length, 0, field.distance[to], field.label[to]});
 }
 
 Vec2 FaceSource::entry(const Vec2& p) const {
@@ -39,14 +34,6 @@ Vec2 FaceSource::entry(const Vec2& p) const {
   if (to_begin <= 0) return begin;
   if (to_end <= 0) return end;
   return begin + to_begin / (to_begin + to_end) * (end - begin);
-}
-
-double FaceSource::distance(const Vec2& p) const {
-  if (is_corner) return offset + (p - image).norm();
-  const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
-  if (to_begin >= 0 && to_end >= 0) return offset + (p - image).norm();
-  const Vec2& bend = to_begin < 0 ? begin : end;
-  return offset + (bend - image).norm() + (p - bend).norm();
 }
 
 void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, std::vector<FaceSource>& sources) {
@@ -59,14 +46,15 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
     const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i),
                inwards(-along.y(), along.x());
     const Vec2 image = origin + w.x * along - w.depth * inwards;
-    sources.push_back(
-        {image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h, false});
+    sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h,
+                       false, w.distance(w.begin), w.distance(w.end)});
   });
   for (int i = 0; i < 3; ++i) {
     const VertexId v = mesh.vertices(f)[static_cast<std::size_t>(i)];
     if (!field.label[v].valid()) continue;
     const Vec2 at = layout.corner[static_cast<std::size_t>(i)];
-    sources.push_back({at, at, at, field.distance[v], field.label[v], Mesh::halfedge(f, i), true});
+    const double d = field.distance[v];
+    sources.push_back({at, at, at, d, field.label[v], Mesh::halfedge(f, i), true, d, d});
   }
 }
 
