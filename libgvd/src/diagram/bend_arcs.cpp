@@ -8,14 +8,18 @@
 namespace gvd {
 namespace {
 
-/// Where a straight piece is compared with the bisector, as parts of it. The middle shows most of a curve; a corner may
-/// lie where the middle does not show it.
-constexpr std::array<double, 3> kSamples{0.5, 0.25, 0.75};
+/// Where a straight piece is compared with the bisector, as parts of it. The quarters show three quarters of a curve's
+/// height, and of a corner's, wherever it lies between its ends, at least half on one of the two sides.
+constexpr std::array<double, 2> kSamples{0.25, 0.75};
+constexpr double kShown = 0.5;
 
 /// No piece is halved more often than this: a tenth of the digits of a double are left for its length.
 constexpr int kMostHalvings = 40;
 
 constexpr int kSteps = 60;
+
+/// An inner point lies this near to the bisector, as a part of the tolerance.
+constexpr double kOnBisector = 1e-3;
 
 /// Rounding of a difference of two distances, as a part of them.
 constexpr double kRounding = 1e-15;
@@ -57,7 +61,9 @@ class ArcBender {
       const Vec2 p = begin + t * (end - begin);
       const View view = look(p);
       // The way to the bisector is the error by the gradient.
-      if (std::abs(view.error()) > view.rounding() + tolerance_ * gradient(p, view).norm()) return false;
+      if (std::abs(view.error()) > view.rounding() + kShown * tolerance_ * gradient(p, view).norm()) {
+        return false;
+      }
     }
     return true;
   }
@@ -82,9 +88,10 @@ class ArcBender {
     for (int step = 0; step < kSteps; ++step) {
       const Vec2 q = p + s * across;
       const View view = look(q);
-      if (std::abs(view.error()) <= 4 * view.rounding()) return q;
+      const double slope = gradient(q, view).dot(across);
+      if (std::abs(view.error()) <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return q;
       (view.error() > 0 ? low : high) = s;
-      double next = s - view.error() / gradient(q, view).dot(across);
+      double next = s - view.error() / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
       if (next == s) return std::abs(view.error()) <= kLost * view.left.distance ? std::optional(q) : std::nullopt;
       s = next;

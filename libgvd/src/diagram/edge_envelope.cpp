@@ -24,6 +24,15 @@ constexpr double kMeeting = 1e-14;
 
 constexpr int kMeetingSteps = 100;
 
+/// A straight path from a source to a point of the edge.
+struct Reach {
+  double along, straight, distance;
+  Reach(const EdgeSource& s, double t)
+      : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {}
+  /// How fast the distance grows along the edge.
+  double slope() const { return straight > 0 ? along / straight : 0; }
+};
+
 }  // namespace
 
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, double tie_step) {
@@ -84,11 +93,11 @@ void EdgeEnvelope::insert(std::int32_t source) {
 /// Appends the lower one of two sources, piece by piece, from `begin` to `end`.
 void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double begin, double end) {
   const EdgeSource &o = sources_[static_cast<std::size_t>(old_source)], &s = sources_[static_cast<std::size_t>(source)];
-  const double at_begin = s.straight(begin) - o.straight(begin), at_end = s.straight(end) - o.straight(end);
-  // A difference of two distances changes by twice the way at the most.
-  if (at_begin * at_end > 0 && std::abs(at_begin) + std::abs(at_end) > 2 * (end - begin)) {
-    return append(end, at_begin < 0 ? source : old_source);
-  }
+  const Reach s_begin(s, begin), s_end(s, end), o_begin(o, begin), o_end(o, end);
+  const double at_begin = s_begin.distance - o_begin.distance, at_end = s_end.distance - o_end.distance;
+  // Both distances are convex, so the slope of their difference lies between these two.
+  const bool is_monotone = s_begin.slope() > o_end.slope() || s_end.slope() < o_begin.slope();
+  if (at_begin * at_end > 0 && is_monotone) return append(end, at_begin < 0 ? source : old_source);
   // sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots that only the squares have do no harm: the
   // pieces on their two sides go to the same source.
   const double c = o.offset - s.offset;
@@ -110,7 +119,8 @@ void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
   double from = begin;
   for (const double root : roots) {
     if (!(root > from && root < end)) continue;
-    const double t = polish(old_source, source, from, end, root);
+    // Between two windows of one generator the place shows nowhere.
+    const double t = o.generator == s.generator ? root : polish(old_source, source, from, end, root);
     if (!(t > from && t < end)) continue;
     append(t, nearer(old_source, source, 0.5 * (from + t)));
     from = t;

@@ -37,21 +37,28 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, sources_);
-  std::sort(sources_.begin(), sources_.end(), [](const FaceSource& a, const FaceSource& b) {
-    return std::tie(a.generator, a.offset) < std::tie(b.generator, b.offset);
+  // The most likely ones first: then the others are passed over without a square root.
+  const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
+  order_.clear();
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    order_.push_back({sources_[i].generator, sources_[i].reach(centre).distance, static_cast<std::int32_t>(i)});
+  }
+  std::sort(order_.begin(), order_.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.generator, a.distance, a.index) < std::tie(b.generator, b.distance, b.index);
   });
 }
 
 SourceMetric::Nearest SourceMetric::nearest_source(GeneratorId g, const Vec2& p) const {
   Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
   std::size_t i = 0;
-  while (i < sources_.size() && sources_[i].generator < g) ++i;
-  for (; i < sources_.size() && sources_[i].generator == g; ++i) {
+  while (i < order_.size() && order_[i].generator < g) ++i;
+  for (; i < order_.size() && order_[i].generator == g; ++i) {
+    const FaceSource& source = sources_[static_cast<std::size_t>(order_[i].index)];
     // No path of a source is shorter than the straight one.
-    const double rest = best.reach.distance - sources_[i].offset;
-    if (!(rest > 0) || (p - sources_[i].image).squaredNorm() >= rest * rest) continue;
-    const auto reach = sources_[i].reach(p);
-    if (reach.distance < best.reach.distance) best = {&sources_[i], reach};
+    const double rest = best.reach.distance - source.offset;
+    if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) continue;
+    const auto reach = source.reach(p);
+    if (reach.distance < best.reach.distance) best = {&source, reach};
   }
   return best;
 }

@@ -50,7 +50,13 @@ class SourceMetric final : public FaceMetric {
   const DistanceField& field_;
   bool sure_ = true;
   std::optional<FaceLayout> layout_;
-  std::vector<FaceSource> sources_;  // ascending by generator
+  struct Place {
+    GeneratorId generator;
+    double distance;     // at the face's centre
+    std::int32_t index;  // in sources_
+  };
+  std::vector<FaceSource> sources_;
+  std::vector<Place> order_;  // ascending
 };
 
 }  // namespace gvd
