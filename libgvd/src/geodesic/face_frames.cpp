@@ -14,7 +14,7 @@ struct Turning {
   void add(double c, double s) {
     const double turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
     // One angle is at most pi: it crosses one multiple of pi at the most, and there the sine changes sign.
-    if ((turned_sine < 0) != (sine < 0)) ++half_turns;
+    half_turns += static_cast<std::int32_t>((turned_sine < 0) != (sine < 0));
     cosine = turned_cosine;
     sine = turned_sine;
   }

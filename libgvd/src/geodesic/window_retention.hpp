@@ -33,7 +33,7 @@ class WindowRetention {
   void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
     const KeptWindow kept{w.begin, w.end, w.x, w.depth, origin.offset, origin.generator, h};
-    if (keep_ == KeepWindows::all) {
+    if (keep_ == KeepWindows::all || state_[static_cast<std::size_t>(h / 3)] == State::mixed) {
       kept_.push_back(kept);
       return;
     }
