@@ -19,11 +19,29 @@ enum class Front {
   circle,  ///< from a point source unfolded out of the two known distances
 };
 
-/// Which distance solver and tracer build the diagram.
-enum class Method {
-  exact,  ///< exact polyhedral distances by windows, and their lower envelope
-  gbgvd,  ///< the paper's: adapted fast marching, refinement by unfolding, growth
+/// What computes the distances.
+enum class Solver {
+  windows,        ///< exact distances on the polyhedron, by propagation of windows
+  fast_marching,  ///< the paper's adapted fast marching (section 4.1)
 };
+
+/// What turns distances into bisectors.
+enum class Tracer {
+  envelope,  ///< the lower envelope of the distances, on every edge and in every face: as exact as they are
+  growth,    ///< the paper's refinement by unfolding, and growth (sections 4.2 and 4.3)
+};
+
+/// Any solver goes with any tracer; two of the combinations have a name.
+struct Method {
+  Solver solver;
+  Tracer tracer;
+
+  bool operator==(const Method&) const = default;
+  static const Method exact;  ///< windows and envelope: the diagram of the exact polyhedral metric
+  static const Method gbgvd;  ///< fast marching and growth: the paper's method
+};
+inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
+inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 
 struct DiagramOptions {
   Method method = Method::gbgvd;

@@ -1,13 +1,17 @@
 #include "gvd/diagram.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagram/diagram_graph.hpp"
-#include "diagram/trace_growth.hpp"
 #include "diagram/trace_envelope.hpp"
+#include "diagram/trace_growth.hpp"
 #include "geodesic/fast_marching.hpp"
+#include "geodesic/marched_distances.hpp"
 #include "geodesic/window_distances.hpp"
 #include "geodesic/window_propagation.hpp"
+#include "geodesic/window_table.hpp"
+#include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
@@ -26,45 +30,63 @@ void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels,
   }
 }
 
-/// Exact distances, and the envelope of them.
-Diagram compute_exact(const WorkingMesh& working, const DiagramOptions& options) {
+/// What solver and tracer leave for the rest, which is the same for all of them.
+struct Traced {
+  TracedDiagram diagram;
+  double offset_step = 0;  ///< of the symbolic offsets in the labels' distances
+};
+
+double tolerance(const Mesh& mesh, const DiagramOptions& options) {
+  return options.chord_tolerance * mesh.mean_edge_length();
+}
+
+Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, DiagramReport& report) {
+  const Mesh& mesh = working.mesh();
+  const FastMarchingResult marched = march(working, options.front, options.progress);
+  report.propagation_events = marched.events;
+  report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
+  if (options.method.tracer == Tracer::growth) {
+    return {trace_growth(working, marched.table, options, report), marched.offset_step};
+  }
+  return {trace_envelope(working, compute_nearest_labels(working, marched.table), MarchedDistances(mesh, marched.table),
+                         tolerance(mesh, options), options.progress, report),
+          marched.offset_step};
+}
+
+Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, DiagramReport& report) {
   const Mesh& mesh = working.mesh();
   report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
-  const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
-  Diagram diagram;
-  const NearestLabels labels = take_labels(working, field.distance, field.label);
-  const TracedDiagram traced =
-      trace_envelope(working, labels, WindowDistances(mesh, field), options.chord_tolerance * mesh.mean_edge_length(),
-                     options.progress, diagram.report);
-  report_progress(options.progress, "cells", 0);
-  diagram.report.propagation_events = field.carried;
-  take_vertex_labels(working, traced.labels, 0, diagram);
-  trace_bisectors(working, traced, diagram);
-  collect_cells(working, traced, diagram);
-  return diagram;
+  const WindowField field =
+      propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
+  report.propagation_events = field.carried;
+  if (options.method.tracer == Tracer::growth) {
+    const GeneratorTable table = make_generator_table(mesh, field);
+    report.table_entries = static_cast<std::int64_t>(table.entry_count());
+    return {trace_growth(working, table, options, report), 0};
+  }
+  return {trace_envelope(working, take_labels(working, field.distance, field.label), WindowDistances(mesh, field),
+                         tolerance(mesh, options), options.progress, report),
+          0};
 }
 
 }  // namespace
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  const WorkingMesh working(mesh, generators);
-  if (options.method == Method::exact) {
-    Diagram diagram = compute_exact(working, options);
-    diagram.generators = generators;
-    return diagram;
+  if (!(options.chord_tolerance > 0) || !std::isfinite(options.chord_tolerance)) {
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be a positive number of mean edge lengths");
   }
-  const FastMarchingResult marched = march(working, options.front, options.progress);
+  const WorkingMesh working(mesh, generators);
   Diagram diagram;
-  const TracedDiagram traced = trace_growth(working, marched.table, options, diagram.report);
-  report_progress(options.progress, "cells", 0);
   diagram.generators = generators;
-  diagram.report.propagation_events = marched.events;
-  diagram.report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
-  take_vertex_labels(working, traced.labels, marched.offset_step, diagram);
-  trace_bisectors(working, traced, diagram);
-  collect_cells(working, traced, diagram);
+  const Traced traced = options.method.solver == Solver::fast_marching
+                            ? trace_marched(working, options, diagram.report)
+                            : trace_windows(working, options, diagram.report);
+  report_progress(options.progress, "cells", 0);
+  take_vertex_labels(working, traced.diagram.labels, traced.offset_step, diagram);
+  trace_bisectors(working, traced.diagram, diagram);
+  collect_cells(working, traced.diagram, diagram);
   return diagram;
 }
 

@@ -1,0 +1,72 @@
+#include "geodesic/marched_distances.hpp"
+
+#include <tuple>
+
+#include "geodesic/face_layout.hpp"
+#include "geodesic/unfold.hpp"
+
+namespace gvd {
+
+const VertexDistance& MarchedDistances::nearest(VertexId v) const {
+  const VertexDistance* best = &table_.distance(v.value());
+  table_.for_each(v, [&](const VertexDistance& d) {
+    if (std::tie(d.distance, d.generator) < std::tie(best->distance, best->generator)) best = &d;
+  });
+  return *best;
+}
+
+std::vector<EdgeId> MarchedDistances::contested_edges() const {
+  std::vector<char> contested(static_cast<std::size_t>(mesh_.edge_count()), 0);
+  for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
+    if (!table_.reached(FaceId(i)) || table_.entry(i).next < 0) continue;
+    for (int corner = 0; corner < 3; ++corner) contested[mesh_.edge(Mesh::halfedge(FaceId(i), corner)).index()] = 1;
+  }
+  std::vector<EdgeId> edges;
+  for (std::int32_t e = 0; e < mesh_.edge_count(); ++e) {
+    if (contested[EdgeId(e).index()] != 0) edges.push_back(EdgeId(e));
+  }
+  return edges;
+}
+
+void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const {
+  sources.clear();
+  const HalfedgeId h = mesh_.halfedge(e);
+  const double length = mesh_.length(h);
+  const VertexDistance &from = nearest(mesh_.from(h)), &to = nearest(mesh_.to(h));
+  sources.push_back({0, length, 0, 0, from.distance, from.generator});
+  sources.push_back({0, length, length, 0, to.distance, to.generator});
+  for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+    if (!side.valid()) continue;
+    table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
+      if (entry.dominated) return;
+      const auto d = table_.corner_distances(entry);
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const double a = side == h ? d[i] : d[(i + 1) % 3], b = side == h ? d[(i + 1) % 3] : d[i];
+      const double x = 0.5 * (length + (a - b) * (a + b) / length);
+      // Where the distances unfold to no point, the ways along the edge are all there is.
+      if (std::abs(x) <= a) sources.push_back({0, length, x, std::sqrt((a - x) * (a + x)), 0, entry.generator});
+    });
+  }
+}
+
+void MarchedDistances::collect(FaceId f, std::vector<FaceSource>& sources) const {
+  sources.clear();
+  const FaceLayout layout(mesh_, f);
+  const auto& corner = layout.corner;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexDistance& v = nearest(mesh_.vertices(f)[i]);
+    sources.push_back({corner[i], corner[i], corner[i], v.distance, v.generator, Mesh::halfedge(f, static_cast<int>(i)),
+                       true, v.distance, v.distance});
+  }
+  table_.for_each(f, [&](const TableEntry& entry) {
+    const auto d = table_.corner_distances(entry);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Vec2 image = unfold_source(corner[i], corner[j], d[i], d[j]);
+      sources.push_back(
+          {image, corner[i], corner[j], 0, entry.generator, Mesh::halfedge(f, static_cast<int>(i)), false, d[i], d[j]});
+    }
+  });
+}
+
+}  // namespace gvd
