@@ -1,0 +1,251 @@
+// Exact diagrams against one exact run a generator, the planar Voronoi diagram, and what has no number.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/error_measure.hpp"
+#include "gvd/exact_field.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/planar_voronoi.hpp"
+#include "support/random.hpp"
+#include "support/same_diagram.hpp"
+#include "support/stages.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// Crossings and branch points are equidistant to this part of the bounding box's diagonal.
+constexpr double kEquidistant = 1e-12;
+
+Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
+  DiagramOptions options;
+  options.method = Method::exact;
+  options.chord_tolerance = chord_tolerance;
+  Diagram diagram = compute_diagram(mesh, generators, options);
+  const DiagramCheck check = check_diagram(mesh, diagram);
+  for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
+  REQUIRE(check.ok());
+  REQUIRE(diagram.report.unresolved_ends == 0);
+  return diagram;
+}
+
+/// One exact run for each generator alone, no matter which other ones there are.
+class LonelyFields {
+ public:
+  LonelyFields(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+    for (const SurfacePoint& g : generators) fields_.push_back(std::make_unique<ExactField>(mesh, std::vector{g}));
+  }
+  double distance(GeneratorId g, const SurfacePoint& p) const { return fields_[g.index()]->nearest(p).distance; }
+  double nearest(const SurfacePoint& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& field : fields_) least = std::min(least, field->nearest(p).distance);
+    return least;
+  }
+
+ private:
+  std::vector<std::unique_ptr<ExactField>> fields_;
+};
+
+/// How far the points of a diagram are from what they should be; mesh units.
+struct Faults {
+  double crossing = 0;  ///< difference of the two distances where a bisector crosses an edge of the mesh
+  double inner = 0;     ///< and at its other points
+  double branch = 0;    ///< largest difference of the distances at a branch point
+  double nearer = 0;    ///< how much nearer another generator is, at any of these
+};
+
+Faults find_faults(const Mesh& mesh, const Diagram& diagram) {
+  const LonelyFields fields(mesh, diagram.generators);
+  Faults faults;
+  for (const Bisector& b : diagram.bisectors) {
+    if (b.left == b.right) continue;
+    for (std::size_t i = b.ends[0].valid() ? 1 : 0; i + (b.ends[1].valid() ? 1 : 0) < b.points.size(); ++i) {
+      const SurfacePoint& p = b.points[i];
+      const double left = fields.distance(b.left, p), difference = std::abs(left - fields.distance(b.right, p));
+      double& worst = p.kind() == SurfacePoint::Kind::face ? faults.inner : faults.crossing;
+      worst = std::max(worst, difference);
+      faults.nearer = std::max(faults.nearer, left - fields.nearest(p));
+    }
+  }
+  for (const BranchPoint& b : diagram.branch_points) {
+    const double first = fields.distance(b.generators[0], b.point);
+    for (const GeneratorId g : b.generators) {
+      faults.branch = std::max(faults.branch, std::abs(fields.distance(g, b.point) - first));
+    }
+    faults.branch = std::max(faults.branch, std::abs(b.distance - first));
+    faults.nearer = std::max(faults.nearer, first - fields.nearest(b.point));
+  }
+  return faults;
+}
+
+/// E / length by one exact run a generator.
+double mean_error(const Mesh& mesh, const Diagram& diagram) {
+  const LonelyFields fields(mesh, diagram.generators);
+  const auto find_id = [&](const SurfacePoint& g) {
+    const auto at = std::find(diagram.generators.begin(), diagram.generators.end(), g);
+    return GeneratorId(at - diagram.generators.begin());
+  };
+  const auto exact = [&](const std::vector<DistanceQuery>& queries) {
+    std::vector<std::vector<double>> result;
+    for (const DistanceQuery& query : queries) {
+      auto& row = result.emplace_back();
+      for (const SurfacePoint& p : query.points) row.push_back(fields.distance(find_id(query.generator), p));
+    }
+    return result;
+  };
+  return compute_error_measure(mesh, diagram, exact).error_mean;
+}
+
+std::vector<SurfacePoint> in_one_face(FaceId f, int count, unsigned seed) {
+  test::Random random(seed);
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double u = random.real(0.001, 0.998), v = random.real(0.0005, 0.9995) * (1 - u);
+    points.push_back(make_surface_point(f, {u, v, 1 - u - v}));
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("every family, for few and many generators: sound, and exact at crossings and branch points") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const int count : {2, 7, 30}) {
+      for (unsigned seed = 0; seed < 2; ++seed) {
+        INFO(name << " with " << count << ", seed " << seed);
+        const double tolerance = 1e-4;
+        const Diagram diagram = compute_exact(mesh, test::random_generators(mesh, count, 50 + seed), tolerance);
+        const Faults faults = find_faults(mesh, diagram);
+        CHECK(faults.crossing <= kEquidistant * mesh.bbox_diagonal());
+        CHECK(faults.branch <= kEquidistant * mesh.bbox_diagonal());
+        CHECK(faults.inner <= 2 * tolerance * mesh.mean_edge_length());
+        CHECK(faults.nearer <= 2 * tolerance * mesh.mean_edge_length());
+      }
+    }
+  }
+}
+
+TEST_CASE("every family is sound for more generators than faces, and for one") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    compute_exact(mesh, test::random_generators(mesh, mesh.face_count() + 100, 9));
+    const Diagram alone = compute_exact(mesh, test::random_generators(mesh, 1, 3));
+    CHECK(alone.branch_points.empty());
+    CHECK(alone.bisectors.empty());
+  }
+}
+
+TEST_CASE("vertices have the distance and the label of one run a generator") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto generators = test::random_generators(mesh, 12, 4);
+    const Diagram diagram = compute_exact(mesh, generators);
+    const LonelyFields fields(mesh, generators);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const SurfacePoint p = vertex_point(mesh, VertexId(v));
+      const double nearest = fields.nearest(p);
+      const GeneratorId label = diagram.vertex_label[VertexId(v)];
+      REQUIRE(label.valid() == std::isfinite(nearest));
+      if (!label.valid()) continue;
+      REQUIRE(std::abs(diagram.vertex_distance[VertexId(v)] - nearest) <= kEquidistant * mesh.bbox_diagonal());
+      REQUIRE(fields.distance(label, p) <= nearest + kEquidistant * mesh.bbox_diagonal());
+    }
+  }
+}
+
+TEST_CASE("on a flat mesh the diagram is the planar Voronoi diagram") {
+  constexpr int kWidth = 12, kHeight = 9;
+  constexpr double kPlanar = 1e-10;
+  for (const bool jittered : {false, true}) {
+    const Mesh mesh = jittered ? test::make_jittered_grid(kWidth, kHeight, 0.2, 1) : test::make_grid(kWidth, kHeight);
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      INFO("seed " << seed << (jittered ? ", jittered" : ""));
+      const auto generators = test::random_generators(mesh, 14, seed);
+      const Diagram diagram = compute_exact(mesh, generators);
+      std::vector<Vec2> points;
+      for (const SurfacePoint& g : generators) points.push_back(position(mesh, g).head<2>());
+      const test::PlanarVoronoi voronoi(points, kWidth, kHeight);
+      const auto corners = voronoi.corners();
+      CHECK(diagram.branch_points.size() == corners.size());
+      for (const auto& corner : corners) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const BranchPoint& b : diagram.branch_points) {
+          least = std::min(least, (b.position.head<2>() - corner.point).norm());
+        }
+        CHECK(least <= kPlanar);
+      }
+      for (const Cell& cell : diagram.cells) {
+        CHECK(cell.area == Approx(voronoi.cell_area(cell.generator.value())).epsilon(0).margin(kPlanar));
+      }
+    }
+  }
+}
+
+TEST_CASE("E falls with the chord tolerance, down to rounding") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    if (name != "torus" && name != "bumpy sphere" && name != "half sphere" && name != "genus 3") continue;
+    INFO(name);
+    const auto generators = test::random_generators(mesh, 6, 2);
+    double before = std::numeric_limits<double>::infinity();
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      INFO(tolerance);
+      const double error = mean_error(mesh, compute_exact(mesh, generators, tolerance));
+      CHECK(error <= 2 * tolerance * mesh.mean_edge_length() + 1e-13);
+      CHECK(error <= before);
+      before = error;
+    }
+  }
+}
+
+TEST_CASE("hundreds of generators in one face") {
+  for (const auto& [name, mesh] :
+       {test::NamedMesh{"triangle", test::make_triangle()}, test::NamedMesh{"sphere", test::make_sphere(1)}}) {
+    INFO(name);
+    const Diagram diagram = compute_exact(mesh, in_one_face(FaceId(0), 300, 8));
+    const Faults faults = find_faults(mesh, diagram);
+    CHECK(faults.crossing <= kEquidistant * mesh.bbox_diagonal());
+    CHECK(faults.branch <= kEquidistant * mesh.bbox_diagonal());
+  }
+}
+
+TEST_CASE("generators on edges, on vertices and on the boundary alone") {
+  const Mesh grid = test::make_grid(6, 5), ring = test::make_ring(16, 3);
+  for (const Mesh* mesh : {&grid, &ring}) {
+    std::vector<SurfacePoint> on_edges, on_vertices, on_boundary;
+    for (int h = 0; h < 3 * mesh->face_count(); h += 5) {
+      const HalfedgeId halfedge(h);
+      (mesh->twin(halfedge).valid() ? on_edges : on_boundary)
+          .push_back(edge_point(halfedge, 0.1 + 0.8 * (h % 7) / 7.0));
+    }
+    std::erase_if(on_edges, [&](const SurfacePoint& p) { return !(canonical(*mesh, p) == p); });
+    for (int v = 0; v < mesh->vertex_count(); ++v) on_vertices.push_back(vertex_point(*mesh, VertexId(v)));
+    for (const auto& generators : {on_edges, on_vertices, on_boundary}) compute_exact(*mesh, generators);
+  }
+}
+
+TEST_CASE("on closed meshes of few faces, and where everything is a tie") {
+  for (const Mesh& mesh : {test::make_pillow(), test::make_tetrahedron(), test::make_triangle()}) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      INFO("seed " << seed << ", " << mesh.face_count() << " faces");
+      compute_exact(mesh, test::random_generators(mesh, 1 + int(seed) % 9, seed));
+    }
+    std::vector<SurfacePoint> corners;
+    for (int v = 0; v < mesh.vertex_count(); ++v) corners.push_back(vertex_point(mesh, VertexId(v)));
+    compute_exact(mesh, corners);
+  }
+}
+
+TEST_CASE("the same input gives the same exact diagram, bit by bit") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  const auto generators = test::random_generators(mesh, 40, 5);
+  CHECK(test::same_diagram(compute_exact(mesh, generators), compute_exact(mesh, generators)));
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "geodesic/distance_field.hpp"
+
+namespace gvd::test {
+
+/// Sources by hand, the same on every edge and in every face.
+class HandMadeField final : public DistanceField {
+ public:
+  explicit HandMadeField(std::vector<FaceSource> sources) : sources_(std::move(sources)) {}
+
+  std::vector<EdgeId> contested_edges() const override { return {}; }
+  void collect(EdgeId, std::vector<EdgeSource>& sources) const override { sources.clear(); }
+  void collect(FaceId, std::vector<FaceSource>& sources) const override { sources = sources_; }
+
+ private:
+  std::vector<FaceSource> sources_;
+};
+
+/// Straight paths from `image`, `offset` away from the generator, that come in between `begin` and `end` on side i of
+/// face 0.
+inline FaceSource through_side(int generator, int i, const Vec2& image, const Vec2& begin, const Vec2& end,
+                               double offset) {
+  return {image,
+          begin,
+          end,
+          offset,
+          GeneratorId(generator),
+          Mesh::halfedge(FaceId(0), i),
+          false,
+          offset + (begin - image).norm(),
+          offset + (end - image).norm()};
+}
+
+/// Paths from corner i of face 0, which lies at `corner`.
+inline FaceSource from_corner(int generator, int i, const Vec2& corner, double distance) {
+  return {corner, corner,   corner,  distance, GeneratorId(generator), Mesh::halfedge(FaceId(0), i),
+          true,   distance, distance};
+}
+
+}  // namespace gvd::test
