@@ -26,9 +26,10 @@ namespace {
 /// Crossings and branch points are equidistant to this part of the bounding box's diagonal.
 constexpr double kEquidistant = 1e-12;
 
-Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
+Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Method method,
+                      double chord_tolerance = 1e-4) {
   DiagramOptions options;
-  options.method = Method::exact;
+  options.method = method;
   options.chord_tolerance = chord_tolerance;
   Diagram diagram = compute_diagram(mesh, generators, options);
   const DiagramCheck check = check_diagram(mesh, diagram);
@@ -36,6 +37,10 @@ Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   REQUIRE(check.ok());
   REQUIRE(diagram.report.unresolved_ends == 0);
   return diagram;
+}
+
+Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
+  return compute_sound(mesh, generators, Method::exact, chord_tolerance);
 }
 
 /// One exact run for each generator alone, no matter which other ones there are.
@@ -241,6 +246,19 @@ TEST_CASE("on closed meshes of few faces, and where everything is a tie") {
     std::vector<SurfacePoint> corners;
     for (int v = 0; v < mesh.vertex_count(); ++v) corners.push_back(vertex_point(mesh, VertexId(v)));
     compute_exact(mesh, corners);
+  }
+}
+
+TEST_CASE("any solver goes with any tracer") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const Method method :
+         {Method{Solver::windows, Tracer::growth}, Method{Solver::fast_marching, Tracer::envelope}}) {
+      for (const int count : {4, 40}) {
+        INFO(name << " with " << count << (method.solver == Solver::windows ? ", windows" : ", fast marching"));
+        const Diagram diagram = compute_sound(mesh, test::random_generators(mesh, count, 13), method);
+        CHECK(diagram.report.unresolved_ends == 0);
+      }
+    }
   }
 }
 
