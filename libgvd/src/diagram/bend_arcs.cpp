@@ -24,22 +24,20 @@ constexpr double kOnBisector = 1e-3;
 /// Rounding of a difference of two distances, as a part of them.
 constexpr double kRounding = 1e-15;
 
+/// A corner this near to an end of the piece, as a part of it, is not looked for: halving does not stand still.
+constexpr double kNearEnd = 0.01;
+
 /// And what may be lost of it in addition where a point's coordinates can't be told apart any more.
 constexpr double kLost = 1e-13;
 
 class ArcBender {
  public:
   ArcBender(const SourceMetric& metric, const FaceArc& arc, double tolerance, std::vector<FaceMetric::Bary>& points)
-      : metric_(metric), left_(arc.left), right_(arc.right), tolerance_(tolerance), points_(points) {}
+      : metric_(metric), left_(metric.sources(arc.left)), right_(metric.sources(arc.right)), tolerance_(tolerance), points_(points) {}
 
-  /// Appends the inner points between begin and end.
-  void bend(const Vec2& begin, const Vec2& end, int halvings) {
-    if (halvings >= kMostHalvings || (end - begin).norm() <= tolerance_ || is_near(begin, end)) return;
-    const auto middle = moved_across(0.5 * (begin + end), (end - begin).normalized());
-    if (!middle) return;
-    bend(begin, *middle, halvings + 1);
-    points_.push_back(metric_.bary(*middle));
-    bend(*middle, end, halvings + 1);
+  void bend(const Vec2& begin, const Vec2& end) {
+    if (is_near(begin, end)) return;
+    bend(begin, way_at(begin, look(begin)), end, way_at(end, look(end)), 0);
   }
 
  private:
@@ -49,14 +47,42 @@ class ArcBender {
     double error() const { return left.distance - right.distance; }
     double rounding() const { return kRounding * left.distance; }
   };
-  View look(const Vec2& p) const { return {metric_.nearest(left_, p), metric_.nearest(right_, p)}; }
+  View look(const Vec2& p) const {
+    return {SourceMetric::nearest(left_, p).reach, SourceMetric::nearest(right_, p).reach};
+  }
 
   /// How the difference of the two distances changes at p, per mesh unit.
   static Vec2 gradient(const Vec2& p, const View& view) {
     return direction(p, view.left.from) - direction(p, view.right.from);
   }
+  /// Along the bisector at p.
+  static Vec2 way_at(const Vec2& p, const View& view) { return turned_left(gradient(p, view)); }
 
+  /// Appends the inner points between begin and end, where the bisector runs along the two ways, if the straight piece between
+  /// them is not near enough.
+  void bend(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end, int halvings) {
+    if (halvings >= kMostHalvings) return;
+    const auto on = moved_across(likely_corner(begin, way_begin, end, way_end), (end - begin).normalized());
+    if (!on) return;
+    if (!is_near(begin, on->point)) bend(begin, way_begin, on->point, on->way, halvings + 1);
+    points_.push_back(metric_.bary(on->point));
+    if (!is_near(on->point, end)) bend(on->point, on->way, end, way_end, halvings + 1);
+  }
+
+  /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The middle
+  /// of the chord where they meet near an end, beyond it or far from the chord.
+  static Vec2 likely_corner(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end) {
+    const Vec2 chord = end - begin, middle = 0.5 * (begin + end);
+    const double t = cross(chord, way_end) / cross(way_begin, way_end);
+    const Vec2 corner = begin + t * way_begin;
+    const double where = (corner - begin).dot(chord) / chord.squaredNorm();
+    const bool usable = where > kNearEnd && where < 1 - kNearEnd && (corner - begin - where * chord).norm() < chord.norm();
+    return usable ? corner : middle;
+  }
+
+  /// Whether the straight piece is near enough to the bisector.
   bool is_near(const Vec2& begin, const Vec2& end) const {
+    if ((end - begin).norm() <= tolerance_) return true;
     for (const double t : kSamples) {
       const Vec2 p = begin + t * (end - begin);
       const View view = look(p);
@@ -80,27 +106,33 @@ class ArcBender {
     return {low, high};
   }
 
+  struct OnBisector {
+    Vec2 point, way;
+  };
   /// The point of the bisector straight across a chord along `along` from p; nothing where the face ends before it.
-  std::optional<Vec2> moved_across(const Vec2& p, const Vec2& along) const {
-    const Vec2 across(-along.y(), along.x());  // to the left, where the left generator gains
+  std::optional<OnBisector> moved_across(const Vec2& p, const Vec2& along) const {
+    const Vec2 across = turned_left(along);  // where the left generator gains
     auto [low, high] = room(p, across);
     double s = 0;
     for (int step = 0; step < kSteps; ++step) {
       const Vec2 q = p + s * across;
       const View view = look(q);
-      const double slope = gradient(q, view).dot(across);
-      if (std::abs(view.error()) <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return q;
+      const double slope = gradient(q, view).dot(across), error = std::abs(view.error());
+      if (error <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return OnBisector{q, way_at(q, view)};
       (view.error() > 0 ? low : high) = s;
       double next = s - view.error() / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (next == s) return std::abs(view.error()) <= kLost * view.left.distance ? std::optional(q) : std::nullopt;
+      if (next == s) {
+        if (error > kLost * view.left.distance) return std::nullopt;
+        return OnBisector{q, way_at(q, view)};
+      }
       s = next;
     }
     return std::nullopt;
   }
 
   const SourceMetric& metric_;
-  GeneratorId left_, right_;
+  std::span<const FaceSource> left_, right_;
   double tolerance_;
   std::vector<FaceMetric::Bary>& points_;
 };
@@ -109,7 +141,7 @@ class ArcBender {
 
 void bend_arc(const SourceMetric& metric, const FaceArc& arc, const FaceMetric::Bary& begin, const FaceMetric::Bary& end,
               double tolerance, std::vector<FaceMetric::Bary>& points) {
-  ArcBender(metric, arc, tolerance, points).bend(metric.layout().at(begin), metric.layout().at(end), 0);
+  ArcBender(metric, arc, tolerance, points).bend(metric.layout().at(begin), metric.layout().at(end));
 }
 
 }  // namespace gvd

@@ -36,24 +36,31 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
-  field_.collect(f, sources_);
+  field_.collect(f, found_);
   // The most likely ones first: then the others are passed over without a square root.
   const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
   order_.clear();
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    order_.push_back({sources_[i].generator, sources_[i].reach(centre).distance, static_cast<std::int32_t>(i)});
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    order_.push_back({found_[i].generator, found_[i].reach(centre).distance, static_cast<std::int32_t>(i)});
   }
   std::sort(order_.begin(), order_.end(), [](const Place& a, const Place& b) {
     return std::tie(a.generator, a.distance, a.index) < std::tie(b.generator, b.distance, b.index);
   });
+  sources_.clear();
+  for (const Place& place : order_) sources_.push_back(found_[static_cast<std::size_t>(place.index)]);
 }
 
-SourceMetric::Nearest SourceMetric::nearest_source(GeneratorId g, const Vec2& p) const {
+std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
+  std::size_t begin = 0;
+  while (begin < sources_.size() && sources_[begin].generator < g) ++begin;
+  std::size_t end = begin;
+  while (end < sources_.size() && sources_[end].generator == g) ++end;
+  return std::span(sources_).subspan(begin, end - begin);
+}
+
+SourceMetric::Nearest SourceMetric::nearest(std::span<const FaceSource> sources, const Vec2& p) {
   Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
-  std::size_t i = 0;
-  while (i < order_.size() && order_[i].generator < g) ++i;
-  for (; i < order_.size() && order_[i].generator == g; ++i) {
-    const FaceSource& source = sources_[static_cast<std::size_t>(order_[i].index)];
+  for (const FaceSource& source : sources) {
     // No path of a source is shorter than the straight one.
     const double rest = best.reach.distance - source.offset;
     if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) continue;
@@ -73,7 +80,7 @@ FaceMetric::Bary SourceMetric::bary(const Vec2& p) const {
 std::optional<double> SourceMetric::entry(GeneratorId g, const Bary& bary) const {
   if (!sure_) return std::nullopt;
   const Vec2 p = layout_->at(bary);
-  const Nearest best = nearest_source(g, p);
+  const Nearest best = nearest(sources(g), p);
   if (best.source == nullptr) return std::nullopt;
   const int side = Mesh::corner(best.source->halfedge);
   if (best.source->is_corner) return side;

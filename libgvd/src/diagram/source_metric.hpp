@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "diagram/face_metric.hpp"
@@ -24,8 +25,17 @@ class SourceMetric final : public FaceMetric {
   void enter(const Mesh& mesh, FaceId f);
 
   const FaceLayout& layout() const { return *layout_; }
+  /// The sources of generator g, the one that is nearest to the face's centre first.
+  std::span<const FaceSource> sources(GeneratorId g) const;
+
+  /// The shortest path over some sources, and the one that it comes from; null, and infinite, where there is none.
+  struct Nearest {
+    const FaceSource* source;
+    FaceSource::Reach reach;
+  };
+  static Nearest nearest(std::span<const FaceSource> sources, const Vec2& p);
   /// The shortest path from generator g to p.
-  FaceSource::Reach nearest(GeneratorId g, const Vec2& p) const { return nearest_source(g, p).reach; }
+  FaceSource::Reach nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).reach; }
   Bary bary(const Vec2& p) const;
 
   /// False makes assembly take every point for a guess.
@@ -41,12 +51,6 @@ class SourceMetric final : public FaceMetric {
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
  private:
-  struct Nearest {
-    const FaceSource* source;
-    FaceSource::Reach reach;
-  };
-  Nearest nearest_source(GeneratorId g, const Vec2& p) const;
-
   const DistanceField& field_;
   bool sure_ = true;
   std::optional<FaceLayout> layout_;
@@ -55,8 +59,9 @@ class SourceMetric final : public FaceMetric {
     double distance;     // at the face's centre
     std::int32_t index;  // in sources_
   };
-  std::vector<FaceSource> sources_;
-  std::vector<Place> order_;  // ascending
+  std::vector<FaceSource> sources_;  // in the order of order_
+  std::vector<FaceSource> found_;
+  std::vector<Place> order_;  // of found_, ascending
 };
 
 }  // namespace gvd
