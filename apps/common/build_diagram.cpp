@@ -8,9 +8,7 @@
 namespace gvd::app {
 
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  DiagramOptions options;
-  options.method = run.options().compute.method;
-  options.front = run.options().compute.front;
+  DiagramOptions options = make_diagram_options(run.options().compute);
   options.progress = run.progress();
   Diagram diagram = run.timed("diagram", [&] { return compute_diagram(mesh, generators, options); });
   run.report().diagram = summarize_diagram(diagram);

@@ -27,6 +27,16 @@ void check_generator_source(const GeneratorOptions& generators) {
   }
 }
 
+/// An option of the other method would be ignored: the run would not be what its command line says.
+void check_method(const ComputeOptions& compute) {
+  if (compute.front && compute.method != Method::gbgvd) {
+    refuse("--front: exact distances have no front to choose; add --method gbgvd or leave --front out");
+  }
+  if (compute.chord_tolerance && compute.method != Method::exact) {
+    refuse("--chord-tolerance: bisectors are bent by --method exact only; choose it or leave --chord-tolerance out");
+  }
+}
+
 /// Options that this build may lack.
 void check_build(const Options& options) {
 #ifndef GVD_HAS_VERIFY
@@ -112,6 +122,7 @@ void check_options(const Options& options, const std::vector<std::string>& outpu
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   check_generator_source(options.generators);
+  check_method(options.compute);
   check_build(options);
   check_output(options, output_formats);
 }

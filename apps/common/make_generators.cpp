@@ -41,7 +41,7 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh) {
   const GeneratorOptions& asked = run.options().generators;
   SamplingOptions options;
   options.seed = asked.seed;
-  options.front = run.options().compute.front;
+  options.front = make_diagram_options(run.options().compute).front;
   options.progress = run.progress();
   if (asked.count) options.count = *asked.count;
   if (asked.radius) options.radius = *asked.radius;

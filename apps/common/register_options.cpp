@@ -15,9 +15,9 @@ constexpr Range<std::int32_t> kThreads{1, 4096, "a whole number from 1 to 4096"}
 template <class T>
 using Names = std::vector<std::pair<std::string, T>>;
 
-/// An option that takes one of a few names.
-template <class T>
-CLI::Option* add_choice(CLI::App& cli, const std::string& name, T& target, const Names<T>& names,
+/// An option that takes one of a few names. `Target` is T or std::optional<T>.
+template <class T, class Target>
+CLI::Option* add_choice(CLI::App& cli, const std::string& name, Target& target, const Names<T>& names,
                         const std::string& description) {
   std::string listed;
   for (const auto& [text, value] : names) listed += (listed.empty() ? "" : "|") + text;
@@ -87,18 +87,16 @@ void register_generators(CLI::App& cli, GeneratorOptions& generators) {
 }
 
 void register_compute(CLI::App& cli, ComputeOptions& compute) {
-  const auto store_method = [&compute](const std::string& text) {
-    if (text == "exact") {
-      throw Error(ErrorCode::invalid_option, "--method exact is not in this version; use --method gbgvd");
-    }
-    if (text != "gbgvd") throw CLI::ValidationError("--method", fmt::format("'{}' is none of gbgvd", text));
-    compute.method = Method::gbgvd;
-  };
-  cli.add_option_function<std::string>("--method", store_method, "How the diagram is built (default: gbgvd)")
-      ->type_name("gbgvd")
+  add_choice(cli, "--method", compute.method, Names<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}},
+             "How the diagram is built: of exact distances (default), or growth-based by fast marching")
+      ->group("Computing");
+  add_number<double>(cli, "--chord-tolerance", compute.chord_tolerance, kPositive,
+                     fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
+                                 "(default: {})",
+                                 DiagramOptions{}.chord_tolerance))
       ->group("Computing");
   add_choice(cli, "--front", compute.front, Names<Front>{{"planar", Front::planar}, {"circle", Front::circle}},
-             "Wavefront of gbgvd: the paper's planar one, or circles (default)")
+             "Wavefront of --method gbgvd: the paper's planar one, or circles (default)")
       ->group("Computing");
   add_number<std::int32_t>(cli, "--threads", compute.threads, kThreads,
                            "Threads to use (default: all cores); the result is the same for any number")

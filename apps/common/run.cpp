@@ -6,6 +6,8 @@
 namespace gvd::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 const char* name_of(SamplingKind kind) {
   switch (kind) {
     case SamplingKind::random:
@@ -19,15 +21,13 @@ const char* name_of(SamplingKind kind) {
 }
 
 /// The options as they were understood, defaults included; what was not given is null.
-nlohmann::ordered_json to_json(const Options& options) {
-  const auto or_null = [](const auto& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-  };
-  const auto text_or_null = [](const std::string& text) {
-    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-  };
+Json to_json(const Options& options) {
+  const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
+  const auto text_or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
   const GeneratorOptions& generators = options.generators;
   const ComputeOptions& compute = options.compute;
+  const DiagramOptions diagram = make_diagram_options(compute);
+  const bool exact = compute.method == Method::exact;
   return {{"input", options.input.path},
           {"input_format", text_or_null(options.input.format)},
           {"on_defect", options.input.on_defect},
@@ -39,8 +39,9 @@ nlohmann::ordered_json to_json(const Options& options) {
           {"radius", or_null(generators.radius)},
           {"max_snap", or_null(generators.max_snap)},
           {"merge_coincident", generators.merge_coincident},
-          {"method", "gbgvd"},
-          {"front", compute.front == Front::planar ? "planar" : "circle"},
+          {"method", exact ? "exact" : "gbgvd"},
+          {"chord_tolerance", exact ? Json(diagram.chord_tolerance) : Json()},
+          {"front", exact ? Json() : Json(diagram.front == Front::planar ? "planar" : "circle")},
           {"threads", compute.threads},
           {"verify", compute.verify},
           {"output", options.output.files},
@@ -50,6 +51,14 @@ nlohmann::ordered_json to_json(const Options& options) {
 }
 
 }  // namespace
+
+DiagramOptions make_diagram_options(const ComputeOptions& compute) {
+  DiagramOptions options;
+  options.method = compute.method;
+  options.front = compute.front.value_or(options.front);
+  options.chord_tolerance = compute.chord_tolerance.value_or(options.chord_tolerance);
+  return options;
+}
 
 std::int64_t peak_memory_bytes() {
   rusage usage{};

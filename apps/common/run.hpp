@@ -16,6 +16,9 @@
 
 namespace gvd::app {
 
+/// What the options say of every diagram of a run; defaults where they say nothing, and no progress.
+DiagramOptions make_diagram_options(const ComputeOptions& compute);
+
 /// Largest resident memory of this process so far, in bytes.
 std::int64_t peak_memory_bytes();
 

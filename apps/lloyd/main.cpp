@@ -105,8 +105,7 @@ void report_options(app::Run& run, const LloydOptions& options) {
 }
 
 LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, LloydOptions options) {
-  options.diagram.method = run.options().compute.method;
-  options.diagram.front = run.options().compute.front;
+  options.diagram = app::make_diagram_options(run.options().compute);
   options.progress = run.progress();
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
   report_relaxation(run, result);
@@ -152,9 +151,7 @@ void lloyd(app::Run& run, const LloydOptions& options) {
   write_outputs(run, mesh, diagram);
   app::write_diagram_file(run, mesh, diagram);
   app::write_view_file(run, "gvd-lloyd", [&] {
-    DiagramOptions start_options;
-    start_options.method = run.options().compute.method;
-    start_options.front = run.options().compute.front;
+    DiagramOptions start_options = app::make_diagram_options(run.options().compute);
     start_options.progress = run.progress();
     return scenes(mesh, start, relaxed, start_options);
   });

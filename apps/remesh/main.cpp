@@ -91,8 +91,7 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<Surf
       settings.remesh.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()));
   run.reported_options()["no_refine"] = settings.no_refine;
   settings.remesh.refine = !settings.no_refine;
-  settings.remesh.diagram.method = run.options().compute.method;
-  settings.remesh.diagram.front = run.options().compute.front;
+  settings.remesh.diagram = app::make_diagram_options(run.options().compute);
   settings.remesh.diagram.progress = run.progress();
   RemeshResult result = run.timed("diagram", [&] { return remesh(mesh, generators, settings.remesh); });
   report_remesh(run, mesh, result);

@@ -53,12 +53,44 @@ TEST_CASE("commands: a run reports what it did, and is silent when asked") {
   }
 }
 
+TEST_CASE("commands: the report names the method and what belongs to it") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "r.json";
+  const auto run_with = [&](const std::string& name, const std::string& options) {
+    CAPTURE(name, options);
+    const CommandResult result =
+        run_command(name, data_file("torus.ply") + " -n 20 -q --report " + report + " " + options);
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(read_text(report));
+  };
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const auto exact = run_with(name, ""), fine = run_with(name, "--method exact --chord-tolerance 1e-6"),
+               paper = run_with(name, "--method gbgvd"), planar = run_with(name, "--method gbgvd --front planar");
+    CHECK(exact["options"]["method"] == "exact");
+    CHECK(exact["options"]["chord_tolerance"] == 1e-4);
+    CHECK(exact["options"]["front"].is_null());
+    CHECK(exact["diagram"]["straightened_faces"] == 0);
+    CHECK(exact["diagram"]["relabelled_samples"] == 0);
+    CHECK(fine["options"]["chord_tolerance"] == 1e-6);
+    CHECK(paper["options"]["method"] == "gbgvd");
+    CHECK(paper["options"]["chord_tolerance"].is_null());
+    CHECK(paper["options"]["front"] == "circle");
+    CHECK(planar["options"]["front"] == "planar");
+    // The options reach the diagram: four different ones.
+    CHECK(exact["diagram"]["length"] != fine["diagram"]["length"]);
+    CHECK(exact["diagram"]["length"] != paper["diagram"]["length"]);
+    CHECK(paper["diagram"]["length"] != planar["diagram"]["length"]);
+  }
+}
+
 TEST_CASE("commands: help and version go to standard output") {
   for (const std::string& name : built_commands()) {
     const CommandResult help = run_command(name, "--help");
     CHECK(help.exit_code == 0);
     CHECK(help.err.empty());
-    for (const char* part : {"Examples:", "--generators", "--on-defect", "--config", "--report", "Exit codes:"}) {
+    for (const char* part : {"Examples:", "--generators", "--on-defect", "--config", "--chord-tolerance", "--report", "Exit codes:"}) {
       CHECK_THAT(help.out, Contains(part));
     }
     const CommandResult version = run_command(name, "--version");
@@ -76,7 +108,10 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh, 2, "no generators");
     require_error(name, mesh + " -n 5 --radius 1", 2, "-n and --radius");
     require_error(name, mesh + " -n five", 2, "five");
-    require_error(name, mesh + " -n 5 --method exact", 2, "not in this version");
+    require_error(name, mesh + " -n 5 --method other", 2, "exact|gbgvd");
+    require_error(name, mesh + " -n 5 --front planar", 2, "add --method gbgvd");
+    require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
+    require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
     require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
     require_error(name, "- -n 5", 2, "--input-format");

@@ -98,6 +98,7 @@ TEST_CASE("lloyd: both fronts, and the same bytes twice") {
   const auto start = test::random_generators(mesh, 20, 5);
   for (const Front front : {Front::circle, Front::planar}) {
     LloydOptions options;
+    options.diagram.method = Method::gbgvd;
     options.diagram.front = front;
     options.max_iterations = 8;
     const LloydResult first = relax_generators(mesh, start, options), again = relax_generators(mesh, start, options);

@@ -42,8 +42,11 @@ TEST_CASE("the defaults are the contract's") {
   CHECK(options.generators.count == 30);
   CHECK(options.generators.sampling == SamplingKind::farthest);
   CHECK(options.generators.seed == 0);
-  CHECK(options.compute.method == Method::gbgvd);
-  CHECK(options.compute.front == Front::circle);
+  CHECK(options.compute.method == Method::exact);
+  CHECK_FALSE(options.compute.front);
+  const DiagramOptions diagram = make_diagram_options(options.compute);
+  CHECK(diagram.method == Method::exact);
+  CHECK(diagram.chord_tolerance == 1e-4);
   CHECK(options.output.stdout_format == "ply");
 }
 
@@ -59,6 +62,8 @@ TEST_CASE("every option reaches its place") {
                                  "poisson",
                                  "--seed",
                                  "18446744073709551615",
+                                 "--method",
+                                 "gbgvd",
                                  "--front",
                                  "planar",
                                  "--threads",
@@ -87,7 +92,9 @@ TEST_CASE("every option reaches its place") {
   CHECK(options.generators.sampling == SamplingKind::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
   CHECK(options.generators.merge_coincident);
+  CHECK(options.compute.method == Method::gbgvd);
   CHECK(options.compute.front == Front::planar);
+  CHECK(make_diagram_options(options.compute).front == Front::planar);
   CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
@@ -95,6 +102,7 @@ TEST_CASE("every option reaches its place") {
   CHECK(options.output.view == "v.html");
   CHECK(options.quiet);
   CHECK(parse({"--vertices", "3, 17,99", "a.obj"}).generators.vertices == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(parse({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.chord_tolerance == 2.5e-7);
   CHECK(parse({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
 }
@@ -123,8 +131,14 @@ TEST_CASE("usage errors exit with 2") {
       {"a.obj", "--sampling", "poisson", "--radius", "1"},
       {"a.obj", "-n", "3", "--max-snap", "1"},
       {"a.obj", "-n", "3", "--sampling", "best"},
-      {"a.obj", "-n", "3", "--method", "exact"},
       {"a.obj", "-n", "3", "--method", "other"},
+      {"a.obj", "-n", "3", "--front", "planar"},
+      {"a.obj", "-n", "3", "--method", "exact", "--front", "circle"},
+      {"a.obj", "-n", "3", "--method", "gbgvd", "--front", "square"},
+      {"a.obj", "-n", "3", "--method", "gbgvd", "--chord-tolerance", "1e-3"},
+      {"a.obj", "-n", "3", "--chord-tolerance", "0"},
+      {"a.obj", "-n", "3", "--chord-tolerance", "-1"},
+      {"a.obj", "-n", "3", "--chord-tolerance", "nan"},
       {"a.obj", "-n", "3", "--threads", "0"},
       {"a.obj", "-n", "3", "--on-defect", "maybe"},
       {"a.obj", "-n", "3", "-o", "a.doc"},
@@ -187,7 +201,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
     return parse(arguments);
   };
   const Options options = with(
-      "# a comment\nn = 12\nseed = 7\nfront = \"planar\"\nverify = true\n"
+      "# a comment\nn = 12\nseed = 7\nmethod = \"gbgvd\"\nfront = \"planar\"\nverify = true\n"
       "output = [\"a.ply\", \"b.obj\"]\n",
       {"a.obj", "--seed", "9"});
   CHECK(options.generators.count == 12);

@@ -71,6 +71,7 @@ TEST_CASE("remesh: a certified mesh on every family, from one generator to a hun
 
 TEST_CASE("remesh: planar fronts") {
   RemeshOptions options;
+  options.diagram.method = Method::gbgvd;
   options.diagram.front = Front::planar;
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);

@@ -69,8 +69,10 @@ TEST_CASE("segments: labels are connected and every generator is accounted for")
     if (compute_mesh_summary(mesh).components > 1) continue;
     for (const int count : {1, 2, 5, 30, 100}) {
       CAPTURE(name, count);
-      const Diagram diagram = test::make_restricted_voronoi(mesh, random_points(mesh, count, 3));
-      require_guarantees(mesh, diagram, segment_faces(mesh, diagram));
+      const std::vector<SurfacePoint> points = random_points(mesh, count, 3);
+      const Diagram straight = test::make_restricted_voronoi(mesh, points), exact = compute_diagram(mesh, points);
+      require_guarantees(mesh, straight, segment_faces(mesh, straight));
+      require_guarantees(mesh, exact, segment_faces(mesh, exact));
     }
   }
 }
@@ -193,6 +195,32 @@ TEST_CASE("cut: a piece that is not convex and one with collinear corners") {
   CHECK(area[0] == Approx(1));
   CHECK(area[1] == Approx(7));
   for (int f = 0; f < cut.mesh.face_count(); ++f) CHECK(cut.mesh.area(FaceId(f)) > 0.1);
+}
+
+TEST_CASE("cut: along bisectors that bend inside of faces") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    std::int32_t fewest = 0;
+    for (const double tolerance : {1e-2, 1e-4, 1e-7}) {
+      CAPTURE(name, tolerance);
+      DiagramOptions options;
+      options.method = Method::exact;
+      options.chord_tolerance = tolerance;
+      const Diagram diagram = compute_diagram(mesh, random_points(mesh, 12, 8), options);
+      const CutMesh cut = cut_faces(mesh, diagram);
+      const MeshSummary before = compute_mesh_summary(mesh), after = compute_mesh_summary(cut.mesh);
+      CHECK(cut.uncut_faces == 0);
+      CHECK(after.euler_characteristic == before.euler_characteristic);
+      CHECK(after.boundary_loops == before.boundary_loops);
+      IdVector<GeneratorId, double> area(diagram.generators.size(), 0.0);
+      for (int f = 0; f < cut.mesh.face_count(); ++f) {
+        if (cut.label[FaceId(f)].valid()) area[cut.label[FaceId(f)]] += cut.mesh.area(FaceId(f));
+      }
+      for (const Cell& cell : diagram.cells) CHECK(area[cell.generator] == Approx(cell.area));
+      CHECK(cut.mesh.face_count() >= fewest);  // a finer tolerance has more points
+      fewest = cut.mesh.face_count();
+    }
+    CHECK(fewest > mesh.face_count());
+  }
 }
 
 TEST_CASE("cut: two faces that lie on each other stay a manifold") {

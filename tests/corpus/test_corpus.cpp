@@ -1,6 +1,7 @@
 // Readers and diagrams over real meshes.
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "corpus/corpus.hpp"
 #include "gvd/check.hpp"
@@ -38,9 +39,12 @@ TEST_CASE("the diagram is complete on every mesh of the corpus") {
       continue;  // the test above looks at these
     }
     for (const int count : {2, 5, 30, 100, 300}) {
-      for (const unsigned seed : {1u, 2u}) {
-        INFO(file << ", " << count << " generators, seed " << seed);
+      // Exact diagrams, and those of the paper with either front.
+      for (const auto& [method, seed] : std::initializer_list<std::pair<Method, unsigned>>{
+               {Method::exact, 1}, {Method::gbgvd, 1}, {Method::gbgvd, 2}}) {
+        INFO(file << ", " << count << " generators, seed " << seed << (method == Method::exact ? ", exact" : ""));
         DiagramOptions options;
+        options.method = method;
         options.front = seed % 2 == 0 ? Front::circle : Front::planar;
         const Diagram diagram =
             compute_diagram(checked.mesh, test::random_generators(checked.mesh, count, seed), options);

@@ -18,6 +18,7 @@ TEST_CASE("the diagram is complete and sound on every family, for few and for ma
                     << (front == Front::circle ? ", circle" : ", planar"));
           const auto generators = test::random_generators(mesh, count, seed);
           DiagramOptions options;
+          options.method = Method::gbgvd;
           options.front = front;
           const Diagram diagram = compute_diagram(mesh, generators, options);
           const DiagramCheck check = check_diagram(mesh, diagram);

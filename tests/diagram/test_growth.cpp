@@ -167,7 +167,9 @@ TEST_CASE("a gap that growth does not close is assembled, and the diagram is com
     INFO(name);
     const auto generators = test::random_generators(mesh, 30, 3);
     const test::GrownGaps g(mesh, generators);
-    const Diagram diagram = compute_diagram(mesh, generators);
+    DiagramOptions options;
+    options.method = Method::gbgvd;
+    const Diagram diagram = compute_diagram(mesh, generators, options);
     REQUIRE(check_diagram(mesh, diagram).ok());
     const DiagramReport& report = diagram.report;
     REQUIRE(report.gaps == static_cast<std::int64_t>(g.gaps.size()));

@@ -23,6 +23,7 @@ struct Traced {
 
   Traced(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Front front) : working(mesh, generators) {
     DiagramOptions options;
+    options.method = Method::gbgvd;
     options.front = front;
     const FastMarchingResult marched = march(working, front, {});
     traced = trace_growth(working, marched.table, options, report);

@@ -12,10 +12,11 @@ namespace gvd::test {
 
 inline constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 
-/// A diagram that has passed its check.
+/// A diagram by the paper's method that has passed its check.
 inline Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              Front front = Front::circle) {
   DiagramOptions options;
+  options.method = Method::gbgvd;
   options.front = front;
   Diagram diagram = compute_diagram(mesh, generators, options);
   const DiagramCheck check = check_diagram(mesh, diagram);

@@ -44,8 +44,8 @@ inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 
 struct DiagramOptions {
-  Method method = Method::gbgvd;
-  Front front = Front::circle;
+  Method method = Method::exact;
+  Front front = Front::circle;  ///< for gbgvd
   /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. For exact diagrams.
   double chord_tolerance = 1e-4;
   Progress progress;  ///< may be empty

@@ -59,6 +59,8 @@ Json diagram_json(const std::optional<DiagramFigures>& diagram) {
           {"cells", diagram->cells},
           {"disc_cells", diagram->disc_cells},
           {"unresolved_ends", diagram->unresolved_ends},
+          {"relabelled_samples", diagram->relabelled_samples},
+          {"straightened_faces", diagram->straightened_faces},
           {"verify", verify_json(diagram->verify)}};
 }
 
@@ -81,6 +83,8 @@ DiagramFigures summarize_diagram(const Diagram& diagram) {
     return cell.components == 1 && cell.euler_characteristic == 1;
   });
   figures.unresolved_ends = diagram.report.unresolved_ends;
+  figures.relabelled_samples = diagram.report.relabelled_samples;
+  figures.straightened_faces = diagram.report.straightened_faces;
   return figures;
 }
 
