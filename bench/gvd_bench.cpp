@@ -1,18 +1,21 @@
 // gvd-bench: what a diagram and its steps cost, in multiples of a plain Dijkstra on the same mesh in the same run.
 //
-// Each row is one mesh and one number of generators m (random vertices, seeded). Times are medians of processor time;
-// the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is what the diagram
-// holds at its peak, without the input mesh, counted in a run of its own.
+// Each row is one mesh, one number of generators m (random vertices, seeded) and one method. Times are medians of processor
+// time; the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is what the
+// diagram holds at its peak, without the input mesh, counted in a run of its own. With --peers, a table of what CGAL's
+// geodesic distances cost follows.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cpu_clock.hpp"
@@ -22,9 +25,17 @@
 #include "heap_meter.hpp"
 #include "refine_flat.hpp"
 #include "step_clock.hpp"
+#ifdef GVD_HAS_PEERS
+#include "peers.hpp"
+#endif
 
 namespace gvd::bench {
 namespace {
+
+const std::vector<std::pair<std::string, Method>> kMethods{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}};
+
+/// The steps that both methods name; "growth" of exact diagrams is the assembly of the faces.
+constexpr std::array<std::string_view, 4> kSteps{"distances", "bisectors", "growth", "cells"};
 
 struct Settings {
   std::vector<std::string> meshes;
@@ -32,13 +43,17 @@ struct Settings {
   int runs = 5;
   int refinements = 0;
   std::uint64_t seed = 0;
+  std::vector<Method> methods{Method::exact, Method::gbgvd};
   Front front = Front::circle;
+  double chord_tolerance = DiagramOptions{}.chord_tolerance;
+  bool peers = false;
 };
 
 struct Row {
   std::string mesh;
   int faces = 0;
   int generators = 0;
+  std::string method;
   double dijkstra = 0;  ///< milliseconds
   double diagram = 0;   ///< milliseconds
   StepTimes steps;
@@ -88,14 +103,17 @@ double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& gene
   return static_cast<double>(meter.peak()) / mesh.face_count();
 }
 
-Row measure(const std::string& name, const Mesh& mesh, int count, const Settings& settings) {
+Row measure(const std::string& name, const Mesh& mesh, int count, Method method, const Settings& settings) {
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
   std::vector<SurfacePoint> generators;
   for (const VertexId v : vertices) generators.push_back(vertex_point(mesh, v));
   DiagramOptions options;
+  options.method = method;
   options.front = settings.front;
+  options.chord_tolerance = settings.chord_tolerance;
 
-  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), 0, 0, {}, 0};
+  const std::string method_name = method == Method::exact ? "exact" : "gbgvd";
+  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method_name, 0, 0, {}, 0};
   row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms the caches up
   const EdgeGraph graph = build_edge_graph(mesh);
   std::vector<double> dijkstra, diagram;
@@ -114,37 +132,79 @@ Row measure(const std::string& name, const Mesh& mesh, int count, const Settings
   return row;
 }
 
-void print_header(const Row& first) {
-  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12} {:>9} |", "mesh", "faces", "m", "Dijkstra ms", "diagram x");
-  for (const auto& [step, time] : first.steps) std::cout << fmt::format(" {:>12}", step + " x");
+void print_header() {
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12} {:>9} |", "mesh", "faces", "m", "method", "Dijkstra ms",
+                           "diagram x");
+  for (const std::string_view step : kSteps) std::cout << fmt::format(" {:>12}", fmt::format("{} x", step));
   std::cout << fmt::format(" | {:>12}\n", "bytes/face");
 }
 
+double time_of(const StepTimes& steps, std::string_view name) {
+  for (const auto& [step, time] : steps) {
+    if (step == name) return time;
+  }
+  return 0;
+}
+
 void print_row(const Row& row) {
-  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12.3f} {:>9.2f} |", row.mesh, row.faces, row.generators, row.dijkstra,
-                           row.diagram / row.dijkstra);
-  for (const auto& [step, time] : row.steps) {
-    std::cout << fmt::format(" {:>{}.2f}", time / row.dijkstra, std::max<std::size_t>(12, step.size() + 2));
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.3f} {:>9.2f} |", row.mesh, row.faces, row.generators,
+                           row.method, row.dijkstra, row.diagram / row.dijkstra);
+  for (const std::string_view step : kSteps) {
+    std::cout << fmt::format(" {:>12.2f}", time_of(row.steps, step) / row.dijkstra);
   }
   std::cout << fmt::format(" | {:>12.0f}\n", row.bytes_a_face) << std::flush;
 }
 
-void run_all(const Settings& settings) {
-  bool header = false;
+/// Calls `visit` with the name and the mesh of every file, refined as often as it is asked for.
+void for_each_mesh(const Settings& settings, const std::function<void(const std::string&, const Mesh&)>& visit) {
   for (const std::string& path : settings.meshes) {
     Mesh mesh = build_mesh(read_soup(path)).mesh;
     for (int level = 0; level <= settings.refinements; ++level) {
       if (level > 0) mesh = refine_flat(mesh);
       const std::string stem = std::filesystem::path(path).stem().string();
       const std::string name = level == 0 ? stem : fmt::format("{} /{}", stem, 1 << 2 * level);
-      for (const int count : settings.generator_counts) {
-        const Row row = measure(name, mesh, count, settings);
-        if (!header) print_header(row);
-        header = true;
-        print_row(row);
-      }
+      visit(name, mesh);
     }
   }
+}
+
+#ifdef GVD_HAS_PEERS
+void measure_peers(const std::string& name, const Mesh& mesh, int count, const Settings& settings) {
+  const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
+  const EdgeGraph graph = build_edge_graph(mesh);
+  std::vector<double> dijkstra, paths, heat, heat_again;
+  for (int run = 0; run < settings.runs; ++run) {
+    dijkstra.push_back(milliseconds([&] { compute_edge_distances(graph, vertices); }));
+    const PeerTimes times = time_peers(mesh, vertices);
+    paths.push_back(times.shortest_paths);
+    heat.push_back(times.heat);
+    heat_again.push_back(times.heat_again);
+  }
+  const double unit = median(dijkstra);
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12.3f} | {:>16.1f} {:>8.1f} {:>14.1f}\n", name, mesh.face_count(),
+                           vertices.size(), unit, median(paths) / unit, median(heat) / unit, median(heat_again) / unit)
+            << std::flush;
+}
+#endif
+
+void run_peers([[maybe_unused]] const Settings& settings) {
+#ifdef GVD_HAS_PEERS
+  std::cout << fmt::format("\n{:<22} {:>8} {:>5} {:>12} | {:>16} {:>8} {:>14}\n", "CGAL's distances", "faces", "m",
+                           "Dijkstra ms", "shortest paths x", "heat x", "heat again x");
+  for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
+    for (const int count : settings.generator_counts) measure_peers(name, mesh, count, settings);
+  });
+#endif
+}
+
+void run_all(const Settings& settings) {
+  print_header();
+  for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
+    for (const int count : settings.generator_counts) {
+      for (const Method method : settings.methods) print_row(measure(name, mesh, count, method, settings));
+    }
+  });
+  if (settings.peers) run_peers(settings);
   std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n",
                            static_cast<double>(peak_resident_bytes()) / 1e6);
 }
@@ -161,7 +221,15 @@ int run(int argc, char** argv) {
   app.add_option("--refine", settings.refinements, "also with every face cut in four, this many times over")
       ->check(CLI::Range(0, 6));
   app.add_option("--seed", settings.seed, "for drawing the generators");
-  app.add_option("--front", settings.front, "planar or circle")
+  app.add_option("--method", settings.methods, "exact, gbgvd or both (default: both)")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(kMethods));
+  app.add_option("--chord-tolerance", settings.chord_tolerance, "of exact diagrams, in mean edge lengths")
+      ->check(CLI::PositiveNumber);
+#ifdef GVD_HAS_PEERS
+  app.add_flag("--peers", settings.peers, "also time CGAL's exact shortest paths and its heat method");
+#endif
+  app.add_option("--front", settings.front, "of gbgvd: planar or circle")
       ->transform(CLI::CheckedTransformer(
           std::vector<std::pair<std::string, Front>>{{"planar", Front::planar}, {"circle", Front::circle}}));
   CLI11_PARSE(app, argc, argv);

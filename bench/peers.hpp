@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "gvd/mesh.hpp"
+
+namespace gvd::bench {
+
+/// Processor times in milliseconds of what CGAL offers: the distance to the nearest generator at every vertex. Neither tells
+/// cells apart or draws a bisector.
+struct PeerTimes {
+  double shortest_paths = 0;  ///< Surface_mesh_shortest_path: exact; the sequence tree, and a query for each vertex
+  double heat = 0;            ///< Heat_method_3: approximate; the factorisation, and one solution
+  double heat_again = 0;      ///< one more solution with the factorisation that is there
+};
+
+/// Throws gvd::Error where CGAL can't hold the mesh.
+PeerTimes time_peers(const Mesh& mesh, const std::vector<VertexId>& generators);
+
+}  // namespace gvd::bench
