@@ -137,6 +137,7 @@ class Cutter {
     const GeneratorId whole = !shares.empty() ? shares.front().generator : diagram_.face_label[f];
     if (pieces.empty() && border.size() == 3) {
       add_triangle(mesh_.vertices(f), f, whole);
+      ++polygons_;
       return;
     }
     FaceTiling tiling(std::move(border), reach_);
@@ -164,6 +165,7 @@ class Cutter {
         for (std::size_t i = 0; i < 3; ++i) vertices[i] = tiling.corners()[polygon.corners[triangle[i]]].vertex;
         add_triangle(vertices, f, polygon.generator);
       }
+      ++polygons_;
     }
   }
 
@@ -171,6 +173,7 @@ class Cutter {
     triangles_.faces.push_back(vertices);
     triangles_.parent.push_back(parent);
     triangles_.label.push_back(label);
+    triangles_.polygon.push_back(polygons_);
   }
 
   void build_mesh() {
@@ -191,6 +194,7 @@ class Cutter {
   double reach_;
   std::vector<EdgePoint> edge_points_;  ///< sorted by edge and t
   CutTriangles triangles_;
+  std::int32_t polygons_ = 0;  ///< done so far
   CutMesh result_;
 };
 
