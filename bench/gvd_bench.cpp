@@ -1,9 +1,9 @@
 // gvd-bench: what a diagram and its steps cost, in multiples of a plain Dijkstra on the same mesh in the same run.
 //
-// Each row is one mesh, one number of generators m (random vertices, seeded) and one method. Times are medians of processor
-// time; the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is what the
-// diagram holds at its peak, without the input mesh, counted in a run of its own. With --peers, a table of what CGAL's
-// geodesic distances cost follows.
+// Each row is one mesh, one number of generators m (random vertices, seeded) and one method. Times are medians of
+// processor time; the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is
+// what the diagram holds at its peak, without the input mesh, counted in a run of its own. With --peers, a table of
+// what CGAL's geodesic distances cost follows.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -6,8 +6,8 @@
 
 namespace gvd::bench {
 
-/// Processor times in milliseconds of what CGAL offers: the distance to the nearest generator at every vertex. Neither tells
-/// cells apart or draws a bisector.
+/// Processor times in milliseconds of what CGAL offers: the distance to the nearest generator at every vertex. Neither
+/// tells cells apart or draws a bisector.
 struct PeerTimes {
   double shortest_paths = 0;  ///< Surface_mesh_shortest_path: exact; the sequence tree, and a query for each vertex
   double heat = 0;            ///< Heat_method_3: approximate; the factorisation, and one solution

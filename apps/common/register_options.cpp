@@ -90,10 +90,11 @@ void register_compute(CLI::App& cli, ComputeOptions& compute) {
   add_choice(cli, "--method", compute.method, Names<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}},
              "How the diagram is built: of exact distances (default), or growth-based by fast marching")
       ->group("Computing");
-  add_number<double>(cli, "--chord-tolerance", compute.chord_tolerance, kPositive,
-                     fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
-                                 "(default: {})",
-                                 DiagramOptions{}.chord_tolerance))
+  add_number<double>(
+      cli, "--chord-tolerance", compute.chord_tolerance, kPositive,
+      fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
+                  "(default: {})",
+                  DiagramOptions{}.chord_tolerance))
       ->group("Computing");
   add_choice(cli, "--front", compute.front, Names<Front>{{"planar", Front::planar}, {"circle", Front::circle}},
              "Wavefront of --method gbgvd: the paper's planar one, or circles (default)")

@@ -90,7 +90,8 @@ TEST_CASE("commands: help and version go to standard output") {
     const CommandResult help = run_command(name, "--help");
     CHECK(help.exit_code == 0);
     CHECK(help.err.empty());
-    for (const char* part : {"Examples:", "--generators", "--on-defect", "--config", "--chord-tolerance", "--report", "Exit codes:"}) {
+    for (const char* part :
+         {"Examples:", "--generators", "--on-defect", "--config", "--chord-tolerance", "--report", "Exit codes:"}) {
       CHECK_THAT(help.out, Contains(part));
     }
     const CommandResult version = run_command(name, "--version");

@@ -58,9 +58,8 @@ TEST_CASE("a report has the contract's keys in its order") {
                             "timings_ms", "peak_memory_bytes", "results"});
   CHECK(keys(json["input"]) == Names{"vertices", "faces", "components", "boundary_loops", "euler_characteristic",
                                      "area", "bbox_diagonal", "defects"});
-  CHECK(keys(json["diagram"]) ==
-        Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "unresolved_ends", "relabelled_samples",
-              "straightened_faces", "verify"});
+  CHECK(keys(json["diagram"]) == Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "unresolved_ends",
+                                       "relabelled_samples", "straightened_faces", "verify"});
   CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length"});
   CHECK(keys(json["options"]) == Names{"z", "input"});
   CHECK(keys(json["input"]["defects"]) == Names{"flipped_faces", "duplicate_faces"});
