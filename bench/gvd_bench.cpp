@@ -32,8 +32,6 @@
 namespace gvd::bench {
 namespace {
 
-const std::vector<std::pair<std::string, Method>> kMethods{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}};
-
 /// The steps that both methods name; "growth" of exact diagrams is the assembly of the faces.
 constexpr std::array<std::string_view, 4> kSteps{"distances", "bisectors", "growth", "cells"};
 
@@ -43,7 +41,7 @@ struct Settings {
   int runs = 5;
   int refinements = 0;
   std::uint64_t seed = 0;
-  std::vector<Method> methods{Method::exact, Method::gbgvd};
+  std::vector<std::string> methods{"exact", "gbgvd"};
   Front front = Front::circle;
   double chord_tolerance = DiagramOptions{}.chord_tolerance;
   bool peers = false;
@@ -103,17 +101,16 @@ double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& gene
   return static_cast<double>(meter.peak()) / mesh.face_count();
 }
 
-Row measure(const std::string& name, const Mesh& mesh, int count, Method method, const Settings& settings) {
+Row measure(const std::string& name, const Mesh& mesh, int count, const std::string& method, const Settings& settings) {
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
   std::vector<SurfacePoint> generators;
   for (const VertexId v : vertices) generators.push_back(vertex_point(mesh, v));
   DiagramOptions options;
-  options.method = method;
+  options.method = method == "exact" ? Method::exact : Method::gbgvd;
   options.front = settings.front;
   options.chord_tolerance = settings.chord_tolerance;
 
-  const std::string method_name = method == Method::exact ? "exact" : "gbgvd";
-  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method_name, 0, 0, {}, 0};
+  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method, 0, 0, {}, 0};
   row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms the caches up
   const EdgeGraph graph = build_edge_graph(mesh);
   std::vector<double> dijkstra, diagram;
@@ -201,7 +198,7 @@ void run_all(const Settings& settings) {
   print_header();
   for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
     for (const int count : settings.generator_counts) {
-      for (const Method method : settings.methods) print_row(measure(name, mesh, count, method, settings));
+      for (const std::string& method : settings.methods) print_row(measure(name, mesh, count, method, settings));
     }
   });
   if (settings.peers) run_peers(settings);
@@ -223,7 +220,7 @@ int run(int argc, char** argv) {
   app.add_option("--seed", settings.seed, "for drawing the generators");
   app.add_option("--method", settings.methods, "exact, gbgvd or both (default: both)")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kMethods));
+      ->check(CLI::IsMember({"exact", "gbgvd"}));
   app.add_option("--chord-tolerance", settings.chord_tolerance, "of exact diagrams, in mean edge lengths")
       ->check(CLI::PositiveNumber);
 #ifdef GVD_HAS_PEERS

@@ -45,7 +45,7 @@ inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 
 struct DiagramOptions {
   Method method = Method::exact;
-  Front front = Front::circle;  ///< for gbgvd
+  Front front = Front::circle;  ///< of fast marching
   /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. For exact diagrams.
   double chord_tolerance = 1e-4;
   Progress progress;  ///< may be empty
