@@ -85,7 +85,8 @@ void require_sound(const AssembledFace& face) {
 
 TEST_CASE("no crossing: nothing is added") {
   FaceDiagram diagram;
-  assemble_face(FaceId(0), {}, {}, diagram);
+  const std::vector<DistanceForm> forms;
+  assemble_face(FaceId(0), {}, FormMetric(forms), diagram);
   CHECK(diagram.arcs.empty());
   CHECK(diagram.branches.empty());
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "diagram/lonely_runs.hpp"
 #include "diagram/rough_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -38,7 +38,7 @@ struct AssembledFace {
       boundary.push_back({CrossingId(static_cast<std::int64_t>(i)), runs[i].corner, runs[i].t, GeneratorId(previous),
                           GeneratorId(runs[i].next)});
     }
-    assemble_face(FaceId(0), boundary, forms, diagram);
+    assemble_face(FaceId(0), boundary, FormMetric(forms), diagram);
   }
 
   WorkingPieces pieces() const { return pieces_of(diagram.arcs); }
