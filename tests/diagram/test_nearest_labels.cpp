@@ -108,7 +108,7 @@ TEST_CASE("an island is listed as unsupported, and relabelled to a neighbour's g
   CHECK(relabel_unsupported(strip.working, labels) == 1);
   for (const NearestLabels& result : {labels, by_neighbours}) {
     CHECK(result.label[VertexId(5)] == GeneratorId(0));
-    CHECK(result.distance[VertexId(5)] == 0.5);  // what the table says of generator 0 there
+    CHECK(result.distance[VertexId(5)] == 1);  // along the edge from the neighbour that keeps its label
     CHECK(result.label[VertexId(9)] == GeneratorId(1));
     CHECK(result.label[VertexId(6)] == GeneratorId(0));
   }
