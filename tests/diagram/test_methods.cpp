@@ -69,8 +69,8 @@ TEST_CASE("areas by exact distances do not depend on the tracer beyond its strai
 
 TEST_CASE("a chord tolerance that is no positive number is refused") {
   const Mesh mesh = test::make_grid(2, 2);
-  for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::infinity()}) {
+  for (const double tolerance :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     DiagramOptions options;
     options.chord_tolerance = tolerance;
     try {

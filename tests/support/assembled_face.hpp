@@ -61,15 +61,18 @@ inline std::vector<BoundaryRun> random_runs(Random& random, int count, int cells
   std::vector<BoundaryRun> runs;
   const int edges = 1 + random.below(3);
   for (int i = 0; i < count; ++i) {
-    const double t = random.below(4) == 0 ? (random.below(2) == 0 ? 1e-7 + random.real(0, 1e-5) : 1 - 1e-7 - random.real(0, 1e-5))
-                                          : random.real(0.001, 0.999);
+    const double t = random.below(4) == 0
+                         ? (random.below(2) == 0 ? 1e-7 + random.real(0, 1e-5) : 1 - 1e-7 - random.real(0, 1e-5))
+                         : random.real(0.001, 0.999);
     runs.push_back({random.below(edges), t, random.below(cells)});
   }
-  std::sort(runs.begin(), runs.end(),
-            [](const BoundaryRun& a, const BoundaryRun& b) { return std::pair(a.corner, a.t) < std::pair(b.corner, b.t); });
+  std::sort(runs.begin(), runs.end(), [](const BoundaryRun& a, const BoundaryRun& b) {
+    return std::pair(a.corner, a.t) < std::pair(b.corner, b.t);
+  });
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const BoundaryRun& before = runs[(i + runs.size() - 1) % runs.size()];
-    for (int tries = 0; runs[i].next == before.next || (i + 1 == runs.size() && runs[i].next == runs[0].next); ++tries) {
+    for (int tries = 0; runs[i].next == before.next || (i + 1 == runs.size() && runs[i].next == runs[0].next);
+         ++tries) {
       if (tries == 20) return {};
       runs[i].next = random.below(cells);
     }

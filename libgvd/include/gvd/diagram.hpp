@@ -66,14 +66,15 @@ struct Bisector {
   bool closed = false;
   /// The branch points at its two ends; invalid where the end lies on the mesh's boundary, or where it is closed.
   std::array<BranchPointId, 2> ends;
-  /// Points in order, both ends included; a closed one does not repeat its first point. Consecutive points share a face.
+  /// Points in order, both ends included; a closed one does not repeat its first point. Consecutive points share a
+  /// face.
   std::vector<SurfacePoint> points;
 };
 
 /// The part of the surface that is nearest to one generator.
 struct Cell {
   GeneratorId generator;
-  double area = 0;  ///< square mesh units
+  double area = 0;                        ///< square mesh units
   std::int32_t euler_characteristic = 0;  ///< 1 for a disc, 0 for an annulus, 2 for a sphere
   std::int32_t components = 0;            ///< 1 where the cell is connected
   std::int32_t boundary_loops = 0;        ///< loops made of bisectors and of the mesh's boundary
@@ -96,15 +97,16 @@ struct DiagramReport {
   std::int64_t gaps = 0;                ///< groups of faces with three or more generators
   std::int64_t gaps_grown = 0;          ///< of these, closed by growth
   std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
-  std::int64_t straightened_faces = 0;  ///< faces whose exact arcs would have crossed by rounding, and are straight instead
-  std::int64_t unresolved_ends = 0;     ///< bisector ends that meet nothing; zero in a complete diagram
+  std::int64_t straightened_faces =
+      0;  ///< faces whose exact arcs would have crossed by rounding, and are straight instead
+  std::int64_t unresolved_ends = 0;  ///< bisector ends that meet nothing; zero in a complete diagram
 };
 
 /// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
 struct Diagram {
-  std::vector<SurfacePoint> generators;              ///< indexed by GeneratorId
-  IdVector<VertexId, GeneratorId> vertex_label;      ///< nearest generator; invalid where none reaches
-  IdVector<VertexId, double> vertex_distance;        ///< mesh units; infinity where none reaches
+  std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId
+  IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid where none reaches
+  IdVector<VertexId, double> vertex_distance;    ///< mesh units; infinity where none reaches
   IdVector<BranchPointId, BranchPoint> branch_points;
   IdVector<BisectorId, Bisector> bisectors;
   IdVector<GeneratorId, Cell> cells;

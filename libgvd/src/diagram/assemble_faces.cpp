@@ -12,7 +12,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Distance of a form's generator at a point of face f.
-double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const std::array<double, 3>& bary, Front front) {
+double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const std::array<double, 3>& bary,
+                   Front front) {
   if (front == Front::planar) return form.at(bary);
   double squared = form.at(bary);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -23,8 +24,8 @@ double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const s
 }
 
 /// Mean distance of the branch points from `first` on to the generators that meet there.
-void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm>& forms, Front front, std::size_t first_arc,
-                      std::size_t first_branch, FaceDiagram& diagram) {
+void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm>& forms, Front front,
+                      std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
   for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
     const BranchPointId id(static_cast<std::int64_t>(b));
     FaceBranch& branch = diagram.branches[id];
@@ -44,8 +45,8 @@ void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm
 
 }  // namespace
 
-std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
-                                       GeneratorId g) {
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
+                                       FaceId f, GeneratorId g) {
   std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
   const auto& corners = mesh.vertices(f);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,8 +63,8 @@ std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& t
   return d;
 }
 
-std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels, FaceId f,
-                                     const std::vector<BoundaryCrossing>& boundary, Front front) {
+std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
+                                     FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front) {
   std::vector<DistanceForm> forms;
   for (const BoundaryCrossing& c : boundary) {
     const bool known = std::any_of(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == c.next; });

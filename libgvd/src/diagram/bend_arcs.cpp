@@ -33,7 +33,11 @@ constexpr double kLost = 1e-13;
 class ArcBender {
  public:
   ArcBender(const SourceMetric& metric, const FaceArc& arc, double tolerance, std::vector<FaceMetric::Bary>& points)
-      : metric_(metric), left_(metric.sources(arc.left)), right_(metric.sources(arc.right)), tolerance_(tolerance), points_(points) {}
+      : metric_(metric),
+        left_(metric.sources(arc.left)),
+        right_(metric.sources(arc.right)),
+        tolerance_(tolerance),
+        points_(points) {}
 
   void bend(const Vec2& begin, const Vec2& end) {
     if (is_near(begin, end)) return;
@@ -58,8 +62,8 @@ class ArcBender {
   /// Along the bisector at p.
   static Vec2 way_at(const Vec2& p, const View& view) { return turned_left(gradient(p, view)); }
 
-  /// Appends the inner points between begin and end, where the bisector runs along the two ways, if the straight piece between
-  /// them is not near enough.
+  /// Appends the inner points between begin and end, where the bisector runs along the two ways, if the straight piece
+  /// between them is not near enough.
   void bend(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end, int halvings) {
     if (halvings >= kMostHalvings) return;
     const auto on = moved_across(likely_corner(begin, way_begin, end, way_end), (end - begin).normalized());
@@ -69,14 +73,15 @@ class ArcBender {
     if (!is_near(on->point, end)) bend(on->point, on->way, end, way_end, halvings + 1);
   }
 
-  /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The middle
-  /// of the chord where they meet near an end, beyond it or far from the chord.
+  /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The
+  /// middle of the chord where they meet near an end, beyond it or far from the chord.
   static Vec2 likely_corner(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end) {
     const Vec2 chord = end - begin, middle = 0.5 * (begin + end);
     const double t = cross(chord, way_end) / cross(way_begin, way_end);
     const Vec2 corner = begin + t * way_begin;
     const double where = (corner - begin).dot(chord) / chord.squaredNorm();
-    const bool usable = where > kNearEnd && where < 1 - kNearEnd && (corner - begin - where * chord).norm() < chord.norm();
+    const bool usable =
+        where > kNearEnd && where < 1 - kNearEnd && (corner - begin - where * chord).norm() < chord.norm();
     return usable ? corner : middle;
   }
 
@@ -118,7 +123,8 @@ class ArcBender {
       const Vec2 q = p + s * across;
       const View view = look(q);
       const double slope = gradient(q, view).dot(across), error = std::abs(view.error());
-      if (error <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return OnBisector{q, way_at(q, view)};
+      if (error <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope))
+        return OnBisector{q, way_at(q, view)};
       (view.error() > 0 ? low : high) = s;
       double next = s - view.error() / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -139,8 +145,8 @@ class ArcBender {
 
 }  // namespace
 
-void bend_arc(const SourceMetric& metric, const FaceArc& arc, const FaceMetric::Bary& begin, const FaceMetric::Bary& end,
-              double tolerance, std::vector<FaceMetric::Bary>& points) {
+void bend_arc(const SourceMetric& metric, const FaceArc& arc, const FaceMetric::Bary& begin,
+              const FaceMetric::Bary& end, double tolerance, std::vector<FaceMetric::Bary>& points) {
   ArcBender(metric, arc, tolerance, points).bend(metric.layout().at(begin), metric.layout().at(end));
 }
 

@@ -37,8 +37,8 @@ class CellCollector {
   }
 
  private:
-  // The Euler characteristic of a cell as a surface with boundary is the count over its open inside, for along its closed
-  // boundary curves vertices and edges cancel: so neither bisectors nor the mesh's boundary are counted.
+  // The Euler characteristic of a cell as a surface with boundary is the count over its open inside, for along its
+  // closed boundary curves vertices and edges cancel: so neither bisectors nor the mesh's boundary are counted.
   void count_vertices() {
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
       const VertexId v(i);

@@ -1,5 +1,3 @@
-#include "gvd/diagram.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@
 #include "geodesic/window_distances.hpp"
 #include "geodesic/window_propagation.hpp"
 #include "geodesic/window_table.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 
@@ -58,8 +57,7 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
   report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
-  const WindowField field =
-      propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
+  const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
   report.propagation_events = field.carried;
   if (options.method.tracer == Tracer::growth) {
     const GeneratorTable table = make_generator_table(mesh, field);

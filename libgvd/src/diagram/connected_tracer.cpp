@@ -38,8 +38,8 @@ void ConnectedTracer::recross_plainly(const std::vector<EdgeId>& edges) {
   cross_plainly(plain_, crossings_);
 }
 
-/// A vertex or a run inside an edge may hang together with no part of its cell. Then growth gives way there, such vertices
-/// take the label of a neighbour, and the edges there are crossed plainly. False where there is no island.
+/// A vertex or a run inside an edge may hang together with no part of its cell. Then growth gives way there, such
+/// vertices take the label of a neighbour, and the edges there are crossed plainly. False where there is no island.
 bool ConnectedTracer::give_way_to_islands(TracedDiagram& traced) {
   CellParts parts(working_, traced);
   traced.cell_components = parts.count_components();

@@ -9,16 +9,17 @@ namespace gvd {
 
 /// A tracer whose cells come out connected, whatever the distances say.
 ///
-/// It crosses the edges, closes the faces, and looks whether every piece hangs together with its generator. Where one does
-/// not, growth gives way, vertices take the label of a neighbour and edges are crossed at most once; then the faces are closed
-/// again. The last resort, after a number of rounds, is a diagram whose cells are connected by construction.
+/// It crosses the edges, closes the faces, and looks whether every piece hangs together with its generator. Where one
+/// does not, growth gives way, vertices take the label of a neighbour and edges are crossed at most once; then the
+/// faces are closed again. The last resort, after a number of rounds, is a diagram whose cells are connected by
+/// construction.
 /// Source: the paper leaves this open; see docs/algorithm.md.
 class ConnectedTracer {
  public:
   virtual ~ConnectedTracer() = default;
 
-  /// Counts relabelled vertices in `report`; reports the steps "bisectors" and "growth". Cost: O(n) a round, of which one is
-  /// the rule.
+  /// Counts relabelled vertices in `report`; reports the steps "bisectors" and "growth". Cost: O(n) a round, of which
+  /// one is the rule.
   TracedDiagram run(DiagramReport& report);
 
  protected:

@@ -17,12 +17,13 @@ using CrossingId = Id<struct CrossingTag>;
 /// times the tie offset, and far above rounding.
 inline constexpr double kCrossingGap = 1e-7;
 
-/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about it.
+/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about
+/// it.
 struct Crossing {
   EdgeId edge;
-  double t;             ///< parameter along the edge's halfedge, strictly between 0 and 1
-  GeneratorId before;   ///< the cell on the side of the edge's first vertex
-  GeneratorId after;    ///< and on the side of its second
+  double t;            ///< parameter along the edge's halfedge, strictly between 0 and 1
+  GeneratorId before;  ///< the cell on the side of the edge's first vertex
+  GeneratorId after;   ///< and on the side of its second
 };
 
 /// All crossings, ascending by edge and parameter.

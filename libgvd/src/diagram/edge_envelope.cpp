@@ -12,8 +12,8 @@ namespace {
 /// points are as near to the neighbouring cell, within twice its length.
 constexpr double kShortestRun = 1e-9;
 
-/// Gaps between windows are narrower than this part of their edge: windows end where rays pass a vertex, and rays that were
-/// unfolded over hundreds of thin faces are off by up to 1e-9 of the edge.
+/// Gaps between windows are narrower than this part of their edge: windows end where rays pass a vertex, and rays that
+/// were unfolded over hundreds of thin faces are off by up to 1e-9 of the edge.
 constexpr double kWidestGap = 1e-6;
 
 /// Crossings keep this distance from the ends of their edge, as a part of it: above the snapping of surface points.
@@ -163,16 +163,16 @@ void EdgeEnvelope::find_runs(GeneratorId first, GeneratorId last) {
   runs_.push_back({length_, last});
 }
 
-/// Between two windows of one generator that should meet, rounding leaves gaps, where another generator shows. A run so short
-/// is real only if it is nearer than the paths that go on along the edge from the windows before it.
+/// Between two windows of one generator that should meet, rounding leaves gaps, where another generator shows. A run so
+/// short is real only if it is nearer than the paths that go on along the edge from the windows before it.
 bool EdgeEnvelope::is_gap(GeneratorId before, GeneratorId g, double begin, double end) const {
   if (end - begin > kWidestGap * length_) return false;
   const double middle = 0.5 * (begin + end);
   return distance(before, middle) <= distance(g, middle);
 }
 
-/// Where generators a and b are equally far, near t and between low and high: t itself where they are, and also where they
-/// never are.
+/// Where generators a and b are equally far, near t and between low and high: t itself where they are, and also where
+/// they never are.
 double EdgeEnvelope::meeting(GeneratorId a, GeneratorId b, double low, double t, double high) const {
   const auto error = [&](double at) { return distance(a, at) - distance(b, at); };
   const double here = error(t);

@@ -22,8 +22,8 @@ class EdgeEnvelope {
   /// Appends the crossings between different generators, ascending, with `first` and `last` as the labels of the ends.
   void append_crossings(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings);
 
-  /// Appends one crossing between two different labels of the ends, where their generators are equally far if there is such a
-  /// place.
+  /// Appends one crossing between two different labels of the ends, where their generators are equally far if there is
+  /// such a place.
   void append_plain_crossing(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings) const;
 
  private:

@@ -13,11 +13,13 @@ namespace {
 
 using Bary = std::array<double, 3>;
 
-/// A face's only branch point keeps this much of every barycentric coordinate, so that it lies inside the face: ten times
-/// the gap that crossings keep from the corners, and a millionth of a triangle's height at the most that it is moved.
+/// A face's only branch point keeps this much of every barycentric coordinate, so that it lies inside the face: ten
+/// times the gap that crossings keep from the corners, and a millionth of a triangle's height at the most that it is
+/// moved.
 constexpr double kInside = 1e-6;
 
-/// A branch point that can't lie where it is wanted is tried this many times on the way back, each time kStepBack nearer.
+/// A branch point that can't lie where it is wanted is tried this many times on the way back, each time kStepBack
+/// nearer.
 constexpr int kSteps = 8;
 constexpr double kStepBack = 0.6;
 
@@ -65,8 +67,8 @@ class FaceAssembly {
   }
 
  private:
-  /// Unites the runs of one generator that are known to be one piece: the shortest path to the middle of the one comes into the
-  /// face through the other.
+  /// Unites the runs of one generator that are known to be one piece: the shortest path to the middle of the one comes
+  /// into the face through the other.
   void link_runs(const std::vector<Corner>& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const auto entry = metric_.entry(polygon[i].next, middle_of_run(i));
@@ -280,7 +282,8 @@ class FaceAssembly {
       if (p) {
         lead = std::numeric_limits<double>::infinity();
         for (const Corner& c : polygon) {
-          if (c.next != x && c.next != y && c.next != z) lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
+          if (c.next != x && c.next != y && c.next != z)
+            lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
         }
       }
       if (chosen == n || lead > best) std::tie(chosen, best) = std::tuple(i, lead);

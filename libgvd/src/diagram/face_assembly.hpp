@@ -10,10 +10,10 @@ namespace gvd {
 
 /// Joins the crossings on the boundary of face f by arcs that don't cross, and appends them to `diagram`.
 ///
-/// Two crossings make an arc, three a branch point. Of more, two runs of one generator are united where that generator is
-/// the nearest one between them, or else three consecutive runs are contracted to a branch point; both leave a smaller
-/// problem of the same kind. The crossings, taken round the face, are the corners of a convex polygon, and every step
-/// keeps what remains convex: so the arcs can't cross, whatever the distances say.
+/// Two crossings make an arc, three a branch point. Of more, two runs of one generator are united where that generator
+/// is the nearest one between them, or else three consecutive runs are contracted to a branch point; both leave a
+/// smaller problem of the same kind. The crossings, taken round the face, are the corners of a convex polygon, and
+/// every step keeps what remains convex: so the arcs can't cross, whatever the distances say.
 ///
 /// Where the metric knows a branch point for sure, it is taken first, and as it is.
 /// `boundary` has 0 or at least 2 crossings; `metric` knows the generators on it.

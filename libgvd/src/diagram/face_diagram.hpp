@@ -24,7 +24,7 @@ inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
 struct FaceArc {
   FaceId face;
   ArcEnd begin, end;
-  GeneratorId left, right;  ///< on the way from begin to end
+  GeneratorId left, right;                        ///< on the way from begin to end
   std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
 };
 
@@ -44,7 +44,8 @@ struct FaceDiagram {
   std::vector<std::array<double, 3>> points;  ///< inner points of bent arcs, barycentric in their face
 
   std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
-    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point), static_cast<std::size_t>(arc.point_count));
+    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
+                                     static_cast<std::size_t>(arc.point_count));
   }
 };
 

@@ -22,11 +22,11 @@ class FaceMetric {
   virtual double at(GeneratorId g, const Bary& p) const = 0;
   /// A point that is equally far from the three, looked for from `start` on; it may lie outside of the face.
   virtual std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const = 0;
-  /// Where the shortest path from g to p comes into the face: at corner + t on the halfedge of that corner; nothing where the
-  /// metric does not know. A path of g stays in g's cell, so the boundary there and p belong to one piece.
+  /// Where the shortest path from g to p comes into the face: at corner + t on the halfedge of that corner; nothing
+  /// where the metric does not know. A path of g stays in g's cell, so the boundary there and p belong to one piece.
   virtual std::optional<double> entry(GeneratorId g, const Bary& p) const = 0;
-  /// Whether p is known to be a branch point of the diagram, with the three cells counter-clockwise round it: then it is
-  /// taken as it is.
+  /// Whether p is known to be a branch point of the diagram, with the three cells counter-clockwise round it: then it
+  /// is taken as it is.
   virtual bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const = 0;
 };
 

@@ -14,8 +14,8 @@ constexpr std::size_t kUsualCorners = 5;
 
 class PieceTracer {
  public:
-  PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
-              const FaceDiagram& diagram, WorkingPieces& result)
+  PieceTracer(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs, const FaceDiagram& diagram,
+              WorkingPieces& result)
       : boundary_(boundary), arcs_(arcs), diagram_(diagram), result_(result) {}
 
   void trace() {
@@ -51,7 +51,8 @@ class PieceTracer {
     }
   }
 
-  /// From boundary crossing i into the face, keeping to the left, until the boundary is met again: returns the crossing.
+  /// From boundary crossing i into the face, keeping to the left, until the boundary is met again: returns the
+  /// crossing.
   std::size_t follow_arcs(std::size_t i, std::vector<Bary>& corners) const {
     corners.push_back(boundary_[i].bary());
     ArcEnd here = at(boundary_[i].id);

@@ -21,8 +21,8 @@ struct WorkingPieces {
   std::vector<int> piece_of_run;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
 };
 
-/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`). `result` is overwritten; a
-/// loop over faces hands in the same one again and saves allocations.
+/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
+/// `result` is overwritten; a loop over faces hands in the same one again and saves allocations.
 void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
                   const FaceDiagram& diagram, WorkingPieces& result);
 

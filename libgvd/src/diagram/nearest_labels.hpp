@@ -12,13 +12,13 @@ namespace gvd {
 struct NearestLabels {
   IdVector<VertexId, GeneratorId> label;  ///< invalid where no generator reaches
   IdVector<VertexId, double> distance;    ///< to that generator, with its symbolic offset; infinity where unreached
-  /// Vertices without a neighbour of the same label that is nearer to the generator: their generator's front came through
-  /// the inside of an edge.
+  /// Vertices without a neighbour of the same label that is nearer to the generator: their generator's front came
+  /// through the inside of an edge.
   std::vector<VertexId> unsupported;
 };
 
-/// The label of a vertex is its nearest generator by (distance, generator id). Every other vertex than the unsupported ones
-/// has a neighbour of its label that is nearer to the generator. Cost: O(n).
+/// The label of a vertex is its nearest generator by (distance, generator id). Every other vertex than the unsupported
+/// ones has a neighbour of its label that is nearer to the generator. Cost: O(n).
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table);
 
 /// The same from exact distances and labels.
@@ -29,8 +29,8 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
 /// Cost: O(k log k) for k vertices.
 void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels);
 
-/// Relabels every vertex that no chain of edges with falling distance joins to its generator: then every cell is connected
-/// by the edges between its vertices. Returns how many. Cost: O(n).
+/// Relabels every vertex that no chain of edges with falling distance joins to its generator: then every cell is
+/// connected by the edges between its vertices. Returns how many. Cost: O(n).
 std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels);
 
 }  // namespace gvd

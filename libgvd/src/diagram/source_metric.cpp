@@ -13,11 +13,12 @@ constexpr double kEqual = 1e-14;
 /// What is accepted where Newton's steps no longer gain anything: the rounding of a point far from its images.
 constexpr double kResidual = 1e-12;
 
-/// Another generator this much nearer, as a part of the distance, is as near as the three: a branch point of degree four.
+/// Another generator this much nearer, as a part of the distance, is as near as the three: a branch point of degree
+/// four.
 constexpr double kTie = 1e-12;
 
-/// A branch point may come out this far beyond a side, in barycentric coordinates, because crossings that it comes near are
-/// kept apart from it or were rounded; it is put this far inside.
+/// A branch point may come out this far beyond a side, in barycentric coordinates, because crossings that it comes near
+/// are kept apart from it or were rounded; it is put this far inside.
 constexpr double kBeyond = 1e-9, kInside = 2e-12;
 
 constexpr int kNewtonSteps = 40, kHalvings = 6;
@@ -99,11 +100,10 @@ std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, Generat
     Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
     double size() const { return error().cwiseAbs().maxCoeff(); }
   };
-  const auto look = [&](const Vec2& p) {
-    return State{p, nearest(a, p), nearest(b, p), nearest(c, p)};
-  };
+  const auto look = [&](const Vec2& p) { return State{p, nearest(a, p), nearest(b, p), nearest(c, p)}; };
   State now = look(layout_->at(start));
-  const double longest = (layout_->corner[1] - layout_->corner[0]).norm() + (layout_->corner[2] - layout_->corner[1]).norm();
+  const double longest =
+      (layout_->corner[1] - layout_->corner[0]).norm() + (layout_->corner[2] - layout_->corner[1]).norm();
   for (int step = 0; step < kNewtonSteps && now.size() > kEqual * now.a.distance; ++step) {
     const Vec2 u = direction(now.p, now.a.from), v = direction(now.p, now.b.from), w = direction(now.p, now.c.from);
     const Vec2 first = u - v, second = u - w, error = now.error();

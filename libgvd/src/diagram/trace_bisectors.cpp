@@ -135,7 +135,8 @@ class BisectorTracer {
     const std::size_t n = bisector.points.size();
     for (std::size_t i = 0; i + (bisector.closed ? 0 : 1) < n; ++i) {
       diagram_.length +=
-          (position(working_.input(), bisector.points[(i + 1) % n]) - position(working_.input(), bisector.points[i])).norm();
+          (position(working_.input(), bisector.points[(i + 1) % n]) - position(working_.input(), bisector.points[i]))
+              .norm();
     }
     diagram_.bisectors.push_back(std::move(bisector));
   }

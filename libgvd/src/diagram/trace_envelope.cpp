@@ -13,8 +13,8 @@ namespace gvd {
 namespace {
 
 /// Symbolic offset between the first and the last generator, as a part of the bounding box's diagonal. Mirror-symmetric
-/// models put whole bisectors exactly on edges; offsets that grow with the generator's id decide every such tie the same way
-/// all along. Far above rounding where generators are few, and a tenth of what a crossing may be off.
+/// models put whole bisectors exactly on edges; offsets that grow with the generator's id decide every such tie the
+/// same way all along. Far above rounding where generators are few, and a tenth of what a crossing may be off.
 constexpr double kTieOffset = 1e-13;
 
 /// A piece of less than no area, as a part of its face's, beyond rounding.
@@ -87,8 +87,8 @@ class EnvelopeTracer final : public ConnectedTracer {
     measure_branches(arcs, branches, faces);
   }
 
-  /// Arcs that cross turn a piece inside out. True arcs don't; rounding can bring it about where nearly everything is a tie.
-  /// Straight arcs of the assembly's convex steps never cross.
+  /// Arcs that cross turn a piece inside out. True arcs don't; rounding can bring it about where nearly everything is a
+  /// tie. Straight arcs of the assembly's convex steps never cross.
   bool arcs_cross(std::size_t first_arc, const FaceDiagram& faces) {
     trace_pieces(boundary_, std::span(faces.arcs).subspan(first_arc), faces, pieces_);
     return std::any_of(pieces_.pieces.begin(), pieces_.pieces.end(),
@@ -97,7 +97,8 @@ class EnvelopeTracer final : public ConnectedTracer {
 
   FaceMetric::Bary place(const ArcEnd& end, const FaceDiagram& faces) const {
     if (end.branch.valid()) return faces.branches[end.branch].bary;
-    return std::find_if(boundary_.begin(), boundary_.end(), [&](const auto& c) { return c.id == end.crossing; })->bary();
+    return std::find_if(boundary_.begin(), boundary_.end(), [&](const auto& c) { return c.id == end.crossing; })
+        ->bary();
   }
 
   void bend(FaceDiagram& faces, std::size_t i) const {

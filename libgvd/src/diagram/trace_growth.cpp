@@ -95,7 +95,7 @@ class GrowthTracer final : public ConnectedTracer {
 }  // namespace
 
 TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
-                            DiagramReport& report) {
+                           DiagramReport& report) {
   return GrowthTracer(working, table, options).run(report);
 }
 

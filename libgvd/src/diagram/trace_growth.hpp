@@ -12,6 +12,6 @@ namespace gvd {
 /// assembly of its edge crossings. Cells are connected: a run of a cell that hangs together with nothing is taken away.
 /// Counts gaps and relabelled samples in `report`; reports the steps "bisectors" and "growth". Cost: O(n).
 TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
-                            DiagramReport& report);
+                           DiagramReport& report);
 
 }  // namespace gvd

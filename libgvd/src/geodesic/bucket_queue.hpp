@@ -9,13 +9,14 @@ namespace gvd {
 /// A queue that gives its items back in nearly ascending order of their keys: a ring of first-in-first-out buckets.
 ///
 /// For label-correcting propagation, whose result does not depend on the order. Items within one bucket come out in the
-/// order in which they went in, so runs repeat exactly. A key before the current bucket goes into the current one, a key
-/// beyond the ring into its last. Cost: O(1) an item, and O(1) for every bucket that is passed.
+/// order in which they went in, so runs repeat exactly. A key before the current bucket goes into the current one, a
+/// key beyond the ring into its last. Cost: O(1) an item, and O(1) for every bucket that is passed.
 template <class Item>
 class BucketQueue {
  public:
   /// `width` is the span of keys in one bucket, > 0; `count` the number of buckets in the ring, >= 2.
-  BucketQueue(double width, std::size_t count) : inverse_width_(1 / width), last_(static_cast<double>(count - 1)), buckets_(count) {}
+  BucketQueue(double width, std::size_t count)
+      : inverse_width_(1 / width), last_(static_cast<double>(count - 1)), buckets_(count) {}
 
   bool empty() const { return size_ == 0; }
 

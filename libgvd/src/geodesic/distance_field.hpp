@@ -11,8 +11,8 @@
 
 namespace gvd {
 
-/// Straight paths that reach an edge: seen along the edge, they come from an image at (x, depth), whichever side it lies on.
-/// Positions run along the edge's own halfedge, from 0 to its length. Mesh units.
+/// Straight paths that reach an edge: seen along the edge, they come from an image at (x, depth), whichever side it
+/// lies on. Positions run along the edge's own halfedge, from 0 to its length. Mesh units.
 struct EdgeSource {
   double begin, end;  ///< the interval that they reach straight
   double x, depth;    ///< the image; depth >= 0
@@ -64,8 +64,8 @@ class DistanceField {
 
   /// The edges on which more than one generator may be the nearest, ascending.
   virtual std::vector<EdgeId> contested_edges() const = 0;
-  /// Overwrites `sources` with all that reach edge e; those of its two ends come first. The least distance over them is the
-  /// distance to the nearest generator.
+  /// Overwrites `sources` with all that reach edge e; those of its two ends come first. The least distance over them is
+  /// the distance to the nearest generator.
   virtual void collect(EdgeId e, std::vector<EdgeSource>& sources) const = 0;
   /// The same for the inside of face f.
   virtual void collect(FaceId f, std::vector<FaceSource>& sources) const = 0;

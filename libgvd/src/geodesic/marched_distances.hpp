@@ -5,9 +5,9 @@
 
 namespace gvd {
 
-/// The distances of the adapted fast marching, as sources: over every side a generator's point source is unfolded from its
-/// distances at the two ends (section 4.1's circle front). Several may hold a generator; the nearest is the one that the
-/// front came from.
+/// The distances of the adapted fast marching, as sources: over every side a generator's point source is unfolded from
+/// its distances at the two ends (section 4.1's circle front). Several may hold a generator; the nearest is the one
+/// that the front came from.
 class MarchedDistances final : public DistanceField {
  public:
   /// Both have to outlive this.
