@@ -20,7 +20,9 @@ struct Sound {
   Mesh mesh;
   Diagram diagram;
   explicit Sound(Mesh input, int count = 12) : mesh(std::move(input)) {
-    diagram = compute_diagram(mesh, test::random_generators(mesh, count, 16));
+    DiagramOptions options;
+    options.method = Method::gbgvd;  // one straight piece of a bisector in a face: some of what is broken counts on it
+    diagram = compute_diagram(mesh, test::random_generators(mesh, count, 16), options);
     REQUIRE(check_diagram(mesh, diagram).ok());
   }
 };

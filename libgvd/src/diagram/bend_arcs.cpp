@@ -1,5 +1,6 @@
 #include "diagram/bend_arcs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -74,15 +75,17 @@ class ArcBender {
   }
 
   /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The
-  /// middle of the chord where they meet near an end, beyond it or far from the chord.
-  static Vec2 likely_corner(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end) {
+  /// middle of the chord where they meet near an end, beyond it, far from the chord or outside of the face.
+  Vec2 likely_corner(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end) const {
     const Vec2 chord = end - begin, middle = 0.5 * (begin + end);
     const double t = cross(chord, way_end) / cross(way_begin, way_end);
     const Vec2 corner = begin + t * way_begin;
     const double where = (corner - begin).dot(chord) / chord.squaredNorm();
-    const bool usable =
+    const bool between =
         where > kNearEnd && where < 1 - kNearEnd && (corner - begin - where * chord).norm() < chord.norm();
-    return usable ? corner : middle;
+    if (!between) return middle;
+    const auto bary = metric_.bary(corner);
+    return *std::min_element(bary.begin(), bary.end()) >= 0 ? corner : middle;
   }
 
   /// Whether the straight piece is near enough to the bisector.
