@@ -21,7 +21,9 @@ struct Turning {
   /// Whether the sum is `half` times pi, to within kFlatAngle.
   bool is_near(std::int32_t half) const {
     if (!(std::abs(sine) < kFlatAngle) || (cosine > 0) != (half % 2 == 0)) return false;
-    return std::abs(half_turns - half) <= 1;  // the sine's sign is chance there
+    // The sine's sign is chance there: the last multiple is crossed or not. Two half turns more look the same but for
+    // their number.
+    return half_turns == half || half_turns == half - 1;
   }
 };
 

@@ -1,0 +1,79 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geodesic/face_frames.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// `corners` equal triangles, an even number, round vertex 0 with the given total angle; their rim goes up and down. In
+/// an open fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
+Mesh make_fan(int corners, double total, bool closed) {
+  // Neighbours on the rim are 2 pi / corners apart seen from above, one up and one down.
+  const double step = 2 * std::numbers::pi / corners;
+  const double across = std::sqrt((1 + std::cos(total / corners)) / (1 + std::cos(step)));
+  const double up = std::sqrt(1 - across * across);
+  std::vector<Vec3> positions{{0, 0, 0}};
+  for (int i = 0; i < corners; ++i) {
+    positions.emplace_back(across * std::cos(i * step), across * std::sin(i * step), i % 2 == 0 ? up : -up);
+  }
+  // An open fan ends in a copy of the first rim vertex.
+  if (!closed) positions.push_back(positions[1]);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 1; i <= corners; ++i) {
+    const int next = closed && i == corners ? 1 : i + 1;
+    faces.push_back({VertexId(0), VertexId(i), VertexId(next)});
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+VertexKind kind_in_fan(int corners, double half_turns, bool closed) {
+  return FaceFrames(make_fan(corners, half_turns * std::numbers::pi, closed)).kind[VertexId(0)];
+}
+
+}  // namespace
+
+// Rounding says on which side of a multiple of pi the sum of the angles comes out, so every case is met with many fans.
+
+TEST_CASE("a vertex inside is flat at two pi only") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 2 + 1e-6, true) == VertexKind::saddle);
+    CHECK(kind_in_fan(corners, 3, true) == VertexKind::saddle);
+  }
+}
+
+TEST_CASE("a vertex inside with an angle of four pi is a saddle, as flat as its sine looks") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 4, true) == VertexKind::saddle);
+  }
+}
+
+TEST_CASE("a boundary vertex with an angle of three pi is a reflex one") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 3, false) == VertexKind::reflex);
+    CHECK(kind_in_fan(corners, 2.5, false) == VertexKind::reflex);
+  }
+}
+
+TEST_CASE("a flat fan is flat inside, and convex with a side left out") {
+  for (int corners = 4; corners <= 60; ++corners) {
+    const double step = 2 * std::numbers::pi / corners;
+    std::vector<Vec3> positions{{0, 0, 0}};
+    for (int i = 0; i < corners; ++i) positions.emplace_back(std::cos(i * step), std::sin(i * step), 0);
+    std::vector<std::array<VertexId, 3>> faces;
+    for (int i = 1; i <= corners; ++i) faces.push_back({VertexId(0), VertexId(i), VertexId(i % corners + 1)});
+    INFO(corners << " corners");
+    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexId(0)] == VertexKind::flat);
+    if (corners % 2 != 0) continue;
+    faces.resize(static_cast<std::size_t>(corners / 2));
+    positions.resize(static_cast<std::size_t>(corners / 2 + 2));
+    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexId(0)] == VertexKind::plain);
+  }
+}
