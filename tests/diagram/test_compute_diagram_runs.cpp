@@ -79,6 +79,25 @@ TEST_CASE("progress goes through the three steps, and every call can cancel") {
   }
 }
 
+TEST_CASE("every long step of an exact diagram can be cancelled while it runs") {
+  const Mesh mesh = test::make_sphere(5);
+  const auto generators = test::random_generators(mesh, 300, 4);
+  for (const std::string step : {"distances", "bisectors", "growth"}) {
+    INFO(step);
+    DiagramOptions options;
+    // The first call of a step is its beginning; with the tracing over, "bisectors" is at its half.
+    options.progress = [&](std::string_view current, double fraction) {
+      return current != step || fraction == 0 || fraction == 0.5;
+    };
+    try {
+      compute_diagram(mesh, generators, options);
+      FAIL("was not cancelled");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::interrupted);
+    }
+  }
+}
+
 TEST_CASE("two runs give equal diagrams, in every field") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : kFronts) {

@@ -1,6 +1,7 @@
 #include "diagram/trace_envelope.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "diagram/area_share.hpp"
 #include "diagram/bend_arcs.hpp"
@@ -20,6 +21,9 @@ constexpr double kTieOffset = 1e-13;
 /// A piece of less than no area, as a part of its face's, beyond rounding.
 constexpr double kTurned = 1e-11;
 
+/// Progress is reported once in so many edges or faces.
+constexpr std::size_t kProgressStride = 1 << 10;
+
 class EnvelopeTracer final : public ConnectedTracer {
  public:
   EnvelopeTracer(const WorkingMesh& working, const NearestLabels& labels, const DistanceField& field, double tolerance,
@@ -33,7 +37,11 @@ class EnvelopeTracer final : public ConnectedTracer {
  private:
   Crossings cross_edges() override {
     std::vector<Crossing> crossings;
-    for (const EdgeId e : field_.contested_edges()) cross(e, false, crossings);
+    const std::vector<EdgeId> edges = field_.contested_edges();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      cross(edges[i], false, crossings);
+      if ((i + 1) % kProgressStride == 0) report_part("bisectors", 0.5 * static_cast<double>(i), edges.size());
+    }
     return Crossings(mesh_.edge_count(), std::move(crossings));
   }
 
@@ -64,8 +72,16 @@ class EnvelopeTracer final : public ConnectedTracer {
   void close_faces(TracedDiagram& traced, DiagramReport& report) override {
     report_progress(progress_, "growth", 0);
     report.straightened_faces = 0;
-    for (const FaceId f : crossed_faces(mesh_, traced.crossings)) close_face(f, traced, report);
+    const std::vector<FaceId> faces = crossed_faces(mesh_, traced.crossings);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      close_face(faces[i], traced, report);
+      if ((i + 1) % kProgressStride == 0) report_part("growth", static_cast<double>(i), faces.size());
+    }
     report_progress(progress_, "bisectors", 0.5);
+  }
+
+  void report_part(std::string_view step, double done, std::size_t all) const {
+    report_progress(progress_, step, done / static_cast<double>(all));
   }
 
   void close_face(FaceId f, TracedDiagram& traced, DiagramReport& report) {
