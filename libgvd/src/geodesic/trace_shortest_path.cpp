@@ -1,5 +1,6 @@
 #include "geodesic/trace_shortest_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,7 +39,9 @@ class PathTracer {
       best_distance_ = std::numeric_limits<double>::infinity();
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), seen_from(h), v); });
       if (std::isinf(best_distance_)) break;  // no path that leads on: rounding has the last word
-      v = follow_best();
+      const VertexId nearer = follow_best();
+      if (!(field_.distance[nearer] < field_.distance[v])) break;  // the same: it would go round for ever
+      v = nearer;
     }
     return std::move(path_);
   }
@@ -130,11 +133,21 @@ class PathTracer {
     const double length = mesh_.length(side);
     const Vec2 along = (target - origin) / length;
     const double inside = cross(along, at - origin), outside = -cross(along, step.image - origin);
+    // Rounding led past the vertex, which lies in this face: the line would never end.
+    if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
     const double part = inside + outside > 0 ? inside / (inside + outside) : 0;
     const double t = std::min(std::max(from_x + part * (image_x - from_x), 0.0), length);
     step = {mesh_.twin(side), length - t, {length - image_x, outside}};
     return VertexId();
+  }
+
+  /// The halfedge that leaves the corner next to p, in the frame of halfedge k.
+  static HalfedgeId nearest_corner(HalfedgeId k, const Vec2& p, double base, const Vec2& apex) {
+    const double to_start = p.squaredNorm(), to_end = (p - Vec2(base, 0)).squaredNorm();
+    const double to_apex = (p - apex).squaredNorm();
+    if (to_apex <= std::min(to_start, to_end)) return Mesh::previous(k);
+    return to_start <= to_end ? k : Mesh::next(k);
   }
 
   const Mesh& mesh_;
