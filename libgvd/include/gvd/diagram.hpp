@@ -46,7 +46,8 @@ inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 struct DiagramOptions {
   Method method = Method::exact;
   Front front = Front::circle;  ///< of fast marching
-  /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. For exact diagrams.
+  /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. Of the envelope tracer. Points
+  /// grow with the square root of its inverse.
   double chord_tolerance = 1e-4;
   Progress progress;  ///< may be empty
 };
@@ -91,9 +92,9 @@ struct FacePiece {
 
 /// What a run did, and what it could not do (zero being the normal case).
 struct DiagramReport {
-  std::int64_t propagation_events = 0;  ///< triangle events that the fast marching took from its queue
-  std::int64_t table_entries = 0;       ///< (triangle, generator) pairs that the domination test kept
-  std::int64_t relabelled_samples = 0;  ///< edge samples moved to another generator to keep cells connected
+  std::int64_t propagation_events = 0;  ///< triangles taken from fast marching's queue, or windows carried across one
+  std::int64_t table_entries = 0;       ///< (triangle, generator) pairs in the generator tables; 0 without them
+  std::int64_t relabelled_samples = 0;  ///< vertices given to another generator to keep cells connected
   std::int64_t gaps = 0;                ///< groups of faces with three or more generators
   std::int64_t gaps_grown = 0;          ///< of these, closed by growth
   std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
@@ -120,7 +121,8 @@ struct Diagram {
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
-/// coincide (both are named), and Error{interrupted} where the progress callback cancels.
+/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a positive number, and
+/// Error{interrupted} where the progress callback cancels.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

@@ -12,7 +12,7 @@
 
 namespace gvd {
 
-/// A window that has been carried across its face and stays on its edge. The frame is that of Window.
+/// A window that has been carried across its face and stays on its edge. The frame is that of Rays.
 struct KeptWindow {
   double begin, end;       ///< interval on the edge, mesh units
   double x, depth;         ///< the image lies at (x, -depth)
