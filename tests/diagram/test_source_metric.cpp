@@ -51,6 +51,10 @@ TEST_CASE("the nearest of a generator's sources counts, and no other generator's
     REQUIRE(metric.at(kA, bary) == Approx(expected).epsilon(1e-14));
   }
   CHECK(std::isinf(metric.at(kC, {1, 0, 0})));
+  // What has no source is nowhere as near as the others.
+  const std::array<double, 3> centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
+  CHECK_FALSE(metric.equidistant(kC, kA, kB, centre).has_value());
+  CHECK_FALSE(metric.equidistant(kA, kB, kC, centre).has_value());
 }
 
 TEST_CASE("the way back leaves the face where the path came in") {

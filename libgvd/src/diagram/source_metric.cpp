@@ -1,5 +1,7 @@
 #include "diagram/source_metric.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -52,11 +54,11 @@ void SourceMetric::enter(const Mesh& mesh, FaceId f) {
 }
 
 std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
-  std::size_t begin = 0;
-  while (begin < sources_.size() && sources_[begin].generator < g) ++begin;
-  std::size_t end = begin;
-  while (end < sources_.size() && sources_[end].generator == g) ++end;
-  return std::span(sources_).subspan(begin, end - begin);
+  // By halving: one large face beside hundreds of small cells has thousands of sources.
+  const auto begin = std::partition_point(sources_.begin(), sources_.end(),
+                                          [g](const FaceSource& source) { return source.generator < g; });
+  const auto end = std::find_if(begin, sources_.end(), [g](const FaceSource& source) { return source.generator != g; });
+  return {begin, end};
 }
 
 SourceMetric::Nearest SourceMetric::nearest(std::span<const FaceSource> sources, const Vec2& p) {
@@ -120,7 +122,8 @@ std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, Generat
     if (!(next.size() < now.size())) break;
     now = next;
   }
-  if (!(now.size() <= kResidual * now.a.distance)) return std::nullopt;
+  // Infinite where the face knows nothing of a generator.
+  if (std::isinf(now.a.distance) || !(now.size() <= kResidual * now.a.distance)) return std::nullopt;
   return moved_inside(bary(now.p));
 }
 

@@ -21,8 +21,8 @@ constexpr double kTieOffset = 1e-13;
 /// A piece of less than no area, as a part of its face's, beyond rounding.
 constexpr double kTurned = 1e-11;
 
-/// Progress is reported once in so many edges or faces.
-constexpr std::size_t kProgressStride = 1 << 10;
+/// Progress is reported once in so many edges, or in faces with so much work: the square of the crossings round them.
+constexpr std::size_t kProgressStride = 1 << 10, kProgressWork = 1 << 12;
 
 class EnvelopeTracer final : public ConnectedTracer {
  public:
@@ -73,9 +73,13 @@ class EnvelopeTracer final : public ConnectedTracer {
     report_progress(progress_, "growth", 0);
     report.straightened_faces = 0;
     const std::vector<FaceId> faces = crossed_faces(mesh_, traced.crossings);
+    std::size_t work = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       close_face(faces[i], traced, report);
-      if ((i + 1) % kProgressStride == 0) report_part("growth", static_cast<double>(i), faces.size());
+      work += boundary_.size() * boundary_.size();
+      if (work < kProgressWork) continue;
+      work = 0;
+      report_part("growth", static_cast<double>(i), faces.size());
     }
     report_progress(progress_, "bisectors", 0.5);
   }
