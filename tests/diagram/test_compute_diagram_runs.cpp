@@ -49,6 +49,19 @@ TEST_CASE("very small and very large coordinates give the same diagram") {
   }
 }
 
+TEST_CASE("exact diagrams keep their figures far beyond the range of floats") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto generators = test::random_generators(mesh, 20, 17);
+    const Diagram diagram = compute_diagram(mesh, generators);
+    for (const double scale : {std::ldexp(1.0, -200), std::ldexp(1.0, 200)}) {
+      INFO(name << ", scale " << scale);
+      const Diagram other = compute_diagram(test::scaled(mesh, scale), generators);
+      CHECK(test::same_topology(diagram, other));
+      CHECK(other.length / scale == Approx(diagram.length).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("progress goes through the three steps, and every call can cancel") {
   const Mesh mesh = test::make_sphere(3);
   const auto generators = test::random_generators(mesh, 30, 4);

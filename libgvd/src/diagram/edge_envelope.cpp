@@ -38,6 +38,7 @@ struct Reach {
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, double tie_step) {
   sources_ = sources;
   length_ = length;
+  unit_ = std::ldexp(1.0, -std::ilogb(length));
   for (EdgeSource& s : sources_) {
     s.offset += tie_step * static_cast<double>(s.generator.value());
     s.begin = std::max(s.begin, 0.0);
@@ -100,15 +101,16 @@ void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
   if (at_begin * at_end > 0 && is_monotone) return append(end, at_begin < 0 ? source : old_source);
   // sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots that only the squares have do no harm: the
   // pieces on their two sides go to the same source.
-  const double c = o.offset - s.offset;
-  const double slope = 2 * (o.x - s.x);
-  const double rest = (s.x - o.x) * (s.x + o.x) + (s.depth - o.depth) * (s.depth + o.depth) - c * c;
+  const double c = (o.offset - s.offset) * unit_;
+  const double o_x = o.x * unit_, s_x = s.x * unit_, o_depth = o.depth * unit_, s_depth = s.depth * unit_;
+  const double slope = 2 * (o_x - s_x);
+  const double rest = (s_x - o_x) * (s_x + o_x) + (s_depth - o_depth) * (s_depth + o_depth) - c * c;
   std::array<double, 2> roots{-1, -1};
   if (c == 0) {
     if (slope != 0) roots[0] = -rest / slope;
   } else {
-    const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * o.x;
-    const double constant = rest * rest - 4 * c * c * (o.x * o.x + o.depth * o.depth);
+    const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * o_x;
+    const double constant = rest * rest - 4 * c * c * (o_x * o_x + o_depth * o_depth);
     // Rounding can make the discriminant of a double root negative.
     const double root = std::sqrt(std::max(0.0, half * half - square * constant));
     const double q = -(half + std::copysign(root, half));
@@ -117,7 +119,8 @@ void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
     if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
   }
   double from = begin;
-  for (const double root : roots) {
+  for (const double scaled : roots) {
+    const double root = scaled / unit_;
     if (!(root > from && root < end)) continue;
     // Between two windows of one generator the place shows nowhere.
     const double t = o.generator == s.generator ? root : polish(old_source, source, from, end, root);

@@ -52,6 +52,7 @@ class EdgeEnvelope {
   std::vector<Segment> segments_, before_;
   std::vector<Run> runs_;
   double length_ = 0;
+  double unit_ = 1;  // a power of two that brings the edge's length near 1: sixth powers of it stay in range
 };
 
 }  // namespace gvd

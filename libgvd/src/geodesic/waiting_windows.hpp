@@ -17,7 +17,8 @@ namespace gvd {
 class WaitingWindows {
  public:
   /// `key_step`: keys that differ by no more than this count as equal.
-  WaitingWindows(std::size_t halfedges, double key_step) : first_(halfedges, -1), key_step_(key_step) {}
+  WaitingWindows(std::size_t halfedges, double key_step)
+      : first_(halfedges, -1), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
 
   /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge
   /// has to be queued with that key: nothing waited there, or what waited has a later one.
@@ -34,7 +35,7 @@ class WaitingWindows {
     added.offset = origin.offset;
     added.generator = origin.generator;
     added.joins = origin.joins;
-    added.key = static_cast<float>(key);
+    added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
       added.next = -1;
       head = place;
@@ -70,7 +71,7 @@ class WaitingWindows {
     double offset;
     std::int32_t generator;
     std::int32_t next;  // in the list, or -1
-    float key;          // in the first window of a list: that of the halfedge in the queue
+    float key;          // in the first window of a list: that of the halfedge in the queue, times key_unit_
     std::uint8_t joins;
   };
   static_assert(sizeof(Window) == 64);
@@ -97,8 +98,8 @@ class WaitingWindows {
 
   bool lower_key(std::int32_t head, double key) {
     float& queued = at(head).key;
-    if (!(key + key_step_ < static_cast<double>(queued))) return false;
-    queued = static_cast<float>(key);
+    if (!((key + key_step_) * key_unit_ < static_cast<double>(queued))) return false;
+    queued = static_cast<float>(key * key_unit_);
     return true;
   }
 
@@ -129,6 +130,7 @@ class WaitingWindows {
   std::vector<std::unique_ptr<Window[]>> blocks_;
   std::int32_t used_ = 0, free_ = -1;
   double key_step_;
+  double key_unit_;  // a power of two that brings the step near 1, so that keys neither vanish nor overflow as floats
 };
 
 }  // namespace gvd
