@@ -267,3 +267,27 @@ TEST_CASE("the same input gives the same exact diagram, bit by bit") {
   const auto generators = test::random_generators(mesh, 40, 5);
   CHECK(test::same_diagram(compute_exact(mesh, generators), compute_exact(mesh, generators)));
 }
+
+TEST_CASE("two runs of one cell whose paths come in by different sides are one piece") {
+  // A cell reaches the face round both sides of it; of the runs 0, 1, 0, 2 no three make a branch point.
+  const Mesh mesh = test::make_mesh({{-2.313232922078714, -0.24500076329078183, -4.9559022281649936},
+                                     {3.6541655007717262, -1.6060447783812839, 4.7664874842163831},
+                                     {1.9806961735113127, 0.49607427434267765, -0.82432827952762044},
+                                     {-0.42586477137176659, -1.7098787787831966, -1.24847912605823}},
+                                    {{0, 1, 2}, {2, 1, 3}, {3, 1, 0}});
+  const std::vector<SurfacePoint> generators{
+      make_surface_point(FaceId(0), {0.13714385555167685, 0.26650958614374975, 0.59634655830457339}),
+      make_surface_point(FaceId(2), {1.9958828948118804e-05, 0.99996008234210376, 1.9958828948118804e-05}),
+      make_surface_point(FaceId(2), {0.25056935601945873, 0.39786023532916054, 0.35157040865138073}),
+      make_surface_point(FaceId(1), {0.5, 0, 0.5})};
+  DiagramOptions options;
+  options.method = Method::exact;
+  const Diagram diagram = compute_diagram(mesh, generators, options);
+  CHECK(check_diagram(mesh, diagram).ok());
+  for (const BranchPoint& branch : diagram.branch_points) {
+    for (const GeneratorId g : branch.generators) {
+      const ExactField alone(mesh, {generators[g.index()]});
+      CHECK(alone.nearest(branch.point).distance == Approx(branch.distance).epsilon(1e-9));
+    }
+  }
+}

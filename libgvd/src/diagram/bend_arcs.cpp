@@ -95,7 +95,7 @@ class ArcBender {
       const Vec2 p = begin + t * (end - begin);
       const View view = look(p);
       // The way to the bisector is the error by the gradient.
-      if (std::abs(view.error()) > view.rounding() + kShown * tolerance_ * gradient(p, view).norm()) {
+      if (std::abs(view.error()) > 8 * view.rounding() + kShown * tolerance_ * gradient(p, view).norm()) {
         return false;
       }
     }

@@ -18,10 +18,13 @@ using Bary = std::array<double, 3>;
 /// moved.
 constexpr double kInside = 1e-6;
 
-/// A branch point that can't lie where it is wanted is tried this many times on the way back, each time kStepBack
-/// nearer.
-constexpr int kSteps = 8;
-constexpr double kStepBack = 0.6;
+/// The same where the metric is as good as exact: a branch point on a side, by a tie, is not moved by more than
+/// rounding.
+constexpr double kInsideExactly = 1e-11;
+
+/// The way to a branch point that can't lie where it is wanted is halved this often: to the last digits of a
+/// coordinate.
+constexpr int kHalvings = 45;
 
 /// Branch points are looked for from the points of a lattice with this many steps a side, where that is needed.
 constexpr int kLattice = 4;
@@ -163,7 +166,9 @@ class FaceAssembly {
         if (!best || lead < least) std::tie(least, best) = std::tuple(lead, std::optional(std::pair(i, j)));
       }
     }
-    if (best && least > 0 && triple_exists(polygon)) return std::nullopt;
+    // A sure metric has ruled out every triple by now: two runs of one cell are one piece, though their paths come in
+    // by different sides.
+    if (best && least > 0 && !metric_.is_sure() && triple_exists(polygon)) return std::nullopt;
     return best;
   }
 
@@ -243,12 +248,13 @@ class FaceAssembly {
   template <class Valid>
   static Bary approach(const Bary& safe, const std::optional<Bary>& wanted, Valid valid) {
     if (!wanted) return safe;
-    double t = 1;
-    for (int step = 0; step < kSteps; ++step, t *= kStepBack) {
-      const Bary p = mix(safe, *wanted, t);
-      if (valid(p)) return p;
+    if (valid(*wanted)) return *wanted;
+    double from = 0, to = 1;
+    for (int step = 0; step < kHalvings; ++step) {
+      const double t = 0.5 * (from + to);
+      (valid(mix(safe, *wanted, t)) ? from : to) = t;
     }
-    return safe;
+    return mix(safe, *wanted, from);
   }
 
   BranchPointId add_branch(const Bary& p) { return diagram_.branches.push_back({face_, p, 0}); }
@@ -256,7 +262,8 @@ class FaceAssembly {
   void finish_branch(const std::vector<Corner>& polygon, bool whole) {
     const Bary safe = centre(polygon);
     const auto valid = [&](const Bary& p) {
-      return whole ? *std::min_element(p.begin(), p.end()) >= kInside : inside(polygon, p);
+      return whole ? *std::min_element(p.begin(), p.end()) >= (metric_.is_sure() ? kInsideExactly : kInside)
+                   : inside(polygon, p);
     };
     const auto wanted = metric_.equidistant(polygon[0].next, polygon[1].next, polygon[2].next, safe);
     join_three(polygon, approach(safe, wanted, valid));
