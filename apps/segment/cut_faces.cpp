@@ -8,6 +8,7 @@
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
+#include "part_coincident_corners.hpp"
 #include "split_doubled_edges.hpp"
 #include "triangulate_polygon.hpp"
 
@@ -178,6 +179,7 @@ class Cutter {
 
   void build_mesh() {
     split_doubled_edges(triangles_);
+    part_coincident_corners(triangles_, static_cast<std::size_t>(mesh_.vertex_count()), reach_);
     result_.parent = std::move(triangles_.parent);
     result_.label = std::move(triangles_.label);
     try {

@@ -4,6 +4,7 @@
 
 #include "apps/restricted_voronoi.hpp"
 #include "gvd/error.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -240,6 +241,33 @@ TEST_CASE("cut: two faces that lie on each other stay a manifold") {
       CHECK(after.area == Approx(before.area));
       CHECK(cut.uncut_faces == 0);
       CHECK(std::is_sorted(cut.parent.begin(), cut.parent.end()));
+    }
+  }
+}
+
+TEST_CASE("cut: faces without area, where cuts of different edges meet in one place") {
+  // Two triangles above and below of a line; between them four without area, whose sides slide along it.
+  std::vector<Vec3> positions;
+  for (const double x : {4, 6, 4, 2, 1, 3, 5, 3}) positions.emplace_back(x, 0, 0);
+  positions.front().y() = -2;
+  positions.back().y() = 2;
+  std::vector<std::array<VertexId, 3>> faces;
+  const int corners[8][3] = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {2, 1, 6}, {2, 6, 4}, {4, 6, 5}, {5, 6, 7}, {4, 5, 7}};
+  for (const auto& [a, b, c] : corners) faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  const Mesh mesh(positions, faces);
+  for (const Method method : {Method::exact, Method::gbgvd}) {
+    for (const int count : {2, 5, 20, 30, 50}) {
+      CAPTURE(method.solver == Solver::windows, count);
+      DiagramOptions options;
+      options.method = method;
+      SamplingOptions sampling;
+      sampling.count = count;
+      const CutMesh cut = cut_faces(mesh, compute_diagram(mesh, sample_generators(mesh, sampling), options));
+      const MeshSummary before = compute_mesh_summary(mesh), after = compute_mesh_summary(cut.mesh);
+      CHECK(after.euler_characteristic == before.euler_characteristic);
+      CHECK(after.boundary_loops == before.boundary_loops);
+      CHECK(after.area == Approx(before.area));
+      for (int v = 0; v < mesh.vertex_count(); ++v) CHECK(cut.mesh.position(VertexId(v)) == mesh.position(VertexId(v)));
     }
   }
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+#include "split_doubled_edges.hpp"
+
+namespace gvd {
+
+/// Moves vertices apart that are corners of one triangle and have the same position, by a few times `reach`.
+///
+/// In a face without area the cuts through two of its sides can meet in one place, and stay two vertices: one on each
+/// side. The vertices from `first_added` on may be moved, each along the longest edge in its parent; the
+/// others, those of the input, stay.
+/// Cost: O(k) for k triangles, times the rounds that it takes, which are few: at most kPartingRounds.
+void part_coincident_corners(CutTriangles& cut, std::size_t first_added, double reach);
+
+/// Each round moves by twice as much as the one before, so that two vertices that were moved onto each other, or onto a
+/// third, are parted by the next. Rounds over 2^20 times the reach (1e-9 of the largest coordinate) would be a shift
+/// that one can see.
+inline constexpr int kPartingRounds = 20;
+
+}  // namespace gvd
