@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "diagram/face_assembly.hpp"
 
@@ -65,11 +66,11 @@ std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& t
 
 std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
                                      FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front) {
+  std::set<GeneratorId> met;
+  for (const BoundaryCrossing& c : boundary) met.insert(c.next);
   std::vector<DistanceForm> forms;
-  for (const BoundaryCrossing& c : boundary) {
-    const bool known = std::any_of(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == c.next; });
-    if (known) continue;
-    DistanceForm form{c.next, corner_distances(mesh, table, labels, f, c.next)};
+  for (const GeneratorId g : met) {
+    DistanceForm form{g, corner_distances(mesh, table, labels, f, g)};
     for (double& value : form.corner) value = form_value(front, value);
     forms.push_back(form);
   }

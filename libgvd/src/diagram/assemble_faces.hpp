@@ -11,7 +11,7 @@ namespace gvd {
 std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
                                        FaceId f, GeneratorId g);
 
-/// The distance forms of the generators whose cells lie along a face's boundary, in the order in which they are met.
+/// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
 std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
                                      FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front);
 

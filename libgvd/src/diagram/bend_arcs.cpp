@@ -41,8 +41,8 @@ class ArcBender {
         points_(points) {}
 
   void bend(const Vec2& begin, const Vec2& end) {
-    if (is_near(begin, end)) return;
-    bend(begin, way_at(begin, look(begin)), end, way_at(end, look(end)), 0);
+    if ((end - begin).norm() <= tolerance_) return;
+    bend({begin, way_at(begin, look(begin))}, {end, way_at(end, look(end))}, 0);
   }
 
  private:
@@ -63,43 +63,56 @@ class ArcBender {
   /// Along the bisector at p.
   static Vec2 way_at(const Vec2& p, const View& view) { return turned_left(gradient(p, view)); }
 
-  /// Appends the inner points between begin and end, where the bisector runs along the two ways, if the straight piece
-  /// between them is not near enough.
-  void bend(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end, int halvings) {
-    if (halvings >= kMostHalvings) return;
-    const auto on = moved_across(likely_corner(begin, way_begin, end, way_end), (end - begin).normalized());
+  /// A point of the bisector, and the way that it runs there.
+  struct OnBisector {
+    Vec2 point, way;
+  };
+
+  /// Appends the inner points between begin and end, if the straight piece between them is not near enough.
+  void bend(const OnBisector& begin, const OnBisector& end, int halvings) {
+    if (halvings >= kMostHalvings || is_near(begin, end)) return;
+    const auto on = moved_across(likely_corner(begin, end), (end.point - begin.point).normalized());
     if (!on) return;
-    if (!is_near(begin, on->point)) bend(begin, way_begin, on->point, on->way, halvings + 1);
+    bend(begin, *on, halvings + 1);
     points_.push_back(metric_.bary(on->point));
-    if (!is_near(on->point, end)) bend(on->point, on->way, end, way_end, halvings + 1);
+    bend(*on, end, halvings + 1);
   }
 
   /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The
   /// middle of the chord where they meet near an end, beyond it, far from the chord or outside of the face.
-  Vec2 likely_corner(const Vec2& begin, const Vec2& way_begin, const Vec2& end, const Vec2& way_end) const {
-    const Vec2 chord = end - begin, middle = 0.5 * (begin + end);
-    const double t = cross(chord, way_end) / cross(way_begin, way_end);
-    const Vec2 corner = begin + t * way_begin;
-    const double where = (corner - begin).dot(chord) / chord.squaredNorm();
+  Vec2 likely_corner(const OnBisector& begin, const OnBisector& end) const {
+    const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
+    const double t = cross(chord, end.way) / cross(begin.way, end.way);
+    const Vec2 corner = begin.point + t * begin.way;
+    const double where = (corner - begin.point).dot(chord) / chord.squaredNorm();
     const bool between =
-        where > kNearEnd && where < 1 - kNearEnd && (corner - begin - where * chord).norm() < chord.norm();
+        where > kNearEnd && where < 1 - kNearEnd && (corner - begin.point - where * chord).norm() < chord.norm();
     if (!between) return middle;
     const auto bary = metric_.bary(corner);
     return *std::min_element(bary.begin(), bary.end()) >= 0 ? corner : middle;
   }
 
-  /// Whether the straight piece is near enough to the bisector.
-  bool is_near(const Vec2& begin, const Vec2& end) const {
-    if ((end - begin).norm() <= tolerance_) return true;
-    for (const double t : kSamples) {
-      const Vec2 p = begin + t * (end - begin);
-      const View view = look(p);
-      // The way to the bisector is the error by the gradient.
-      if (std::abs(view.error()) > 8 * view.rounding() + kShown * tolerance_ * gradient(p, view).norm()) {
-        return false;
-      }
-    }
-    return true;
+  /// Whether the straight piece is near enough to the bisector: where its ends say so, its middle is looked at.
+  bool is_near(const OnBisector& begin, const OnBisector& end) const {
+    const Vec2 chord = end.point - begin.point;
+    if (chord.norm() <= tolerance_) return true;
+    if (height_by_ends(begin, end) <= tolerance_) return passes_by(begin.point + 0.5 * chord);
+    return passes_by(begin.point + kSamples[0] * chord) && passes_by(begin.point + kSamples[1] * chord);
+  }
+
+  /// How far the straight lines on from the two ends get from the chord. A bisector with one corner gets no farther,
+  /// even where an end is a corner too and says nothing of what follows.
+  static double height_by_ends(const OnBisector& begin, const OnBisector& end) {
+    const Vec2 chord = end.point - begin.point;
+    return std::max(std::abs(cross(begin.way, chord)) / begin.way.norm(),
+                    std::abs(cross(end.way, chord)) / end.way.norm());
+  }
+
+  /// Whether the bisector passes by p, a sample of a straight piece.
+  bool passes_by(const Vec2& p) const {
+    const View view = look(p);
+    // The way to the bisector is the error by the gradient.
+    return std::abs(view.error()) <= 8 * view.rounding() + kShown * tolerance_ * gradient(p, view).norm();
   }
 
   /// How far one can go from p along `way`, and against it, without leaving the face.
@@ -114,9 +127,6 @@ class ArcBender {
     return {low, high};
   }
 
-  struct OnBisector {
-    Vec2 point, way;
-  };
   /// The point of the bisector straight across a chord along `along` from p; nothing where the face ends before it.
   std::optional<OnBisector> moved_across(const Vec2& p, const Vec2& along) const {
     const Vec2 across = turned_left(along);  // where the left generator gains

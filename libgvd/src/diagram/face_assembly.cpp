@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "diagram/union_find.hpp"
 
@@ -40,6 +43,8 @@ struct Corner {
   int run;           ///< that run: the one of the face's boundary that follows crossing `run`
 };
 
+using Polygon = std::vector<Corner>;
+
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
 }
@@ -61,18 +66,23 @@ class FaceAssembly {
       : face_(f), boundary_(boundary), metric_(metric), diagram_(diagram), linked_(0) {}
 
   void run() {
-    std::vector<Corner> polygon;
+    Polygon polygon;
     for (std::size_t i = 0; i < boundary_.size(); ++i) {
       polygon.push_back({at(boundary_[i].id), boundary_[i].bary(), boundary_[i].next, linked_.add()});
     }
     if (polygon.size() > 3) link_runs(polygon);
-    solve(polygon, true);
+    open_.push_back(std::move(polygon));
+    while (!open_.empty()) {
+      const Polygon next = std::move(open_.back());
+      open_.pop_back();
+      solve(next);
+    }
   }
 
  private:
   /// Unites the runs of one generator that are known to be one piece: the shortest path to the middle of the one comes
   /// into the face through the other.
-  void link_runs(const std::vector<Corner>& polygon) {
+  void link_runs(const Polygon& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const auto entry = metric_.entry(polygon[i].next, middle_of_run(i));
       if (!entry) return;
@@ -85,8 +95,9 @@ class FaceAssembly {
 
   /// The run that contains a place on the boundary, counted as corner + t.
   int run_at(double where) const {
-    std::size_t i = 0;
-    while (i < boundary_.size() && place(i) <= where) ++i;
+    const auto after = std::upper_bound(boundary_.begin(), boundary_.end(), where,
+                                        [](double w, const BoundaryCrossing& c) { return w < c.corner + c.t; });
+    const auto i = static_cast<std::size_t>(after - boundary_.begin());
     return static_cast<int>((i + boundary_.size() - 1) % boundary_.size());
   }
 
@@ -102,77 +113,124 @@ class FaceAssembly {
     return bary;
   }
 
-  /// `whole`: the polygon is all of the face's crossings, so that a lone branch point may lie anywhere in the face.
-  void solve(const std::vector<Corner>& polygon, bool whole) {
+  /// Takes one step with a polygon, and puts what is left of it on open_.
+  void solve(const Polygon& polygon) {
     if (polygon.size() == 2) return join(polygon[0], polygon[1], polygon[1].next, polygon[0].next);
-    if (const auto linked = linked_pair(polygon)) {
-      unite(polygon, linked->first, linked->second);
-    } else if (const auto sure = sure_triple(polygon)) {
+    if (part_linked_runs(polygon)) return;
+    if (const auto sure = sure_triple(polygon)) {
       polygon.size() == 3 ? join_three(polygon, sure->point) : close_run(polygon, sure->run, sure->point);
-    } else if (const auto pair = pair_to_unite(polygon)) {
-      unite(polygon, pair->first, pair->second);
+    } else if (const auto pairs = pairs_to_unite(polygon); !pairs.empty()) {
+      unite(polygon, pairs);
     } else if (polygon.size() == 3) {
-      finish_branch(polygon, whole);
+      finish_branch(polygon);
     } else {
       contract(polygon);
     }
   }
 
-  /// Joins runs i < j of one generator to one piece, which parts the polygon in two.
-  void unite(const std::vector<Corner>& polygon, std::size_t i, std::size_t j) {
-    linked_.unite(polygon[i].run, polygon[j].run);
-    solve(part(polygon, i + 1, j + 1), false);
-    solve(part(polygon, j + 1, i + 1 + polygon.size()), false);
+  /// Two runs i < j of a polygon that have one generator.
+  struct Pair {
+    double lead;  ///< how much farther it is than the nearest other one, half way between the two; negative: nearer
+    std::size_t i, j;
+    bool operator<(const Pair& other) const { return std::tie(lead, i, j) < std::tie(other.lead, other.i, other.j); }
+    bool crosses(const Pair& other) const {
+      return parts(other.i) != parts(other.j) && !ends_at(other.i) && !ends_at(other.j);
+    }
+
+   private:
+    bool parts(std::size_t k) const { return i < k && k < j; }
+    bool ends_at(std::size_t k) const { return i == k || j == k; }
+  };
+
+  /// Joins the two runs of each pair to one piece, which parts the polygon.
+  void unite(const Polygon& polygon, const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) linked_.unite(polygon[pair.i].run, polygon[pair.j].run);
+    tried_.clear();  // paths may come by more runs now
+    part_linked_runs(polygon);
   }
 
-  /// Two runs of the polygon that are known to be one piece.
-  std::optional<std::pair<std::size_t, std::size_t>> linked_pair(const std::vector<Corner>& polygon) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      for (std::size_t j = i + 2; j < polygon.size(); ++j) {
-        const bool around = i == 0 && j + 1 == polygon.size();
-        if (!around && linked_.find(polygon[i].run) == linked_.find(polygon[j].run)) return std::pair(i, j);
+  /// Parts the polygon wherever two of its runs, not next to each other, are known to be one piece. False where there
+  /// are none. Pieces don't cross, so each lies within the last one begun: a stack.
+  bool part_linked_runs(const Polygon& polygon) {
+    const auto parts_before = open_.size();
+    Polygon rest;
+    std::map<int, std::vector<std::size_t>> met;  // piece -> places of its runs in rest
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      rest.push_back(polygon[k]);
+      auto& places = met[linked_.find(polygon[k].run)];
+      while (!places.empty() && (places.back() >= rest.size() || !is_linked(rest[places.back()], polygon[k]))) {
+        places.pop_back();
       }
+      const std::size_t now = rest.size() - 1;
+      const bool around = !places.empty() && places.back() == 0 && k + 1 == polygon.size();
+      if (places.empty() || places.back() + 1 == now || around) {
+        places.push_back(now);
+        continue;
+      }
+      const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(places.back() + 1);
+      open_.emplace_back(begin, rest.end());
+      rest.erase(begin, rest.end());
     }
-    return std::nullopt;
+    if (open_.size() == parts_before) return false;
+    open_.push_back(std::move(rest));
+    return true;
   }
+
+  bool is_linked(const Corner& a, const Corner& b) { return linked_.find(a.run) == linked_.find(b.run); }
 
   void join(const Corner& begin, const Corner& end, GeneratorId left, GeneratorId right) {
     diagram_.arcs.push_back({face_, begin.end, end.end, left, right});
   }
 
   /// Corners first .. last (cyclic) as a polygon of its own.
-  static std::vector<Corner> part(const std::vector<Corner>& polygon, std::size_t first, std::size_t last) {
-    std::vector<Corner> result;
+  static Polygon part(const Polygon& polygon, std::size_t first, std::size_t last) {
+    Polygon result;
     for (std::size_t k = first; k < last; ++k) result.push_back(polygon[k % polygon.size()]);
     return result;
   }
 
-  /// Two runs i < j of one generator that is the nearest one between them; where no three different generators follow
-  /// each other, the best pair whether it is nearest or not.
-  std::optional<std::pair<std::size_t, std::size_t>> pair_to_unite(const std::vector<Corner>& polygon) const {
-    const std::size_t n = polygon.size();
-    std::optional<std::pair<std::size_t, std::size_t>> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = i + 2; j < n; ++j) {
-        if (polygon[i].next != polygon[j].next) continue;
-        const Bary between = mix(middle(polygon, i), middle(polygon, j), 0.5);
-        double others = std::numeric_limits<double>::infinity();
-        for (const Corner& c : polygon) {
-          if (c.next != polygon[i].next) others = std::min(others, metric_.at(c.next, between));
-        }
-        const double lead = metric_.at(polygon[i].next, between) - others;
-        // A pair without a lead, of infinite distances, is better than none.
-        if (!best || lead < least) std::tie(least, best) = std::tuple(lead, std::optional(std::pair(i, j)));
-      }
+  /// Pairs whose generator is the nearest one between the two runs, the surest first, and none that crosses a surer
+  /// one. Where there are none and no three different generators follow each other, the best pair whatever it is.
+  std::vector<Pair> pairs_to_unite(const Polygon& polygon) const {
+    const std::vector<Pair> pairs = pairs_of_one_generator(polygon);
+    std::vector<Pair> chosen;
+    for (const Pair& pair : pairs) {
+      const bool fits = std::none_of(chosen.begin(), chosen.end(), [&](const Pair& c) { return c.crosses(pair); });
+      if (pair.lead <= 0 && fits) chosen.push_back(pair);
     }
     // A sure metric has ruled out every triple by now: two runs of one cell are one piece, though their paths come in
     // by different sides.
-    if (best && least > 0 && !metric_.is_sure() && triple_exists(polygon)) return std::nullopt;
-    return best;
+    const bool must = metric_.is_sure() || !triple_exists(polygon);
+    if (chosen.empty() && !pairs.empty() && must) chosen.push_back(pairs.front());
+    return chosen;
   }
 
-  static bool triple_exists(const std::vector<Corner>& polygon) {
+  /// All pairs, ascending.
+  std::vector<Pair> pairs_of_one_generator(const Polygon& polygon) const {
+    std::map<GeneratorId, std::vector<std::size_t>> runs;
+    for (std::size_t i = 0; i < polygon.size(); ++i) runs[polygon[i].next].push_back(i);
+    std::vector<Pair> pairs;
+    for (const auto& [generator, places] : runs) {
+      for (std::size_t b = 1; b < places.size(); ++b) {
+        for (std::size_t a = 0; a < b; ++a)
+          pairs.push_back({lead(polygon, places[a], places[b]), places[a], places[b]});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
+  double lead(const Polygon& polygon, std::size_t i, std::size_t j) const {
+    const Bary between = mix(middle(polygon, i), middle(polygon, j), 0.5);
+    double others = std::numeric_limits<double>::infinity();
+    for (const Corner& c : polygon) {
+      if (c.next != polygon[i].next) others = std::min(others, metric_.at(c.next, between));
+    }
+    const double own = metric_.at(polygon[i].next, between);
+    return std::isinf(own) ? own : own - others;
+  }
+
+  static bool triple_exists(const Polygon& polygon) {
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
       if (polygon[i].next != polygon[(i + 2) % n].next) return true;
     }
@@ -184,14 +242,17 @@ class FaceAssembly {
     std::size_t run;
     Bary point;
   };
-  std::optional<Triple> sure_triple(const std::vector<Corner>& polygon) {
+  std::optional<Triple> sure_triple(const Polygon& polygon) {
     if (!metric_.is_sure()) return std::nullopt;
+    const Bary inside = centre(polygon);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Bary start = mix(middle(polygon, i), centre(polygon), 0.5);
+      if (!is_new_try(polygon, i, Search::nearby)) continue;
+      const Bary start = mix(middle(polygon, i), inside, 0.5);
       if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
     }
     // Distances have ridges, where the search can get stuck: from all over the face, then.
     for (std::size_t i = 0; i < polygon.size(); ++i) {
+      if (!is_new_try(polygon, i, Search::everywhere)) continue;
       for (int a = 0; a <= kLattice; ++a) {
         for (int b = 0; a + b <= kLattice; ++b) {
           const Bary start{(a + 0.0) / kLattice, (b + 0.0) / kLattice, (kLattice - a - b + 0.0) / kLattice};
@@ -202,8 +263,16 @@ class FaceAssembly {
     return std::nullopt;
   }
 
+  /// Whether run i between its two neighbours has not been searched for a branch point yet; from now on it has. Most
+  /// runs keep their neighbours when one is closed: without this, hundreds of generators in one face take minutes.
+  enum class Search { nearby, everywhere };
+  bool is_new_try(const Polygon& polygon, std::size_t i, Search search) {
+    const std::size_t n = polygon.size();
+    return tried_.insert({search, polygon[(i + n - 1) % n].run, polygon[i].run, polygon[(i + 1) % n].run}).second;
+  }
+
   /// The branch point that run i and its neighbours make, looked for from `start` on.
-  std::optional<Bary> sure_point(const std::vector<Corner>& polygon, std::size_t i, const Bary& start) {
+  std::optional<Bary> sure_point(const Polygon& polygon, std::size_t i, const Bary& start) {
     const std::size_t n = polygon.size();
     const Corner &before = polygon[(i + n - 1) % n], &run = polygon[i], &after = polygon[(i + 1) % n];
     if (before.next == after.next) return std::nullopt;
@@ -224,10 +293,10 @@ class FaceAssembly {
     return false;
   }
 
-  static Bary middle(const std::vector<Corner>& polygon, std::size_t i) {
+  static Bary middle(const Polygon& polygon, std::size_t i) {
     return mix(polygon[i].bary, polygon[(i + 1) % polygon.size()].bary, 0.5);
   }
-  static Bary centre(const std::vector<Corner>& polygon) {
+  static Bary centre(const Polygon& polygon) {
     Bary sum{0, 0, 0};
     for (const Corner& c : polygon) {
       for (std::size_t k = 0; k < 3; ++k) sum[k] += c.bary[k] / static_cast<double>(polygon.size());
@@ -237,7 +306,7 @@ class FaceAssembly {
 
   /// In the convex polygon, or on its boundary. Crossings of one edge span a polygon without area: then branch points
   /// lie on that edge, and the pieces between them have no area either, but never a negative one.
-  static bool inside(const std::vector<Corner>& polygon, const Bary& p) {
+  static bool inside(const Polygon& polygon, const Bary& p) {
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
       if (signed_area(polygon[i].bary, polygon[(i + 1) % n].bary, p) < 0) return false;
     }
@@ -259,7 +328,9 @@ class FaceAssembly {
 
   BranchPointId add_branch(const Bary& p) { return diagram_.branches.push_back({face_, p, 0}); }
 
-  void finish_branch(const std::vector<Corner>& polygon, bool whole) {
+  void finish_branch(const Polygon& polygon) {
+    // Where the polygon is all of the face's crossings, a lone branch point may lie anywhere in the face.
+    const bool whole = boundary_.size() == 3;
     const Bary safe = centre(polygon);
     const auto valid = [&](const Bary& p) {
       return whole ? *std::min_element(p.begin(), p.end()) >= (metric_.is_sure() ? kInsideExactly : kInside)
@@ -269,7 +340,7 @@ class FaceAssembly {
     join_three(polygon, approach(safe, wanted, valid));
   }
 
-  void join_three(const std::vector<Corner>& polygon, const Bary& p) {
+  void join_three(const Polygon& polygon, const Bary& p) {
     const BranchPointId b = add_branch(p);
     for (std::size_t i = 0; i < 3; ++i) {
       diagram_.arcs.push_back({face_, polygon[i].end, at(b), polygon[(i + 2) % 3].next, polygon[i].next});
@@ -277,7 +348,7 @@ class FaceAssembly {
   }
 
   /// Contracts the three consecutive runs whose branch point no other generator comes near.
-  void contract(const std::vector<Corner>& polygon) {
+  void contract(const Polygon& polygon) {
     const std::size_t n = polygon.size();
     std::size_t chosen = n;
     double best = -std::numeric_limits<double>::infinity();
@@ -299,7 +370,7 @@ class FaceAssembly {
   }
 
   /// Closes run i of the polygon with a branch point between its two neighbours.
-  void contract_run(const std::vector<Corner>& polygon, std::size_t i) {
+  void contract_run(const Polygon& polygon, std::size_t i) {
     const std::size_t n = polygon.size();
     const Corner &first = polygon[i], &second = polygon[(i + 1) % n];
     const GeneratorId x = polygon[(i + n - 1) % n].next, y = first.next, z = second.next;
@@ -314,23 +385,25 @@ class FaceAssembly {
   }
 
   /// Joins the two ends of run i to a branch point at p, and goes on with what is left.
-  void close_run(const std::vector<Corner>& polygon, std::size_t i, const Bary& p) {
+  void close_run(const Polygon& polygon, std::size_t i, const Bary& p) {
     const std::size_t n = polygon.size();
     const Corner &first = polygon[i], &second = polygon[(i + 1) % n];
     const GeneratorId x = polygon[(i + n - 1) % n].next, y = first.next, z = second.next;
     const BranchPointId b = add_branch(p);
     diagram_.arcs.push_back({face_, first.end, at(b), x, y});
     diagram_.arcs.push_back({face_, second.end, at(b), y, z});
-    std::vector<Corner> smaller{{at(b), p, z, second.run}};
+    Polygon smaller{{at(b), p, z, second.run}};
     for (std::size_t k = 2; k < n; ++k) smaller.push_back(polygon[(i + k) % n]);
-    solve(smaller, false);
+    open_.push_back(std::move(smaller));
   }
 
   FaceId face_;
   const std::vector<BoundaryCrossing>& boundary_;
   const FaceMetric& metric_;
   FaceDiagram& diagram_;
-  UnionFind linked_;  // runs of the boundary that are one piece
+  std::vector<Polygon> open_;                          // what is left to do
+  UnionFind linked_;                                   // runs of the boundary that are one piece
+  std::set<std::tuple<Search, int, int, int>> tried_;  // searches for a branch point of three runs that found none
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ class FaceMetric {
 /// Distance forms: good guesses, and never sure.
 class FormMetric final : public FaceMetric {
  public:
+  /// `forms`: ascending by generator, each once.
   explicit FormMetric(const std::vector<DistanceForm>& forms) : forms_(forms) {}
 
   bool is_sure() const override { return false; }
@@ -59,7 +60,8 @@ class FormMetric final : public FaceMetric {
 
  private:
   const DistanceForm& form(GeneratorId g) const {
-    return *std::find_if(forms_.begin(), forms_.end(), [g](const DistanceForm& f) { return f.generator == g; });
+    return *std::lower_bound(forms_.begin(), forms_.end(), g,
+                             [](const DistanceForm& f, GeneratorId wanted) { return f.generator < wanted; });
   }
 
   const std::vector<DistanceForm>& forms_;
