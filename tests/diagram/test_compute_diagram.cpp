@@ -160,13 +160,14 @@ TEST_CASE("a tetrahedron: its four corners, and many generators") {
 TEST_CASE("all generators on one edge: parallel bisectors across the faces beside it") {
   for (const Mesh& mesh : {test::make_grid(4, 4), test::make_sphere(1), test::make_triangle()}) {
     for (const Front front : kFronts) {
-      std::vector<SurfacePoint> generators;
-      for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9})
-        generators.push_back(edge_point(Mesh::halfedge(FaceId(0), 1), t));
-      const Diagram diagram = compute_sound(mesh, generators, front);
-      for (std::size_t i = 0; i + 1 < generators.size(); ++i) {
-        const auto& neighbours = diagram.cells[GeneratorId(static_cast<std::int64_t>(i))].neighbours;
-        CHECK(std::count(neighbours.begin(), neighbours.end(), GeneratorId(static_cast<std::int64_t>(i) + 1)) == 1);
+      for (const int count : {5, 80}) {
+        CAPTURE(count);
+        const auto generators = test::along_edge(Mesh::halfedge(FaceId(0), 1), count);
+        const Diagram diagram = compute_sound(mesh, generators, front);
+        for (std::size_t i = 0; i + 1 < generators.size(); ++i) {
+          const auto& neighbours = diagram.cells[GeneratorId(static_cast<std::int64_t>(i))].neighbours;
+          CHECK(std::count(neighbours.begin(), neighbours.end(), GeneratorId(static_cast<std::int64_t>(i) + 1)) == 1);
+        }
       }
     }
   }

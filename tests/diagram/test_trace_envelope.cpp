@@ -222,6 +222,18 @@ TEST_CASE("hundreds of generators in one face") {
   }
 }
 
+TEST_CASE(
+    "hundreds of generators on one edge: each bisector crosses hundreds of faces, each face hundreds of bisectors") {
+  const Mesh mesh = test::make_grid(1, 1);
+  HalfedgeId diagonal(0);
+  while (!mesh.twin(diagonal).valid()) diagonal = HalfedgeId(diagonal.value() + 1);
+  const Diagram diagram = compute_exact(mesh, test::along_edge(diagonal, 200));
+  const Faults faults = find_faults(mesh, diagram);
+  CHECK(faults.crossing <= kEquidistant * mesh.bbox_diagonal());
+  CHECK(diagram.branch_points.empty());
+  CHECK(diagram.bisectors.size() == 199);
+}
+
 TEST_CASE("generators on edges, on vertices and on the boundary alone") {
   const Mesh grid = test::make_grid(6, 5), ring = test::make_ring(16, 3);
   for (const Mesh* mesh : {&grid, &ring}) {

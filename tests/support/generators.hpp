@@ -31,4 +31,11 @@ inline std::vector<SurfacePoint> random_generators(const Mesh& mesh, int count, 
   return points;
 }
 
+/// `count` points evenly along a halfedge.
+inline std::vector<SurfacePoint> along_edge(HalfedgeId h, int count) {
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < count; ++i) points.push_back(edge_point(h, (i + 0.5) / count));
+  return points;
+}
+
 }  // namespace gvd::test
