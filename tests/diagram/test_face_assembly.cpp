@@ -206,6 +206,38 @@ TEST_CASE("random runs and random forms: always complete, apart and a partition"
   }
 }
 
+namespace {
+
+/// Says that it is sure, and lets paths come in anywhere.
+class ConfusedMetric final : public FaceMetric {
+ public:
+  ConfusedMetric(const std::vector<DistanceForm>& forms, test::Random& random) : forms_(forms), random_(random) {}
+  bool is_sure() const override { return true; }
+  double at(GeneratorId g, const Bary& p) const override { return forms_.at(g, p); }
+  std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
+    return forms_.equidistant(a, b, c, start);
+  }
+  std::optional<double> entry(GeneratorId, const Bary&) const override { return random_.real(0, 3); }
+  bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
+
+ private:
+  FormMetric forms_;
+  test::Random& random_;
+};
+
+}  // namespace
+
+TEST_CASE("paths that contradict each other, by rounding where all is a tie: still complete") {
+  test::Random random(11);
+  for (int trial = 0; trial < 3000; ++trial) {
+    CAPTURE(trial);
+    const auto runs = test::random_runs(random, 2 + random.below(14), 2 + random.below(5));
+    if (runs.empty()) continue;
+    const auto forms = test::flat_forms(7);
+    require_complete(AssembledFace(runs, ConfusedMetric(forms, random)));
+  }
+}
+
 TEST_CASE("the lower envelope of random linear forms comes back: branch points where three forms are least") {
   test::Random random(32);
   int branches = 0;

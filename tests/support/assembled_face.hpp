@@ -32,13 +32,15 @@ struct AssembledFace {
   std::vector<BoundaryCrossing> boundary;
   FaceDiagram diagram;
 
-  AssembledFace(const std::vector<BoundaryRun>& runs, const std::vector<DistanceForm>& forms) {
+  AssembledFace(const std::vector<BoundaryRun>& runs, const std::vector<DistanceForm>& forms)
+      : AssembledFace(runs, FormMetric(forms)) {}
+  AssembledFace(const std::vector<BoundaryRun>& runs, const FaceMetric& metric) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const int previous = runs[(i + runs.size() - 1) % runs.size()].next;
       boundary.push_back({CrossingId(static_cast<std::int64_t>(i)), runs[i].corner, runs[i].t, GeneratorId(previous),
                           GeneratorId(runs[i].next)});
     }
-    assemble_face(FaceId(0), boundary, FormMetric(forms), diagram);
+    assemble_face(FaceId(0), boundary, metric, diagram);
   }
 
   WorkingPieces pieces() const { return pieces_of(diagram.arcs); }

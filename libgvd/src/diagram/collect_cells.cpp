@@ -91,7 +91,7 @@ class CellCollector {
     for (WorkingPiece& piece : pieces_.pieces) {
       Cell& owner = diagram_.cells[piece.generator];
       ++owner.euler_characteristic;
-      owner.area += area * area_share(piece.corners);
+      owner.area += area * std::max(0.0, area_share(piece.corners));  // rounding, where a piece is no more than a line
       add_piece(f, piece.generator, std::move(piece.corners));
     }
   }

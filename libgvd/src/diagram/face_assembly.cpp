@@ -156,12 +156,12 @@ class FaceAssembly {
     Polygon rest;
     std::map<int, std::vector<std::size_t>> met;  // piece -> places of its runs in rest
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-      rest.push_back(polygon[k]);
+      const std::size_t now = rest.size();
       auto& places = met[linked_.find(polygon[k].run)];
-      while (!places.empty() && (places.back() >= rest.size() || !is_linked(rest[places.back()], polygon[k]))) {
+      // Some of them have gone out of rest with a part since.
+      while (!places.empty() && (places.back() >= now || !is_linked(rest[places.back()], polygon[k])))
         places.pop_back();
-      }
-      const std::size_t now = rest.size() - 1;
+      rest.push_back(polygon[k]);
       const bool around = !places.empty() && places.back() == 0 && k + 1 == polygon.size();
       if (places.empty() || places.back() + 1 == now || around) {
         places.push_back(now);
