@@ -57,6 +57,7 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   options.method = compute.method;
   options.front = compute.front.value_or(options.front);
   options.chord_tolerance = compute.chord_tolerance.value_or(options.chord_tolerance);
+  options.threads = compute.threads;
   return options;
 }
 

@@ -49,6 +49,8 @@ struct DiagramOptions {
   /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. Of the envelope tracer. Points
   /// grow with the square root of its inverse.
   double chord_tolerance = 1e-4;
+  /// How many threads work at the same time, >= 1; 0: as many as there are cores. No bit of the result depends on it.
+  int threads = 0;
   Progress progress;  ///< may be empty
 };
 
@@ -121,8 +123,9 @@ struct Diagram {
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
-/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a positive number, and
-/// Error{interrupted} where the progress callback cancels.
+/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a positive number or the number of
+/// threads is negative, and Error{interrupted} where the progress callback cancels.
+/// May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

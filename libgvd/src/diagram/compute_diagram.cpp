@@ -12,6 +12,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 namespace {
@@ -39,7 +40,8 @@ double tolerance(const Mesh& mesh, const DiagramOptions& options) {
   return options.chord_tolerance * mesh.mean_edge_length();
 }
 
-Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, DiagramReport& report) {
+Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
+                     DiagramReport& report) {
   const Mesh& mesh = working.mesh();
   const FastMarchingResult marched = march(working, options.front, options.progress);
   report.propagation_events = marched.events;
@@ -48,11 +50,12 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
     return {trace_growth(working, marched.table, options, report), marched.offset_step};
   }
   return {trace_envelope(working, compute_nearest_labels(working, marched.table), MarchedDistances(mesh, marched.table),
-                         tolerance(mesh, options), options.progress, report),
+                         tolerance(mesh, options), parallel, report),
           marched.offset_step};
 }
 
-Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, DiagramReport& report) {
+Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
+                     DiagramReport& report) {
   const Mesh& mesh = working.mesh();
   report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
@@ -65,7 +68,7 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
     return {trace_growth(working, table, options, report), 0};
   }
   return {trace_envelope(working, take_labels(working, field.distance, field.label), WindowDistances(mesh, field),
-                         tolerance(mesh, options), options.progress, report),
+                         tolerance(mesh, options), parallel, report),
           0};
 }
 
@@ -75,12 +78,14 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
   if (!(options.chord_tolerance > 0) || !std::isfinite(options.chord_tolerance)) {
     throw Error(ErrorCode::invalid_option, "the chord tolerance must be a positive number of mean edge lengths");
   }
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   const WorkingMesh working(mesh, generators);
+  const ParallelChunks parallel(options.threads, options.progress);
   Diagram diagram;
   diagram.generators = generators;
   const Traced traced = options.method.solver == Solver::fast_marching
-                            ? trace_marched(working, options, diagram.report)
-                            : trace_windows(working, options, diagram.report);
+                            ? trace_marched(working, options, parallel, diagram.report)
+                            : trace_windows(working, options, parallel, diagram.report);
   report_progress(options.progress, "cells", 0);
   take_vertex_labels(working, traced.diagram.labels, traced.offset_step, diagram);
   trace_bisectors(working, traced.diagram, diagram);

@@ -103,7 +103,11 @@ inline std::vector<BoundaryCrossing> boundary_crossings(const Mesh& mesh, const 
   return result;
 }
 
+/// The number of crossings on the boundary of every face.
+IdVector<FaceId, std::int32_t> count_by_face(const Mesh& mesh, const Crossings& crossings);
+
 /// The faces that have a crossing on their boundary, ascending.
+std::vector<FaceId> crossed_faces(const IdVector<FaceId, std::int32_t>& counts);
 std::vector<FaceId> crossed_faces(const Mesh& mesh, const Crossings& crossings);
 
 }  // namespace gvd

@@ -47,6 +47,21 @@ struct FaceDiagram {
     return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
                                      static_cast<std::size_t>(arc.point_count));
   }
+
+  /// Appends a diagram of other faces, which come after these.
+  void append(const FaceDiagram& other) {
+    const auto first_point = static_cast<std::int32_t>(points.size());
+    const auto first_branch = static_cast<std::int32_t>(branches.size());
+    for (FaceArc arc : other.arcs) {
+      arc.first_point += first_point;
+      for (ArcEnd* end : {&arc.begin, &arc.end}) {
+        if (end->branch.valid()) end->branch = BranchPointId(end->branch.value() + first_branch);
+      }
+      arcs.push_back(arc);
+    }
+    branches.raw().insert(branches.end(), other.branches.begin(), other.branches.end());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+  }
 };
 
 }  // namespace gvd

@@ -2,6 +2,7 @@
 
 #include "diagram/diagram_graph.hpp"
 #include "geodesic/distance_field.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -9,8 +10,9 @@ namespace gvd {
 /// on each edge, once for both faces; every face is closed by its assembly; arcs are bent until they are within
 /// `tolerance` (mesh units) of the bisectors.
 ///
+/// Edges are crossed and faces closed by several threads; the distance field has to bear that.
 /// Reports the steps "bisectors" and "growth". Cost: O(n + k) for k points of the bisectors.
 TracedDiagram trace_envelope(const WorkingMesh& working, const NearestLabels& labels, const DistanceField& field,
-                             double tolerance, const Progress& progress, DiagramReport& report);
+                             double tolerance, const ParallelChunks& parallel, DiagramReport& report);
 
 }  // namespace gvd

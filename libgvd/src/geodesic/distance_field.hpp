@@ -57,7 +57,8 @@ struct FaceSource {
   Vec2 entry(const Vec2& p) const;
 };
 
-/// What a distance solver knows of the distances on edges and in faces near bisectors: what a tracer asks for.
+/// What a distance solver knows of the distances on edges and in faces near bisectors: what a tracer asks for. Several
+/// threads may ask at once.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;

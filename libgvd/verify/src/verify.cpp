@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "for_each_index.hpp"
 #include "gvd/error.hpp"
+#include "parallel_chunks.hpp"
 #include "reach.hpp"
 #include "shortest_paths.hpp"
 
@@ -43,9 +43,9 @@ std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const
   report_progress(options.progress, kStep, 0);
   const QuietCgal quiet;
   std::vector<std::vector<double>> distances(queries.size());
-  for_each_index(
-      queries.size(), options.threads, [&](std::size_t i) { distances[i] = answer(mesh, queries[i], i); },
-      [&](double fraction) { report_progress(options.progress, kStep, fraction); });
+  ParallelChunks(options.threads, options.progress).run(queries.size(), {kStep}, [&](std::size_t i) {
+    distances[i] = answer(mesh, queries[i], i);
+  });
   return distances;
 }
 

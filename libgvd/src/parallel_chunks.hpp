@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "gvd/progress.hpp"
+
+namespace gvd {
+
+/// Items begin .. end - 1 of a list.
+struct Chunk {
+  std::size_t begin, end;
+};
+
+/// Cuts a list of `count` items into chunks of `size` >= 1 items; the last one may be shorter.
+std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size);
+
+/// Cuts a list into chunks as soon as the work in them reaches `enough`; `work(i)` is that of item i.
+template <class Work>
+std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work) {
+  std::vector<Chunk> chunks;
+  std::size_t begin = 0, sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += work(i);
+    if (sum < enough && i + 1 < count) continue;
+    chunks.push_back({begin, i + 1});
+    begin = i + 1;
+    sum = 0;
+  }
+  return chunks;
+}
+
+/// The step that some work is reported as, and the part of the step that it makes up.
+struct StepPart {
+  std::string_view name;
+  double from = 0, to = 1;
+};
+
+/// Work by several threads, with the same result to the last bit for any number of them.
+///
+/// Why it is the same: a list is cut into chunks by its contents alone, never by the number of threads; a chunk reads
+/// what nobody writes meanwhile, and has results and scratch memory of its own; the results are joined in the order of
+/// the chunks. Which thread takes which chunk, and when, is left to chance and can't be seen. So sums over chunks are
+/// to be formed after them, in their order.
+///
+/// Progress: the callback is called by the calling thread alone, after each chunk of its own. When it cancels, no chunk
+/// is begun any more; those at work are waited for.
+/// Errors: where chunks throw, the exception of the first of them is thrown, whichever came first in time; later chunks
+/// are not begun any more. Cancelling goes before.
+class ParallelChunks {
+ public:
+  /// `threads` >= 1, or 0 for all cores; never more are used than there are cores. `progress` has to outlive this.
+  ParallelChunks(int threads, const Progress& progress) : threads_(threads), progress_(progress) {}
+
+  const Progress& progress() const { return progress_; }
+
+  /// Runs work(i) for i = 0 .. count - 1.
+  void run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const;
+
+  /// compute(chunk) of every chunk, in their order. The result's type has a default.
+  template <class Compute>
+  auto map(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
+    std::vector<std::invoke_result_t<const Compute&, const Chunk&>> results(chunks.size());
+    run(chunks.size(), step, [&](std::size_t i) { results[i] = compute(chunks[i]); });
+    return results;
+  }
+
+  /// The same where the results are vectors: joined to one.
+  template <class Compute>
+  auto collect(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
+    auto parts = map(chunks, step, compute);
+    std::size_t size = 0;
+    for (const auto& part : parts) size += part.size();
+    typename decltype(parts)::value_type joined;
+    joined.reserve(size);
+    for (auto& part : parts) joined.insert(joined.end(), part.begin(), part.end());
+    return joined;
+  }
+
+ private:
+  int threads_;
+  const Progress& progress_;
+};
+
+}  // namespace gvd
