@@ -33,7 +33,9 @@ class SharedRun {
     if (std::this_thread::get_id() == caller_) report(static_cast<double>(done) / static_cast<double>(count_));
   }
 
-  void finish() const {
+  /// By the calling thread, when all items were taken.
+  void finish() {
+    if (count_ > 0 && !cancelled_ && !failure_) report(1);
     if (cancellation_) std::rethrow_exception(cancellation_);
     if (failure_) std::rethrow_exception(failure_);
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -17,6 +18,9 @@ struct Chunk {
 
 /// Cuts a list of `count` items into chunks of `size` >= 1 items; the last one may be shorter.
 std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size);
+
+/// So many items of a list make a chunk where each takes no more than a few look-ups.
+inline constexpr std::size_t kScanChunk = 1 << 13;
 
 /// Cuts a list into chunks as soon as the work in them reaches `enough`; `work(i)` is that of item i.
 template <class Work>
@@ -46,8 +50,8 @@ struct StepPart {
 /// the chunks. Which thread takes which chunk, and when, is left to chance and can't be seen. So sums over chunks are
 /// to be formed after them, in their order.
 ///
-/// Progress: the callback is called by the calling thread alone, after each chunk of its own. When it cancels, no chunk
-/// is begun any more; those at work are waited for.
+/// Progress: the callback is called by the calling thread alone, after each chunk of its own and at the end. When it
+/// cancels, no chunk is begun any more; those at work are waited for.
 /// Errors: where chunks throw, the exception of the first of them is thrown, whichever came first in time; later chunks
 /// are not begun any more. Cancelling goes before.
 class ParallelChunks {
@@ -76,7 +80,9 @@ class ParallelChunks {
     for (const auto& part : parts) size += part.size();
     typename decltype(parts)::value_type joined;
     joined.reserve(size);
-    for (auto& part : parts) joined.insert(joined.end(), part.begin(), part.end());
+    for (auto& part : parts) {
+      joined.insert(joined.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+    }
     return joined;
   }
 

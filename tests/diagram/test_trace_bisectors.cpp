@@ -27,7 +27,7 @@ struct Traced {
     options.front = front;
     const FastMarchingResult marched = march(working, front, {});
     traced = trace_growth(working, marched.table, options, report);
-    trace_bisectors(working, traced, diagram);
+    trace_bisectors(working, traced, ParallelChunks(1, Progress()), diagram);
   }
 };
 

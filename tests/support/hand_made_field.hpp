@@ -11,7 +11,7 @@ class HandMadeField final : public DistanceField {
  public:
   explicit HandMadeField(std::vector<FaceSource> sources) : sources_(std::move(sources)) {}
 
-  std::vector<EdgeId> contested_edges() const override { return {}; }
+  bool is_contested(EdgeId) const override { return false; }
   void collect(EdgeId, std::vector<EdgeSource>& sources) const override { sources.clear(); }
   void collect(FaceId, std::vector<FaceSource>& sources) const override { sources = sources_; }
 

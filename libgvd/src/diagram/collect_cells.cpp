@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "diagram/area_share.hpp"
@@ -11,10 +12,116 @@ namespace {
 
 using Bary = std::array<double, 3>;
 
+/// Chunks of so many faces: some of them are cut, which takes longer than a look-up.
+constexpr std::size_t kChunkFaces = 1 << 11;
+
+constexpr StepPart kBegin{"cells", 0.5, 0.5};
+
+/// What a part of the mesh adds to a cell.
+struct CellShare {
+  GeneratorId generator;
+  std::int32_t euler_characteristic = 0;
+  double area = 0;
+};
+
+/// The shares of one part of the mesh, each generator once.
+class ShareList {
+ public:
+  explicit ShareList(std::size_t generators) : place_(generators, kNone) {}
+
+  CellShare& operator[](GeneratorId g) {
+    std::int32_t& place = place_[g];
+    if (place == kNone) {
+      place = static_cast<std::int32_t>(shares_.size());
+      shares_.push_back({g, 0, 0});
+    }
+    return shares_[static_cast<std::size_t>(place)];
+  }
+  std::vector<CellShare> take() { return std::move(shares_); }
+
+ private:
+  static constexpr std::int32_t kNone = -1;
+  IdVector<GeneratorId, std::int32_t> place_;
+  std::vector<CellShare> shares_;
+};
+
+/// Labels a chunk of faces, and cuts those that bisectors run through into pieces.
+class FaceCollector {
+ public:
+  FaceCollector(const WorkingMesh& working, const TracedDiagram& traced, IdVector<FaceId, GeneratorId>& face_label)
+      : working_(working),
+        mesh_(working.mesh()),
+        traced_(traced),
+        face_label_(face_label),
+        shares_(working.generator_vertices().size()) {}
+
+  void collect(const Chunk& faces) {
+    const std::vector<FaceArc>& arcs = traced_.faces.arcs;
+    const FaceId first(static_cast<std::int64_t>(faces.begin)), last(static_cast<std::int64_t>(faces.end));
+    auto arc = std::partition_point(arcs.begin(), arcs.end(), [&](const FaceArc& a) { return a.face < first; });
+    for (FaceId f = first; f < last; f = FaceId(f.value() + 1)) {
+      const auto begin = arc;
+      while (arc != arcs.end() && arc->face == f) ++arc;
+      if (begin == arc) {
+        collect_whole(f);
+      } else {
+        collect_cut(f, std::span(begin, arc));
+      }
+    }
+  }
+
+  struct Result {
+    std::vector<CellShare> shares;
+    std::vector<FacePiece> pieces;
+  };
+  Result take_result() { return {shares_.take(), std::move(pieces_)}; }
+
+ private:
+  void collect_whole(FaceId f) {
+    const GeneratorId g = traced_.labels.label[mesh_.vertices(f)[0]];
+    if (!g.valid()) return;
+    CellShare& share = shares_[g];
+    ++share.euler_characteristic;
+    share.area += mesh_.area(f);
+    if (working_.is_split(f)) {
+      add_piece(f, g, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    } else {
+      face_label_[f] = g;
+    }
+  }
+
+  void collect_cut(FaceId f, std::span<const FaceArc> arcs) {
+    const double area = mesh_.area(f);
+    boundary_crossings(mesh_, traced_.crossings, f, boundary_);
+    trace_pieces(boundary_, arcs, traced_.faces, parts_);
+    for (WorkingPiece& piece : parts_.pieces) {
+      CellShare& share = shares_[piece.generator];
+      ++share.euler_characteristic;
+      share.area += area * std::max(0.0, area_share(piece.corners));  // rounding, where a piece is no more than a line
+      add_piece(f, piece.generator, std::move(piece.corners));
+    }
+  }
+
+  void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners) {
+    for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
+    pieces_.push_back({working_.parent(f), g, std::move(corners)});
+  }
+
+  const WorkingMesh& working_;
+  const Mesh& mesh_;
+  const TracedDiagram& traced_;
+  IdVector<FaceId, GeneratorId>& face_label_;
+  ShareList shares_;
+  std::vector<FacePiece> pieces_;
+  std::vector<BoundaryCrossing> boundary_;  // of the face at work
+  WorkingPieces parts_;                     // and its parts
+};
+
 class CellCollector {
  public:
-  CellCollector(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram)
-      : working_(working), mesh_(working.mesh()), traced_(traced), diagram_(diagram) {}
+  CellCollector(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                Diagram& diagram)
+      : working_(working), mesh_(working.mesh()), traced_(traced), parallel_(parallel), diagram_(diagram) {}
 
   void collect() {
     const auto n = working_.generator_vertices().size();
@@ -40,65 +147,57 @@ class CellCollector {
   // The Euler characteristic of a cell as a surface with boundary is the count over its open inside, for along its
   // closed boundary curves vertices and edges cancel: so neither bisectors nor the mesh's boundary are counted.
   void count_vertices() {
-    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
-      const VertexId v(i);
-      if (!mesh_.is_boundary(v) && traced_.labels.label[v].valid()) {
-        ++diagram_.cells[traced_.labels.label[v]].euler_characteristic;
-      }
-    }
+    count(mesh_.vertex_count(), 1, [&](std::size_t i) {
+      const VertexId v(static_cast<std::int64_t>(i));
+      return mesh_.is_boundary(v) ? GeneratorId() : traced_.labels.label[v];
+    });
   }
 
   void count_edges() {
-    for (std::int32_t i = 0; i < mesh_.edge_count(); ++i) {
-      const GeneratorId first = traced_.labels.label[mesh_.from(mesh_.halfedge(EdgeId(i)))];
-      if (first.valid() && !mesh_.is_boundary(EdgeId(i))) --diagram_.cells[first].euler_characteristic;
-    }
+    count(mesh_.edge_count(), -1, [&](std::size_t i) {
+      const HalfedgeId h = mesh_.halfedge(EdgeId(static_cast<std::int64_t>(i)));
+      return mesh_.twin(h).valid() ? traced_.labels.label[mesh_.from(h)] : GeneratorId();
+    });
     for (const Crossing& c : traced_.crossings.items()) {
       if (!mesh_.is_boundary(c.edge)) --diagram_.cells[c.after].euler_characteristic;
     }
   }
 
+  /// Adds `sign` to the Euler characteristic of owner(i)'s cell for every i below `items`.
+  template <class Owner>
+  void count(std::int32_t items, std::int32_t sign, const Owner& owner) {
+    const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
+    for (const auto& shares : parallel_.map(chunks, kBegin, [&](const Chunk& chunk) {
+           ShareList list(diagram_.cells.size());
+           for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+             const GeneratorId g = owner(i);
+             if (g.valid()) list[g].euler_characteristic += sign;
+           }
+           return list.take();
+         })) {
+      add(shares);
+    }
+  }
+
   void collect_faces() {
-    std::size_t arc = 0;
-    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
-      const FaceId f(i);
-      const std::size_t begin = arc;
-      while (arc < traced_.faces.arcs.size() && traced_.faces.arcs[arc].face == f) ++arc;
-      if (begin == arc) {
-        take_whole(f);
-      } else {
-        take_pieces(f, std::span(traced_.faces.arcs).subspan(begin, arc - begin));
-      }
+    const auto chunks = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kChunkFaces);
+    for (FaceCollector::Result& part : parallel_.map(chunks, {"cells", 0.5, 1}, [&](const Chunk& chunk) {
+           FaceCollector faces(working_, traced_, diagram_.face_label);
+           faces.collect(chunk);
+           return faces.take_result();
+         })) {
+      add(part.shares);
+      diagram_.pieces.insert(diagram_.pieces.end(), std::make_move_iterator(part.pieces.begin()),
+                             std::make_move_iterator(part.pieces.end()));
     }
   }
 
-  void take_whole(FaceId f) {
-    const GeneratorId g = traced_.labels.label[mesh_.vertices(f)[0]];
-    if (!g.valid()) return;
-    ++diagram_.cells[g].euler_characteristic;
-    diagram_.cells[g].area += mesh_.area(f);
-    if (working_.is_split(f)) {
-      add_piece(f, g, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    } else {
-      diagram_.face_label[f] = g;
+  void add(const std::vector<CellShare>& shares) {
+    for (const CellShare& share : shares) {
+      Cell& cell = diagram_.cells[share.generator];
+      cell.euler_characteristic += share.euler_characteristic;
+      cell.area += share.area;
     }
-  }
-
-  void take_pieces(FaceId f, std::span<const FaceArc> arcs) {
-    const double area = mesh_.area(f);
-    boundary_crossings(mesh_, traced_.crossings, f, boundary_);
-    trace_pieces(boundary_, arcs, traced_.faces, pieces_);
-    for (WorkingPiece& piece : pieces_.pieces) {
-      Cell& owner = diagram_.cells[piece.generator];
-      ++owner.euler_characteristic;
-      owner.area += area * std::max(0.0, area_share(piece.corners));  // rounding, where a piece is no more than a line
-      add_piece(f, piece.generator, std::move(piece.corners));
-    }
-  }
-
-  void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners) {
-    for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
-    diagram_.pieces.push_back({working_.parent(f), g, std::move(corners)});
   }
 
   /// Only the faces that generators split are out of order.
@@ -123,15 +222,15 @@ class CellCollector {
   const WorkingMesh& working_;
   const Mesh& mesh_;
   const TracedDiagram& traced_;
+  const ParallelChunks& parallel_;
   Diagram& diagram_;
-  std::vector<BoundaryCrossing> boundary_;  // of the face at work
-  WorkingPieces pieces_;                    // and its parts
 };
 
 }  // namespace
 
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram) {
-  CellCollector(working, traced, diagram).collect();
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                   Diagram& diagram) {
+  CellCollector(working, traced, parallel, diagram).collect();
 }
 
 }  // namespace gvd

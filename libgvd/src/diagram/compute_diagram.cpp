@@ -67,8 +67,8 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
     report.table_entries = static_cast<std::int64_t>(table.entry_count());
     return {trace_growth(working, table, options, report), 0};
   }
-  return {trace_envelope(working, take_labels(working, field.distance, field.label), WindowDistances(mesh, field),
-                         tolerance(mesh, options), parallel, report),
+  return {trace_envelope(working, take_labels(working, field.distance, field.label, parallel),
+                         WindowDistances(mesh, field), tolerance(mesh, options), parallel, report),
           0};
 }
 
@@ -88,8 +88,8 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
                             : trace_windows(working, options, parallel, diagram.report);
   report_progress(options.progress, "cells", 0);
   take_vertex_labels(working, traced.diagram.labels, traced.offset_step, diagram);
-  trace_bisectors(working, traced.diagram, diagram);
-  collect_cells(working, traced.diagram, diagram);
+  trace_bisectors(working, traced.diagram, parallel, diagram);
+  collect_cells(working, traced.diagram, parallel, diagram);
   return diagram;
 }
 

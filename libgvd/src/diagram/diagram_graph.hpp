@@ -5,6 +5,7 @@
 #include "diagram/nearest_labels.hpp"
 #include "gvd/diagram.hpp"
 #include "mesh/working_mesh.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -18,11 +19,13 @@ struct TracedDiagram {
 };
 
 /// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their length, in the
-/// input mesh's faces. Cost: O(k) for k arcs.
-void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram);
+/// input mesh's faces, as the first half of the step "cells"; their points by several threads. Cost: O(k) for k arcs.
+void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                     Diagram& diagram);
 
-/// Fills in face labels, pieces and cells. Cost: O(n).
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram);
+/// Fills in face labels, pieces and cells, as the second half of the step "cells"; by several threads. Cost: O(n).
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                   Diagram& diagram);
 
 /// The point of the input mesh where a crossing of the working mesh lies.
 SurfacePoint crossing_point(const WorkingMesh& working, const Crossing& crossing);

@@ -29,13 +29,15 @@ class Labeller {
     return supported;
   }
 
-  /// `is_sure(v)`: a quick look that may say that v is supported.
+  /// Of the vertices in a chunk. `is_sure(v)`: a quick look that may say that v is supported.
   template <class Sure>
-  void list_unsupported(Sure is_sure) {
-    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
-      const VertexId v(i);
-      if (result_.label[v].valid() && !is_sure(v) && !is_supported(v)) result_.unsupported.push_back(v);
+  std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_sure) const {
+    std::vector<VertexId> unsupported;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const VertexId v(static_cast<std::int64_t>(i));
+      if (result_.label[v].valid() && !is_sure(v) && !is_supported(v)) unsupported.push_back(v);
     }
+    return unsupported;
   }
 
   void strip(VertexId v) {
@@ -110,8 +112,9 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
   const Mesh& mesh = working.mesh();
   NearestLabels labels;
   take_nearest(mesh, table, labels);
-  Labeller labeller(working, labels);
-  labeller.list_unsupported([&](VertexId v) {
+  const Labeller labeller(working, labels);
+  const Chunk all{0, static_cast<std::size_t>(mesh.vertex_count())};
+  labels.unsupported = labeller.find_unsupported(all, [&](VertexId v) {
     // Mostly one of the two corners that the distance came from has the same label.
     const HalfedgeId via = table.distance(v.value()).via;
     return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
@@ -120,9 +123,12 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
 }
 
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
-                          const IdVector<VertexId, GeneratorId>& label) {
+                          const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel) {
   NearestLabels labels{label, distance, {}};
-  Labeller(working, labels).list_unsupported([](VertexId) { return false; });
+  const Labeller labeller(working, labels);
+  labels.unsupported = parallel.collect(
+      cut_into_chunks(label.size(), kScanChunk), {"bisectors", 0, 0},
+      [&](const Chunk& chunk) { return labeller.find_unsupported(chunk, [](VertexId) { return false; }); });
   return labels;
 }
 

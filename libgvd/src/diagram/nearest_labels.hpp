@@ -5,6 +5,7 @@
 #include "geodesic/fast_marching.hpp"
 #include "gvd/ids.hpp"
 #include "mesh/working_mesh.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -21,9 +22,10 @@ struct NearestLabels {
 /// ones has a neighbour of its label that is nearer to the generator. Cost: O(n).
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table);
 
-/// The same from exact distances and labels.
+/// The same from exact distances and labels. The unsupported vertices are looked for by several threads, at the
+/// beginning of the step "bisectors".
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
-                          const IdVector<VertexId, GeneratorId>& label);
+                          const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel);
 
 /// Gives these vertices the label of a neighbour that keeps its own, so that an edge joins each to its new cell.
 /// Cost: O(k log k) for k vertices.

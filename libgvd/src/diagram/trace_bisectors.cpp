@@ -7,6 +7,19 @@ namespace {
 
 constexpr std::int32_t kNone = -1;
 
+/// Chunks of bisectors with so many arcs.
+constexpr std::size_t kChunkArcs = 512;
+
+/// How a bisector runs: from `from` along arcs.
+struct Course {
+  struct Step {
+    std::int32_t arc;
+    bool forwards;
+  };
+  ArcEnd from;
+  std::vector<Step> steps;
+};
+
 class BisectorTracer {
  public:
   BisectorTracer(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram)
@@ -14,19 +27,17 @@ class BisectorTracer {
     link_arcs();
   }
 
-  void trace() {
+  void trace(const ParallelChunks& parallel) {
     add_branch_points();
-    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) {
-      const BranchPointId branch(static_cast<std::int64_t>(b));
-      for (const std::int32_t arc : branch_arcs_[branch]) trace_open(arc, at(branch));
-    }
-    for (std::size_t c = 0; c < traced_.crossings.size(); ++c) {
-      const CrossingId crossing(static_cast<std::int64_t>(c));
-      if (working_.mesh().is_boundary(traced_.crossings[crossing].edge)) {
-        trace_open(crossing_arcs_[crossing][0], at(crossing));
-      }
-    }
-    for (std::size_t a = 0; a < arcs_.size(); ++a) trace_closed(static_cast<std::int32_t>(a));
+    find_courses();
+    const auto chunks =
+        cut_by_work(courses_.size(), kChunkArcs, [&](std::size_t i) { return courses_[i].steps.size(); });
+    const auto lengths = parallel.collect(chunks, {"cells", 0, 0.5}, [&](const Chunk& chunk) {
+      std::vector<double> part;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) part.push_back(lay_out(i));
+      return part;
+    });
+    for (const double length : lengths) diagram_.length += length;
   }
 
  private:
@@ -89,23 +100,62 @@ class BisectorTracer {
     return crossing_point(working_, traced_.crossings[end.crossing]);
   }
 
-  /// Follows arcs from `from` until a branch point, the mesh's boundary or the beginning; appends the bisector.
-  void walk(std::int32_t arc, const ArcEnd& from, Bisector& bisector) {
+  void find_courses() {
+    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) {
+      const BranchPointId branch(static_cast<std::int64_t>(b));
+      for (const std::int32_t arc : branch_arcs_[branch]) follow(arc, at(branch), false);
+    }
+    for (std::size_t c = 0; c < traced_.crossings.size(); ++c) {
+      const CrossingId crossing(static_cast<std::int64_t>(c));
+      if (working_.mesh().is_boundary(traced_.crossings[crossing].edge)) {
+        follow(crossing_arcs_[crossing][0], at(crossing), false);
+      }
+    }
+    // What is left has no end: it closes on itself.
+    for (std::size_t a = 0; a < arcs_.size(); ++a) follow(static_cast<std::int32_t>(a), arcs_[a].begin, true);
+  }
+
+  /// Follows arcs from `from` until a branch point, the mesh's boundary or the beginning, if `arc` is new: a bisector.
+  void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
+    if (visited_[static_cast<std::size_t>(arc)]) return;
+    Bisector bisector;
     bisector.left = left_when_leaving(arc, from);
     bisector.right = right_when_leaving(arc, from);
+    bisector.closed = closed;
+    if (!closed) bisector.ends[0] = from.branch;
+    Course& course = courses_.emplace_back(Course{from, {}});
     ArcEnd here = from;
     while (arc != kNone && !visited_[static_cast<std::size_t>(arc)]) {
       visited_[static_cast<std::size_t>(arc)] = true;
       const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
-      add_inner_points(a, a.begin == here, bisector.points);
-      here = a.begin == here ? a.end : a.begin;
-      bisector.points.push_back(point(here));
+      const bool forwards = a.begin == here;
+      course.steps.push_back({arc, forwards});
+      here = forwards ? a.end : a.begin;
       if (here.branch.valid()) break;
       const auto& [first, second] = crossing_arcs_[here.crossing];
       arc = first == arc ? second : first;
     }
     bisector.ends[1] = here.branch;
-    add(bisector);
+    diagram_.bisectors.push_back(std::move(bisector));
+  }
+
+  /// Fills in the points of bisector i; returns its length.
+  double lay_out(std::size_t i) {
+    Bisector& bisector = diagram_.bisectors[BisectorId(static_cast<std::int64_t>(i))];
+    if (!bisector.closed) bisector.points.push_back(point(courses_[i].from));
+    for (const Course::Step& step : courses_[i].steps) {
+      const FaceArc& arc = arcs_[static_cast<std::size_t>(step.arc)];
+      add_inner_points(arc, step.forwards, bisector.points);
+      bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
+    }
+    double length = 0;
+    const std::size_t n = bisector.points.size();
+    for (std::size_t k = 0; k + (bisector.closed ? 0 : 1) < n; ++k) {
+      length +=
+          (position(working_.input(), bisector.points[(k + 1) % n]) - position(working_.input(), bisector.points[k]))
+              .norm();
+    }
+    return length;
   }
 
   void add_inner_points(const FaceArc& arc, bool forwards, std::vector<SurfacePoint>& points) const {
@@ -115,32 +165,6 @@ class BisectorTracer {
     }
   }
 
-  void trace_open(std::int32_t arc, const ArcEnd& from) {
-    if (visited_[static_cast<std::size_t>(arc)]) return;
-    Bisector bisector;
-    bisector.ends[0] = from.branch;
-    bisector.points.push_back(point(from));
-    walk(arc, from, bisector);
-  }
-
-  /// What is left has no end: it closes on itself.
-  void trace_closed(std::int32_t arc) {
-    if (visited_[static_cast<std::size_t>(arc)]) return;
-    Bisector bisector;
-    bisector.closed = true;
-    walk(arc, arcs_[static_cast<std::size_t>(arc)].begin, bisector);
-  }
-
-  void add(Bisector& bisector) {
-    const std::size_t n = bisector.points.size();
-    for (std::size_t i = 0; i + (bisector.closed ? 0 : 1) < n; ++i) {
-      diagram_.length +=
-          (position(working_.input(), bisector.points[(i + 1) % n]) - position(working_.input(), bisector.points[i]))
-              .norm();
-    }
-    diagram_.bisectors.push_back(std::move(bisector));
-  }
-
   const WorkingMesh& working_;
   const TracedDiagram& traced_;
   const std::vector<FaceArc>& arcs_;
@@ -148,6 +172,7 @@ class BisectorTracer {
   std::vector<bool> visited_;
   IdVector<CrossingId, std::array<std::int32_t, 2>> crossing_arcs_;
   IdVector<BranchPointId, std::vector<std::int32_t>> branch_arcs_;
+  std::vector<Course> courses_;  // of the bisectors
 };
 
 }  // namespace
@@ -157,8 +182,9 @@ SurfacePoint crossing_point(const WorkingMesh& working, const Crossing& crossing
   return make_surface_point(working.parent(p.face), working.parent_bary(p.face, p.bary));
 }
 
-void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram) {
-  BisectorTracer(working, traced, diagram).trace();
+void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                     Diagram& diagram) {
+  BisectorTracer(working, traced, diagram).trace(parallel);
 }
 
 }  // namespace gvd

@@ -63,8 +63,8 @@ class DistanceField {
  public:
   virtual ~DistanceField() = default;
 
-  /// The edges on which more than one generator may be the nearest, ascending.
-  virtual std::vector<EdgeId> contested_edges() const = 0;
+  /// Whether more than one generator may be the nearest on edge e.
+  virtual bool is_contested(EdgeId e) const = 0;
   /// Overwrites `sources` with all that reach edge e; those of its two ends come first. The least distance over them is
   /// the distance to the nearest generator.
   virtual void collect(EdgeId e, std::vector<EdgeSource>& sources) const = 0;

@@ -15,17 +15,13 @@ const VertexDistance& MarchedDistances::nearest(VertexId v) const {
   return *best;
 }
 
-std::vector<EdgeId> MarchedDistances::contested_edges() const {
-  std::vector<char> contested(static_cast<std::size_t>(mesh_.edge_count()), 0);
-  for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
-    if (!table_.reached(FaceId(i)) || table_.entry(i).next < 0) continue;
-    for (int corner = 0; corner < 3; ++corner) contested[mesh_.edge(Mesh::halfedge(FaceId(i), corner)).index()] = 1;
-  }
-  std::vector<EdgeId> edges;
-  for (std::int32_t e = 0; e < mesh_.edge_count(); ++e) {
-    if (contested[EdgeId(e).index()] != 0) edges.push_back(EdgeId(e));
-  }
-  return edges;
+bool MarchedDistances::is_contested(EdgeId e) const {
+  const auto has_several = [&](HalfedgeId h) {
+    const FaceId f = Mesh::face(h);
+    return table_.reached(f) && table_.entry(f.value()).next >= 0;
+  };
+  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+  return has_several(h) || (twin.valid() && has_several(twin));
 }
 
 void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const {

@@ -13,7 +13,7 @@ class MarchedDistances final : public DistanceField {
   /// Both have to outlive this.
   MarchedDistances(const Mesh& mesh, const GeneratorTable& table) : mesh_(mesh), table_(table) {}
 
-  std::vector<EdgeId> contested_edges() const override;
+  bool is_contested(EdgeId e) const override;
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
   void collect(FaceId f, std::vector<FaceSource>& sources) const override;
 

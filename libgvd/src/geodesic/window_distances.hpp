@@ -11,7 +11,7 @@ class WindowDistances final : public DistanceField {
   /// Both have to outlive this.
   WindowDistances(const Mesh& mesh, const WindowField& field) : mesh_(mesh), field_(field) {}
 
-  std::vector<EdgeId> contested_edges() const override;
+  bool is_contested(EdgeId e) const override;
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
   void collect(FaceId f, std::vector<FaceSource>& sources) const override;
 
