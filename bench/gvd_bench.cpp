@@ -2,13 +2,15 @@
 //
 // Each row is one mesh, one number of generators m (random vertices, seeded) and one method. Times are medians of
 // processor time; the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is
-// what the diagram holds at its peak, without the input mesh, counted in a run of its own. With --peers, a table of
-// what CGAL's geodesic distances cost follows.
+// what the diagram holds at its peak, without the input mesh, counted in a run of its own. All of that is one thread's.
+// With --threads T, wall-clock times of one thread and of T threads follow, of runs that take turns, and their ratio.
+// With --peers, a table of what CGAL's geodesic distances cost follows.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -44,6 +46,7 @@ struct Settings {
   std::vector<std::string> methods{"exact", "gbgvd"};
   Front front = Front::circle;
   double chord_tolerance = DiagramOptions{}.chord_tolerance;
+  int threads = 1;
   bool peers = false;
 };
 
@@ -56,6 +59,8 @@ struct Row {
   double diagram = 0;   ///< milliseconds
   StepTimes steps;
   double bytes_a_face = 0;
+  double wall_one = 0;   ///< milliseconds of wall-clock time, one thread
+  double wall_many = 0;  ///< and as many as are asked for
 };
 
 double median(std::vector<double> values) {
@@ -68,6 +73,12 @@ double milliseconds(const std::function<void()>& work) {
   const double start = cpu_milliseconds();
   work();
   return cpu_milliseconds() - start;
+}
+
+double wall_milliseconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
@@ -101,6 +112,20 @@ double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& gene
   return static_cast<double>(meter.peak()) / mesh.face_count();
 }
 
+void measure_threads(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options,
+                     const Settings& settings, Row& row) {
+  if (settings.threads == 1) return;
+  std::vector<double> one, many;
+  for (int run = 0; run < settings.runs; ++run) {
+    options.threads = 1;
+    one.push_back(wall_milliseconds([&] { compute_diagram(mesh, generators, options); }));
+    options.threads = settings.threads;
+    many.push_back(wall_milliseconds([&] { compute_diagram(mesh, generators, options); }));
+  }
+  row.wall_one = median(one);
+  row.wall_many = median(many);
+}
+
 Row measure(const std::string& name, const Mesh& mesh, int count, const std::string& method, const Settings& settings) {
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
   std::vector<SurfacePoint> generators;
@@ -109,8 +134,9 @@ Row measure(const std::string& name, const Mesh& mesh, int count, const std::str
   options.method = method == "exact" ? Method::exact : Method::gbgvd;
   options.front = settings.front;
   options.chord_tolerance = settings.chord_tolerance;
+  options.threads = 1;
 
-  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method, 0, 0, {}, 0};
+  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method, 0, 0, {}, 0, 0, 0};
   row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms the caches up
   const EdgeGraph graph = build_edge_graph(mesh);
   std::vector<double> dijkstra, diagram;
@@ -126,14 +152,21 @@ Row measure(const std::string& name, const Mesh& mesh, int count, const std::str
   row.dijkstra = median(dijkstra);
   row.diagram = median(diagram);
   row.steps = median_steps(steps);
+  options.progress = {};
+  measure_threads(mesh, generators, options, settings, row);
   return row;
 }
 
-void print_header() {
+void print_header(const Settings& settings) {
   std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12} {:>9} |", "mesh", "faces", "m", "method", "Dijkstra ms",
                            "diagram x");
   for (const std::string_view step : kSteps) std::cout << fmt::format(" {:>12}", fmt::format("{} x", step));
-  std::cout << fmt::format(" | {:>12}\n", "bytes/face");
+  std::cout << fmt::format(" | {:>12}", "bytes/face");
+  if (settings.threads > 1) {
+    std::cout << fmt::format(" | {:>12} {:>12} {:>8}", "1 thread ms", fmt::format("{} threads", settings.threads),
+                             "speed-up");
+  }
+  std::cout << "\n";
 }
 
 double time_of(const StepTimes& steps, std::string_view name) {
@@ -149,7 +182,12 @@ void print_row(const Row& row) {
   for (const std::string_view step : kSteps) {
     std::cout << fmt::format(" {:>12.2f}", time_of(row.steps, step) / row.dijkstra);
   }
-  std::cout << fmt::format(" | {:>12.0f}\n", row.bytes_a_face) << std::flush;
+  std::cout << fmt::format(" | {:>12.0f}", row.bytes_a_face);
+  if (row.wall_many > 0) {
+    std::cout << fmt::format(" | {:>12.1f} {:>12.1f} {:>8.2f}", row.wall_one, row.wall_many,
+                             row.wall_one / row.wall_many);
+  }
+  std::cout << std::endl;
 }
 
 /// Calls `visit` with the name and the mesh of every file, refined as often as it is asked for.
@@ -195,7 +233,7 @@ void run_peers([[maybe_unused]] const Settings& settings) {
 }
 
 void run_all(const Settings& settings) {
-  print_header();
+  print_header(settings);
   for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
     for (const int count : settings.generator_counts) {
       for (const std::string& method : settings.methods) print_row(measure(name, mesh, count, method, settings));
@@ -222,6 +260,8 @@ int run(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::IsMember({"exact", "gbgvd"}));
   app.add_option("--chord-tolerance", settings.chord_tolerance, "of exact diagrams, in mean edge lengths")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", settings.threads, "also compare the wall-clock times of one thread and of this many")
       ->check(CLI::PositiveNumber);
 #ifdef GVD_HAS_PEERS
   app.add_flag("--peers", settings.peers, "also time CGAL's exact shortest paths and its heat method");

@@ -1,6 +1,5 @@
 #include "parallel_chunks.hpp"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -21,16 +20,12 @@ class SharedRun {
             const Progress& progress)
       : count_(count), step_(step), work_(work), progress_(progress) {}
 
-  /// Item i, by any thread. Throws nothing.
-  void take(std::size_t i) {
-    if (cancelled_ || i > failed_) return;
-    try {
-      work_(i);
-    } catch (...) {
-      fail(i);
+  /// Takes items, in their order, until there are none left; by any thread. Throws nothing.
+  void take_items() {
+    for (std::size_t i = next_++; i < count_; i = next_++) {
+      if (cancelled_ || i > failed_) return;
+      take(i);
     }
-    const std::size_t done = ++done_;
-    if (std::this_thread::get_id() == caller_) report(static_cast<double>(done) / static_cast<double>(count_));
   }
 
   /// By the calling thread, when all items were taken.
@@ -41,6 +36,16 @@ class SharedRun {
   }
 
  private:
+  void take(std::size_t i) {
+    try {
+      work_(i);
+    } catch (...) {
+      fail(i);
+    }
+    const std::size_t done = ++done_;
+    if (std::this_thread::get_id() == caller_) report(static_cast<double>(done) / static_cast<double>(count_));
+  }
+
   void fail(std::size_t i) {
     const std::lock_guard lock(mutex_);
     if (i > failed_) return;
@@ -62,10 +67,11 @@ class SharedRun {
   const std::function<void(std::size_t)>& work_;
   const Progress& progress_;
   const std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::size_t> next_ = 0;
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> cancelled_ = false;
   std::exception_ptr cancellation_;  // the calling thread's
-  // Items before the first failure are all run, so the failure that stays is that of the least index.
+  // Items are begun in their order, and those before a failure are all run: the one that stays has the least index.
   std::atomic<std::size_t> failed_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure_;  // under the mutex
   std::mutex mutex_;
@@ -81,16 +87,17 @@ std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size) {
 
 void ParallelChunks::run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const {
   SharedRun shared(count, step, work, progress_);
-  // oneTBB complains on standard error when it is asked for more than it may have.
-  const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t threads = std::min({threads_ == 0 ? cores : static_cast<std::size_t>(threads_), cores, count});
   if (threads <= 1) {
-    for (std::size_t i = 0; i < count; ++i) shared.take(i);
+    shared.take_items();
   } else {
-    // An arena of its own, so that a waiting thread takes no work of the caller's program in between.
-    tbb::task_arena(static_cast<int>(threads)).execute([&] {
+    // As many takers as threads may work; one that no thread picks up in time finds nothing left. Not in an arena of
+    // its own: with oneTBB 2021.8 no worker joins any more, sometimes, once an arena was destroyed. Isolated, so that
+    // the calling thread takes up no work of its program's while it waits for the others.
+    tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(
-          std::size_t{0}, count, [&](std::size_t i) { shared.take(i); }, tbb::simple_partitioner());
+          std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
     });
   }
   shared.finish();

@@ -56,7 +56,8 @@ struct StepPart {
 /// are not begun any more. Cancelling goes before.
 class ParallelChunks {
  public:
-  /// `threads` >= 1, or 0 for all cores; never more are used than there are cores. `progress` has to outlive this.
+  /// `threads` >= 1, or 0 for all cores; never more are used than oneTBB has, which is one a core or, within an arena
+  /// of the caller's, what that allows. `progress` has to outlive this.
   ParallelChunks(int threads, const Progress& progress) : threads_(threads), progress_(progress) {}
 
   const Progress& progress() const { return progress_; }

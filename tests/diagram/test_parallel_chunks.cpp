@@ -59,56 +59,60 @@ TEST_CASE("chunks end where their work is enough") {
 }
 
 TEST_CASE("every item is worked on once, for any number of threads") {
-  const test::ManyThreads many;
-  for (const int threads : {0, 1, 2, 3, 8, 100}) {
-    for (const std::size_t count : {0, 1, 2, 1000}) {
-      std::vector<int> times(count, 0);
-      ParallelChunks(threads, kSilent).run(count, {"step"}, [&](std::size_t i) { ++times[i]; });
-      CHECK(times == std::vector<int>(count, 1));
+  test::with_many_threads([] {
+    for (const int threads : {0, 1, 2, 3, 8, 100}) {
+      for (const std::size_t count : {0, 1, 2, 1000}) {
+        std::vector<int> times(count, 0);
+        ParallelChunks(threads, kSilent).run(count, {"step"}, [&](std::size_t i) { ++times[i]; });
+        CHECK(times == std::vector<int>(count, 1));
+      }
     }
-  }
+  });
 }
 
 TEST_CASE("results are joined in the order of the chunks, whichever was ready first") {
-  const test::ManyThreads many;
-  for (const int threads : test::kThreads) {
-    const auto joined =
-        ParallelChunks(threads, kSilent).collect(cut_into_chunks(100, 7), {"step"}, [](const Chunk& chunk) {
-          if (chunk.begin % 2 == 0) wait_a_little();
-          return items({chunk});
-        });
-    CHECK(joined == first(100));
-  }
+  test::with_many_threads([] {
+    for (const int threads : test::kThreads) {
+      const auto joined =
+          ParallelChunks(threads, kSilent).collect(cut_into_chunks(100, 7), {"step"}, [](const Chunk& chunk) {
+            if (chunk.begin % 2 == 0) wait_a_little();
+            return items({chunk});
+          });
+      CHECK(joined == first(100));
+    }
+  });
 }
 
 TEST_CASE("several threads take part") {
-  const test::ManyThreads many;
-  std::mutex mutex;
-  std::set<std::thread::id> seen;
-  ParallelChunks(8, kSilent).run(200, {"step"}, [&](std::size_t) {
-    wait_a_little();
-    const std::lock_guard lock(mutex);
-    seen.insert(std::this_thread::get_id());
+  test::with_many_threads([] {
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    ParallelChunks(8, kSilent).run(200, {"step"}, [&](std::size_t) {
+      wait_a_little();
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    CHECK(seen.size() > 1);
+    CHECK(seen.size() <= 8);
   });
-  CHECK(seen.size() > 1);
-  CHECK(seen.size() <= 8);
 }
 
 TEST_CASE("the first chunk's error is thrown, whichever came first in time") {
-  const test::ManyThreads many;
-  for (const int threads : test::kThreads) {
-    for (int repetition = 0; repetition < 20; ++repetition) {
-      try {
-        ParallelChunks(threads, kSilent).run(64, {"step"}, [](std::size_t i) {
-          if (i == 5) wait_a_little();
-          if (i >= 5) throw Error(ErrorCode::no_valid_result, "chunk", static_cast<std::int64_t>(i));
-        });
-        FAIL("no error");
-      } catch (const Error& error) {
-        CHECK(error.element() == 5);
+  test::with_many_threads([] {
+    for (const int threads : test::kThreads) {
+      for (int repetition = 0; repetition < 20; ++repetition) {
+        try {
+          ParallelChunks(threads, kSilent).run(64, {"step"}, [](std::size_t i) {
+            if (i == 5) wait_a_little();
+            if (i >= 5) throw Error(ErrorCode::no_valid_result, "chunk", static_cast<std::int64_t>(i));
+          });
+          FAIL("no error");
+        } catch (const Error& error) {
+          CHECK(error.element() == 5);
+        }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("nothing is begun after an error that comes later in the order") {
@@ -124,39 +128,41 @@ TEST_CASE("nothing is begun after an error that comes later in the order") {
 }
 
 TEST_CASE("progress comes from the calling thread alone, rises, and ends at the step's end") {
-  const test::ManyThreads many;
-  for (const int threads : test::kThreads) {
-    std::vector<double> fractions;
-    bool foreign = false;
-    const std::thread::id caller = std::this_thread::get_id();
-    const Progress progress = [&](std::string_view step, double fraction) {
-      foreign = foreign || std::this_thread::get_id() != caller || step != "step";
-      fractions.push_back(fraction);
-      return true;
-    };
-    ParallelChunks(threads, progress).run(100, {"step", 0.25, 0.75}, [](std::size_t) {});
-    CHECK_FALSE(foreign);
-    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
-    CHECK(fractions.front() > 0.25);
-    CHECK(fractions.back() == 0.75);
-  }
+  test::with_many_threads([] {
+    for (const int threads : test::kThreads) {
+      std::vector<double> fractions;
+      bool foreign = false;
+      const std::thread::id caller = std::this_thread::get_id();
+      const Progress progress = [&](std::string_view step, double fraction) {
+        foreign = foreign || std::this_thread::get_id() != caller || step != "step";
+        fractions.push_back(fraction);
+        return true;
+      };
+      ParallelChunks(threads, progress).run(100, {"step", 0.25, 0.75}, [](std::size_t) {});
+      CHECK_FALSE(foreign);
+      CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+      CHECK(fractions.front() > 0.25);
+      CHECK(fractions.back() == 0.75);
+    }
+  });
 }
 
 TEST_CASE("cancelling ends the work soon, and goes before errors") {
-  const test::ManyThreads many;
-  for (const int threads : test::kThreads) {
-    std::atomic<int> begun = 0;
-    const Progress progress = [](std::string_view, double) { return false; };
-    try {
-      ParallelChunks(threads, progress).run(10000, {"step"}, [&](std::size_t) {
-        ++begun;
-        wait_a_little();
-        throw std::runtime_error("too");
-      });
-      FAIL("was not cancelled");
-    } catch (const Error& error) {
-      CHECK(error.code() == ErrorCode::interrupted);
+  test::with_many_threads([] {
+    for (const int threads : test::kThreads) {
+      std::atomic<int> begun = 0;
+      const Progress progress = [](std::string_view, double) { return false; };
+      try {
+        ParallelChunks(threads, progress).run(10000, {"step"}, [&](std::size_t) {
+          ++begun;
+          wait_a_little();
+          throw std::runtime_error("too");
+        });
+        FAIL("was not cancelled");
+      } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::interrupted);
+      }
+      CHECK(begun < 200);
     }
-    CHECK(begun < 200);
-  }
+  });
 }

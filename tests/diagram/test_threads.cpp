@@ -49,84 +49,88 @@ class FailingField final : public DistanceField {
 }  // namespace
 
 TEST_CASE("every number of threads gives the same diagram, in every field") {
-  const test::ManyThreads many;
-  for (const auto& [name, mesh] : test::small_family()) {
-    const auto generators = test::random_generators(mesh, 40, 19);
-    for (std::size_t i = 0; i < kMethods.size(); ++i) {
-      const Diagram one = compute(mesh, generators, kMethods[i], 1);
-      for (const int threads : {0, 2, 3, 8}) {
-        INFO(name << ", method " << i << ", " << threads << " threads");
-        CHECK(test::same_diagram(one, compute(mesh, generators, kMethods[i], threads)));
+  test::with_many_threads([] {
+    for (const auto& [name, mesh] : test::small_family()) {
+      const auto generators = test::random_generators(mesh, 40, 19);
+      for (std::size_t i = 0; i < kMethods.size(); ++i) {
+        const Diagram one = compute(mesh, generators, kMethods[i], 1);
+        for (const int threads : {0, 2, 3, 8}) {
+          INFO(name << ", method " << i << ", " << threads << " threads");
+          CHECK(test::same_diagram(one, compute(mesh, generators, kMethods[i], threads)));
+        }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("every number of threads gives the same diagram of a larger mesh, again and again") {
-  const test::ManyThreads many;
-  const Mesh mesh = test::make_bumpy_sphere(5, 3);
-  for (const int count : {1, 2, 300}) {
-    const auto generators = test::random_generators(mesh, count, 7);
-    const Diagram one = compute(mesh, generators, Method::exact, 1);
-    for (int repetition = 0; repetition < 5; ++repetition) {
-      for (const int threads : test::kThreads) {
-        INFO(count << " generators, " << threads << " threads");
-        REQUIRE(test::same_diagram(one, compute(mesh, generators, Method::exact, threads)));
+  test::with_many_threads([] {
+    const Mesh mesh = test::make_bumpy_sphere(5, 3);
+    for (const int count : {1, 2, 300}) {
+      const auto generators = test::random_generators(mesh, count, 7);
+      const Diagram one = compute(mesh, generators, Method::exact, 1);
+      for (int repetition = 0; repetition < 5; ++repetition) {
+        for (const int threads : test::kThreads) {
+          INFO(count << " generators, " << threads << " threads");
+          REQUIRE(test::same_diagram(one, compute(mesh, generators, Method::exact, threads)));
+        }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a step is cancelled while several threads are at it") {
-  const test::ManyThreads many;
-  const Mesh mesh = test::make_sphere(5);
-  const auto generators = test::random_generators(mesh, 300, 4);
-  for (const std::string step : {"bisectors", "growth", "cells"}) {
-    for (const int threads : test::kThreads) {
-      INFO(step << ", " << threads << " threads");
-      int calls_after = -1;
-      DiagramOptions options;
-      options.threads = threads;
-      options.progress = [&](std::string_view current, double fraction) {
-        if (calls_after >= 0 || (current == step && fraction > 0 && fraction != 0.5)) ++calls_after;
-        return calls_after < 0;
-      };
-      try {
-        compute_diagram(mesh, generators, options);
-        FAIL("was not cancelled");
-      } catch (const Error& error) {
-        CHECK(error.code() == ErrorCode::interrupted);
+  test::with_many_threads([] {
+    const Mesh mesh = test::make_sphere(5);
+    const auto generators = test::random_generators(mesh, 300, 4);
+    for (const std::string step : {"bisectors", "growth", "cells"}) {
+      for (const int threads : test::kThreads) {
+        INFO(step << ", " << threads << " threads");
+        int calls_after = -1;
+        DiagramOptions options;
+        options.threads = threads;
+        options.progress = [&](std::string_view current, double fraction) {
+          if (calls_after >= 0 || (current == step && fraction > 0 && fraction != 0.5)) ++calls_after;
+          return calls_after < 0;
+        };
+        try {
+          compute_diagram(mesh, generators, options);
+          FAIL("was not cancelled");
+        } catch (const Error& error) {
+          CHECK(error.code() == ErrorCode::interrupted);
+        }
+        CHECK(calls_after == 0);
       }
-      CHECK(calls_after == 0);
     }
-  }
+  });
 }
 
 TEST_CASE("of several faces that fail, the first one is named") {
-  const test::ManyThreads many;
-  const Mesh mesh = test::make_sphere(4);
-  const WorkingMesh working(mesh, test::random_generators(mesh, 100, 4));
-  const WindowField field =
-      propagate_windows(working.mesh(), working.generator_vertices().raw(), {KeepWindows::near_bisectors, {}}, {});
-  const WindowDistances distances(working.mesh(), field);
-  const auto first_failure = [&](int threads) {
-    const Progress silent;
-    const ParallelChunks parallel(threads, silent);
-    const FailingField failing(distances, FaceId(working.mesh().face_count() / 2));
-    DiagramReport report;
-    try {
-      trace_envelope(working, take_labels(working, field.distance, field.label, parallel), failing, 1e-3, parallel,
-                     report);
-    } catch (const Error& error) {
-      return error.element();
+  test::with_many_threads([] {
+    const Mesh mesh = test::make_sphere(4);
+    const WorkingMesh working(mesh, test::random_generators(mesh, 100, 4));
+    const WindowField field =
+        propagate_windows(working.mesh(), working.generator_vertices().raw(), {KeepWindows::near_bisectors, {}}, {});
+    const WindowDistances distances(working.mesh(), field);
+    const auto first_failure = [&](int threads) {
+      const Progress silent;
+      const ParallelChunks parallel(threads, silent);
+      const FailingField failing(distances, FaceId(working.mesh().face_count() / 2));
+      DiagramReport report;
+      try {
+        trace_envelope(working, take_labels(working, field.distance, field.label, parallel), failing, 1e-3, parallel,
+                       report);
+      } catch (const Error& error) {
+        return error.element();
+      }
+      return std::int64_t{-1};
+    };
+    const std::int64_t expected = first_failure(1);
+    CHECK(expected >= working.mesh().face_count() / 2);
+    for (int repetition = 0; repetition < 10; ++repetition) {
+      for (const int threads : test::kThreads) CHECK(first_failure(threads) == expected);
     }
-    return std::int64_t{-1};
-  };
-  const std::int64_t expected = first_failure(1);
-  CHECK(expected >= working.mesh().face_count() / 2);
-  for (int repetition = 0; repetition < 10; ++repetition) {
-    for (const int threads : test::kThreads) CHECK(first_failure(threads) == expected);
-  }
+  });
 }
 
 TEST_CASE("a negative number of threads is refused") {

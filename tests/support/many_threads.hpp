@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <array>
 
@@ -9,10 +10,11 @@ namespace gvd::test {
 /// Numbers of threads that have to make no difference.
 inline constexpr std::array<int, 4> kThreads{1, 2, 3, 8};
 
-/// While it lives, there are as many threads as are asked for, up to 8, however few cores there are.
-class ManyThreads {
- private:
-  tbb::global_control control_{tbb::global_control::max_allowed_parallelism, 8};
-};
+/// Does `work` where as many threads are to be had as are asked for, up to 8, however few cores there are.
+template <class Work>
+void with_many_threads(const Work& work) {
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
+  tbb::task_arena(8).execute(work);
+}
 
 }  // namespace gvd::test
