@@ -24,9 +24,7 @@ class Labeller {
 
   bool is_supported(VertexId v) const {
     if (working_.vertex(result_.label[v]) == v) return true;
-    bool supported = false;
-    for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { supported = supported || supports(u, v); });
-    return supported;
+    return any_neighbour(mesh_, v, [&](VertexId u) { return supports(u, v); });
   }
 
   /// Of the vertices in a chunk. `is_sure(v)`: a quick look that may say that v is supported.

@@ -25,4 +25,18 @@ void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
   });
 }
 
+/// Whether test(neighbour) holds for a vertex that an edge joins to v; looks no further than the first one.
+template <class Test>
+bool any_neighbour(const Mesh& mesh, VertexId v, Test test) {
+  const HalfedgeId start = mesh.halfedge(v);
+  HalfedgeId h = start;
+  do {
+    if (test(mesh.to(h))) return true;
+    const HalfedgeId incoming = Mesh::previous(h);
+    h = mesh.twin(incoming);
+    if (!h.valid()) return test(mesh.from(incoming));
+  } while (h != start);
+  return false;
+}
+
 }  // namespace gvd
