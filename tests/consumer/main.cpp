@@ -1,9 +1,10 @@
-// Uses the installed library: builds a mesh, measures it, fails where a result is wrong.
+// Uses the installed library: builds a mesh, measures it, computes a diagram, fails where a result is wrong.
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #ifdef CONSUMER_HAS_VERIFY
@@ -29,6 +30,11 @@ int main() {
   const gvd::MeshSummary summary = gvd::compute_mesh_summary(mesh);
   std::printf("faces %d, Euler characteristic %d\n", summary.faces, summary.euler_characteristic);
   if (summary.euler_characteristic != 2) return 1;
+  const gvd::Diagram diagram = gvd::compute_diagram(
+      mesh, {gvd::vertex_point(mesh, gvd::VertexId(0)), gvd::vertex_point(mesh, gvd::VertexId(1))});
+  std::printf("cells %d, bisectors %d\n", static_cast<int>(diagram.cells.size()),
+              static_cast<int>(diagram.bisectors.size()));
+  if (diagram.cells.size() != 2 || diagram.bisectors.size() != 1) return 1;
 #ifdef CONSUMER_HAS_VERIFY
   const gvd::DistanceQuery query{gvd::vertex_point(mesh, gvd::VertexId(0)),
                                  {gvd::vertex_point(mesh, gvd::VertexId(1))}};
