@@ -15,11 +15,18 @@ install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
 configure    := scripts/configure.sh
 sources      := git ls-files '*.cpp' '*.hpp'
 
-.PHONY: help demo test build bench sanitize install format lint clean
+FUZZ_FIRST  ?= 1000
+FUZZ_COUNT  ?= 10000
+RUNS_FIRST  ?= 1
+RUNS_COUNT  ?= 20
+
+.PHONY: help demo test fuzz test-runs build bench sanitize install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
 	@echo "make test      build and run every test"
+	@echo "make fuzz      random soups and generators through everything: FUZZ_COUNT seeds ($(FUZZ_COUNT))"
+	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the three commands"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
@@ -41,6 +48,22 @@ test:
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+# What is known to fail is left out without FUZZ_ALL=1.
+fuzz:
+	@$(install_deps) build test
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target test_fuzz
+	@GVD_FUZZ_FIRST=$(FUZZ_FIRST) GVD_FUZZ_COUNT=$(FUZZ_COUNT) $(if $(FUZZ_ALL),GVD_FUZZ_ALL=1) \
+	  $(BUILD)/bin/test_fuzz "[.by-hand]"
+
+test-runs:
+	@$(install_deps) build test
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target test_corpus
+	@ctest --test-dir $(BUILD) -R "corpus: unpack" --output-on-failure
+	@GVD_RUNS_FIRST=$(RUNS_FIRST) GVD_RUNS_COUNT=$(RUNS_COUNT) \
+	  GVD_UNPACKED_CORPUS=$(BUILD)/tests/corpus/data/meshes $(BUILD)/bin/test_corpus "[.by-hand]"
 
 bench:
 	@$(install_deps) build

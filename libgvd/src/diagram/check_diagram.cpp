@@ -13,6 +13,10 @@ using Bary = std::array<double, 3>;
 /// Areas are sums of up to a million rounded terms: relative tolerance.
 constexpr double kAreaTolerance = 1e-9;
 
+/// What rounding a corner's coordinates may change the area of a triangle by, as a part of the largest coordinate times
+/// the longest edge: a step or two for each corner. It is what remains of the area of thin faces far from the origin.
+constexpr double kCornerRounding = 1e-15;
+
 /// How far a generator may lie outside of its cell, as a part of the bounding box's diagonal: rounding, and a thousand
 /// times the distance within which a generator is taken for a vertex.
 constexpr double kPlaceTolerance = 1e-9;
@@ -108,11 +112,25 @@ class Checker {
       }
       total += expected * mesh_.area(f);
     }
+    const double tolerance = kAreaTolerance * total + area_rounding();
     for (const Cell& c : diagram_.cells) {
-      if (std::abs(c.area - owned[c.generator]) <= kAreaTolerance * total) continue;
+      if (std::abs(c.area - owned[c.generator]) <= tolerance) continue;
       violate(name("(2) its faces and pieces have another area than cell", c.generator.index()));
     }
     if (piece < diagram_.pieces.size()) violate(name("(2) pieces are not in the order of their faces: piece", piece));
+  }
+
+  /// Of all faces and pieces: these have corners of their own, generators and what parts them.
+  double area_rounding() const {
+    double largest = 0, edges = 0;
+    for (const Vec3& p : mesh_.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    const auto longest = [&](FaceId f) {
+      const auto& length = mesh_.shape(f).length;
+      return *std::max_element(length.begin(), length.end());
+    };
+    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) edges += longest(FaceId(f));
+    for (const FacePiece& piece : diagram_.pieces) edges += longest(piece.face);
+    return kCornerRounding * largest * edges;
   }
 
   void check_vertex_labels() {
