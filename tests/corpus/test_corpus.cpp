@@ -1,5 +1,13 @@
 // Readers and diagrams over real meshes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,9 +18,66 @@
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
+#include "support/random.hpp"
 
 using namespace gvd;
 using test::corpus;
+
+namespace {
+
+/// The mesh of a file; none where it is refused, which has a test of its own.
+std::optional<Mesh> read_mesh(const std::filesystem::path& file) {
+  try {
+    return build_mesh(read_soup(file)).mesh;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// From 1 to 3000 generators, as many runs between 1 and 10 as between 300 and 3000.
+int random_count(test::Random& random) { return static_cast<int>(std::pow(3000, random.real(0, 1))); }
+
+struct Runs {
+  int meshes = 0, diagrams = 0, largest = 0;
+  std::int64_t generators = 0;
+};
+
+/// Exact diagrams with their check, the Euler count among its properties, on one mesh; seeds from `first` on.
+void run_seeds(const Mesh& mesh, unsigned first, unsigned count, Runs& runs) {
+  // Each mesh has seeds of its own, or all would get the same few numbers of generators.
+  first += 100'000 * static_cast<unsigned>(runs.meshes++);
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    test::Random random(seed);
+    const int generators = random_count(random);
+    INFO(generators << " generators, seed " << seed);
+    const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, generators, seed));
+    const DiagramCheck check = check_diagram(mesh, diagram);
+    for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
+    CHECK(check.ok());
+    CHECK(diagram.report.unresolved_ends == 0);
+    ++runs.diagrams;
+    runs.generators += generators;
+    runs.largest = std::max(runs.largest, generators);
+  }
+}
+
+void run_corpus(unsigned first, unsigned count, int most_faces) {
+  Runs runs;
+  for (const auto& file : corpus()) {
+    INFO(file);
+    const std::optional<Mesh> mesh = read_mesh(file);
+    if (mesh && mesh->face_count() <= most_faces) run_seeds(*mesh, first, count, runs);
+  }
+  std::cout << fmt::format("{} diagrams of {} generators in all and {} at most, on {} meshes\n", runs.diagrams,
+                           runs.generators, runs.largest, runs.meshes);
+}
+
+unsigned number_from(const char* variable, unsigned otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
+}
+
+}  // namespace
 
 TEST_CASE("every mesh of the corpus is read, or refused with one line that names its place") {
   for (const auto& file : corpus()) {
@@ -32,12 +97,8 @@ TEST_CASE("every mesh of the corpus is read, or refused with one line that names
 TEST_CASE("the diagram is complete on every mesh of the corpus") {
   int diagrams = 0;
   for (const auto& file : corpus()) {
-    CheckedMesh checked;
-    try {
-      checked = build_mesh(read_soup(file));
-    } catch (const Error&) {
-      continue;  // the test above looks at these
-    }
+    const std::optional<Mesh> mesh = read_mesh(file);
+    if (!mesh) continue;
     for (const int count : {2, 5, 30, 100, 300}) {
       // Exact diagrams, and those of the paper with either front.
       for (const auto& [method, seed] : std::initializer_list<std::pair<Method, unsigned>>{
@@ -46,9 +107,8 @@ TEST_CASE("the diagram is complete on every mesh of the corpus") {
         DiagramOptions options;
         options.method = method;
         options.front = seed % 2 == 0 ? Front::circle : Front::planar;
-        const Diagram diagram =
-            compute_diagram(checked.mesh, test::random_generators(checked.mesh, count, seed), options);
-        const DiagramCheck check = check_diagram(checked.mesh, diagram);
+        const Diagram diagram = compute_diagram(*mesh, test::random_generators(*mesh, count, seed), options);
+        const DiagramCheck check = check_diagram(*mesh, diagram);
         for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
         REQUIRE(check.ok());
         REQUIRE(diagram.report.unresolved_ends == 0);
@@ -57,4 +117,11 @@ TEST_CASE("the diagram is complete on every mesh of the corpus") {
     }
   }
   std::cout << diagrams << " diagrams\n";
+}
+
+TEST_CASE("the Euler count holds for seeded numbers of generators from 1 to 3000") { run_corpus(1, 2, 20000); }
+
+// By hand: make test-runs, with RUNS_FIRST and RUNS_COUNT.
+TEST_CASE("the Euler count holds over thousands of seeded runs", "[.by-hand]") {
+  run_corpus(number_from("GVD_RUNS_FIRST", 1), number_from("GVD_RUNS_COUNT", 20), 1 << 30);
 }
