@@ -52,6 +52,7 @@ TEST_CASE("a geodesic traced in the direction of departure arrives") {
     for (std::size_t i = 0; i < points.size(); ++i) {
       INFO(name << " " << i);
       const GeodesicPath path = field.path(points[i]);
+      CHECK(path.complete == path.generator.valid());
       if (!path.generator.valid()) {
         CHECK(field.departure(points[i]) == Vec2::Zero());
         continue;

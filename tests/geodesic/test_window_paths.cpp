@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geodesic/trace_shortest_path.hpp"
 #include "geodesic/window_propagation.hpp"
 #include "geodesic/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
@@ -67,6 +68,23 @@ TEST_CASE("paths go on from a saddle into the angle that no straight path reache
             Approx(expected(turn, middle)).epsilon(1e-14));
     }
   }
+}
+
+TEST_CASE("a path that finds no way on from a vertex says that it is not complete") {
+  const Mesh mesh = make_crown(8, 0.4);
+  const VertexId saddle(0), start(5), generator(1);
+  WindowField field = propagate(mesh, {generator});
+  const ShortestPath path = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  REQUIRE(path.complete);
+  REQUIRE(path.points.size() == 3);
+  CHECK(vertex(mesh, path.points[1]) == saddle);
+  CHECK(vertex(mesh, path.points[2]) == generator);
+  // As rounding may do it: the saddle is nearer than all that leads to it.
+  field.distance[saddle] = 0;
+  const ShortestPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  CHECK_FALSE(broken.complete);
+  CHECK(broken.generator.value() == 0);
+  CHECK(vertex(mesh, broken.points.back()) == saddle);
 }
 
 TEST_CASE("saddles send windows, and no other vertex inside the surface") {

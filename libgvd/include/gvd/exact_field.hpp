@@ -22,6 +22,9 @@ struct GeodesicPath {
   std::vector<SurfacePoint> points;  ///< from the point that was asked for to the generator; neighbours share a face
   GeneratorId generator;             ///< invalid, and no points, where no generator reaches
   double length = 0;                 ///< mesh units, the generator's offset apart; infinity where no generator reaches
+  /// Whether the points lead all the way to the generator. Rounding can end them at a vertex before it, where slivers
+  /// leave no way that is shorter; `generator` and `length` hold all the same. False where no generator reaches.
+  bool complete = false;
 };
 
 /// Exact distances on the surface of a mesh from the nearest of several generators.
@@ -55,12 +58,12 @@ class ExactField {
   /// The same for any surface point. Cost: O(windows on its faces).
   Nearest nearest(const SurfacePoint& point) const;
 
-  /// A shortest path from a point to its nearest generator. Cost: O(faces crossed).
+  /// A shortest path from a point to its nearest generator; see GeodesicPath::complete. Cost: O(faces crossed).
   GeodesicPath path(const SurfacePoint& point) const;
 
   /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to
-  /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, and where none
-  /// reaches.
+  /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, where none
+  /// reaches, and where the path is not complete.
   Vec2 departure(const SurfacePoint& point) const;
 
  private:

@@ -127,8 +127,8 @@ GeodesicPath ExactField::path(const SurfacePoint& point) const {
   const WorkingMesh& working = state_->working;
   const ShortestPath found =
       trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
-  if (!found.generator.valid()) return {{}, GeneratorId(), found.distance};
-  GeodesicPath path{{}, found.generator, found.distance - state_->offset(found.generator)};
+  if (!found.generator.valid()) return {{}, GeneratorId(), found.distance, false};
+  GeodesicPath path{{}, found.generator, found.distance - state_->offset(found.generator), found.complete};
   for (const SurfacePoint& p : found.points) path.points.push_back(state_->to_input(p));
   return path;
 }
@@ -136,7 +136,7 @@ GeodesicPath ExactField::path(const SurfacePoint& point) const {
 Vec2 ExactField::departure(const SurfacePoint& point) const {
   const Mesh& mesh = state_->working.input();
   const GeodesicPath path = this->path(point);
-  if (path.points.size() < 2) return Vec2::Zero();
+  if (!path.complete || path.points.size() < 2) return Vec2::Zero();
   const SurfacePoint& generator = state_->generators[path.generator.index()];
   const TangentFan fan(mesh, generator);
   // The last piece of the path lies in one face; the fan knows the generator in each of its faces.

@@ -38,11 +38,13 @@ class PathTracer {
     for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
       best_distance_ = std::numeric_limits<double>::infinity();
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), seen_from(h), v); });
-      if (std::isinf(best_distance_)) break;  // no path that leads on: rounding has the last word
+      if (std::isinf(best_distance_)) return std::move(path_);  // no path that leads on: rounding has the last word
       const VertexId nearer = follow_best();
-      if (!(field_.distance[nearer] < field_.distance[v])) break;  // the same: it would go round for ever
+      // The same: it would go round for ever.
+      if (!(field_.distance[nearer] < field_.distance[v])) return std::move(path_);
       v = nearer;
     }
+    path_.complete = true;
     return std::move(path_);
   }
 
