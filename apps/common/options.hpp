@@ -34,7 +34,7 @@ struct GeneratorOptions {
 struct ComputeOptions {
   Method method = Method::exact;
   std::optional<Front> front;             ///< set for gbgvd only
-  std::optional<double> chord_tolerance;  ///< mean edge lengths, > 0; set for exact only
+  std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; exact only
   std::int32_t threads = 0;               ///< 0: all cores; the results do not depend on it
   bool verify = false;
 };

@@ -93,8 +93,8 @@ void register_compute(CLI::App& cli, ComputeOptions& compute) {
   add_number<double>(
       cli, "--chord-tolerance", compute.chord_tolerance, kPositive,
       fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
-                  "(default: {})",
-                  DiagramOptions{}.chord_tolerance))
+                  "(default: {}, at least {})",
+                  DiagramOptions{}.chord_tolerance, kLeastChordTolerance))
       ->group("Computing");
   add_choice(cli, "--front", compute.front, Names<Front>{{"planar", Front::planar}, {"circle", Front::circle}},
              "Wavefront of --method gbgvd: the paper's planar one, or circles (default)")

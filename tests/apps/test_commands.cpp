@@ -72,7 +72,7 @@ TEST_CASE("commands: the report names the method and what belongs to it") {
     CHECK(exact["options"]["chord_tolerance"] == 1e-4);
     CHECK(exact["options"]["front"].is_null());
     CHECK(exact["diagram"]["straightened_faces"] == 0);
-    CHECK(exact["diagram"]["relabelled_samples"] == 0);
+    CHECK(exact["diagram"]["relabelled_vertices"] == 0);
     CHECK(fine["options"]["chord_tolerance"] == 1e-6);
     CHECK(paper["options"]["method"] == "gbgvd");
     CHECK(paper["options"]["chord_tolerance"].is_null());
@@ -113,6 +113,8 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh + " -n 5 --front planar", 2, "add --method gbgvd");
     require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
     require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
+    require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
+                  "--chord-tolerance 1e-11: below 1e-10 of a mean edge");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
     require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
     require_error(name, "- -n 5", 2, "--input-format");

@@ -138,6 +138,7 @@ TEST_CASE("usage errors exit with 2") {
       {"a.obj", "-n", "3", "--method", "gbgvd", "--chord-tolerance", "1e-3"},
       {"a.obj", "-n", "3", "--chord-tolerance", "0"},
       {"a.obj", "-n", "3", "--chord-tolerance", "-1"},
+      {"a.obj", "-n", "3", "--chord-tolerance", "9e-11"},
       {"a.obj", "-n", "3", "--chord-tolerance", "nan"},
       {"a.obj", "-n", "3", "--threads", "0"},
       {"a.obj", "-n", "3", "--on-defect", "maybe"},

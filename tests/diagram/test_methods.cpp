@@ -1,3 +1,7 @@
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
@@ -67,10 +71,10 @@ TEST_CASE("areas by exact distances do not depend on the tracer beyond its strai
   CHECK(apart > 0);  // another tracer has been at work
 }
 
-TEST_CASE("a chord tolerance that is no positive number is refused") {
+TEST_CASE("a chord tolerance that is no number, or below what rounding leaves, is refused") {
   const Mesh mesh = test::make_grid(2, 2);
-  for (const double tolerance :
-       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double tolerance : {0.0, -1.0, 0.99 * kLeastChordTolerance, std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::infinity()}) {
     DiagramOptions options;
     options.chord_tolerance = tolerance;
     try {
@@ -80,4 +84,16 @@ TEST_CASE("a chord tolerance that is no positive number is refused") {
       CHECK(e.code() == ErrorCode::invalid_option);
     }
   }
+}
+
+TEST_CASE("the least chord tolerance is reached: finer pieces than rounding allows are not asked for") {
+  const Mesh mesh = test::make_bumpy_sphere(1, 3);
+  DiagramOptions options;
+  options.chord_tolerance = kLeastChordTolerance;
+  const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 3, 1), options);
+  std::size_t points = 0;
+  for (const Bisector& bisector : diagram.bisectors) points += bisector.points.size();
+  // The square root of 1 / 1e-10 for each mean edge, and not the 2^40 of endless halving.
+  CHECK(points > 10'000);
+  CHECK(points < 10'000'000);
 }

@@ -34,7 +34,7 @@ RunReport make_report(const Labelled& labelled) {
   }
   report.generators[1].snap_distance = 0.125;
   report.diagram = summarize_diagram(labelled.diagram);
-  report.diagram->relabelled_samples = 3;
+  report.diagram->relabelled_vertices = 3;
   report.diagram->straightened_faces = 4;
   report.timings_ms = {{"read", 1.5}, {"diagram", 0.1}};
   report.peak_memory_bytes = std::int64_t{1} << 40;
@@ -59,7 +59,7 @@ TEST_CASE("a report has the contract's keys in its order") {
   CHECK(keys(json["input"]) == Names{"vertices", "faces", "components", "boundary_loops", "euler_characteristic",
                                      "area", "bbox_diagonal", "defects"});
   CHECK(keys(json["diagram"]) == Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "unresolved_ends",
-                                       "relabelled_samples", "straightened_faces", "verify"});
+                                       "relabelled_vertices", "straightened_faces", "verify"});
   CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length"});
   CHECK(keys(json["options"]) == Names{"z", "input"});
   CHECK(keys(json["input"]["defects"]) == Names{"flipped_faces", "duplicate_faces"});
@@ -81,7 +81,7 @@ TEST_CASE("a report's values come back") {
   CHECK(json["diagram"]["cells"] == 3);
   CHECK(json["diagram"]["disc_cells"] == 1);  // of the others one is an annulus, one in two parts
   CHECK(json["diagram"]["unresolved_ends"] == 2);
-  CHECK(json["diagram"]["relabelled_samples"] == 3);
+  CHECK(json["diagram"]["relabelled_vertices"] == 3);
   CHECK(json["diagram"]["straightened_faces"] == 4);
   CHECK(json["diagram"]["verify"]["error_mean"] == 0.125);
   CHECK(json["peak_memory_bytes"] == std::int64_t{1} << 40);

@@ -23,7 +23,7 @@ inline bool same(const FacePiece& a, const FacePiece& b) {
 
 inline bool same(const DiagramReport& a, const DiagramReport& b) {
   return a.propagation_events == b.propagation_events && a.table_entries == b.table_entries &&
-         a.relabelled_samples == b.relabelled_samples && a.gaps == b.gaps && a.gaps_grown == b.gaps_grown &&
+         a.relabelled_vertices == b.relabelled_vertices && a.gaps == b.gaps && a.gaps_grown == b.gaps_grown &&
          a.gaps_assembled == b.gaps_assembled && a.straightened_faces == b.straightened_faces &&
          a.unresolved_ends == b.unresolved_ends;
 }

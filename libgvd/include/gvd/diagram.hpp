@@ -43,11 +43,15 @@ struct Method {
 inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 
+/// Least chord tolerance, in mean edge lengths. The distances to two generators are right to 1e-13 of themselves or so,
+/// and a point can be 10 to 100 times as far from the bisector as they differ: below this, rounding decides.
+inline constexpr double kLeastChordTolerance = 1e-10;
+
 struct DiagramOptions {
   Method method = Method::exact;
   Front front = Front::circle;  ///< of fast marching
-  /// How far a bisector's straight pieces may be from it, in mean edge lengths, > 0. Of the envelope tracer. Points
-  /// grow with the square root of its inverse.
+  /// How far a bisector's straight pieces may be from it, in mean edge lengths, >= kLeastChordTolerance. Of the
+  /// envelope tracer. Points grow with the square root of its inverse.
   double chord_tolerance = 1e-4;
   /// How many threads work at the same time, >= 1; 0: as many as there are cores. No bit of the result depends on it.
   int threads = 0;
@@ -96,7 +100,7 @@ struct FacePiece {
 struct DiagramReport {
   std::int64_t propagation_events = 0;  ///< triangles taken from fast marching's queue, or windows carried across one
   std::int64_t table_entries = 0;       ///< (triangle, generator) pairs in the generator tables; 0 without them
-  std::int64_t relabelled_samples = 0;  ///< vertices given to another generator to keep cells connected
+  std::int64_t relabelled_vertices = 0;  ///< vertices given to another generator to keep cells connected
   std::int64_t gaps = 0;                ///< groups of faces with three or more generators
   std::int64_t gaps_grown = 0;          ///< of these, closed by growth
   std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
@@ -123,9 +127,9 @@ struct Diagram {
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
-/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a positive number or the number of
-/// threads is negative, and Error{interrupted} where the progress callback cancels.
-/// May be called from several threads at once.
+/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a finite number of at least
+/// kLeastChordTolerance or the number of threads is negative, and Error{interrupted} where the progress callback
+/// cancels. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

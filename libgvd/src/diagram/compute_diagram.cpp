@@ -75,8 +75,8 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
 }  // namespace
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  if (!(options.chord_tolerance > 0) || !std::isfinite(options.chord_tolerance)) {
-    throw Error(ErrorCode::invalid_option, "the chord tolerance must be a positive number of mean edge lengths");
+  if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be 1e-10 mean edge lengths or more, and finite");
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   const WorkingMesh working(mesh, generators);

@@ -24,7 +24,7 @@ TracedDiagram ConnectedTracer::run(DiagramReport& report) {
     TracedDiagram traced{labels_, crossings_, {}, {}, {}};
     close_faces(traced, report);
     if (give_way_to_islands(traced)) continue;
-    report.relabelled_samples = relabelled_;
+    report.relabelled_vertices = relabelled_;
     return traced;
   }
 }

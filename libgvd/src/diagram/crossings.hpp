@@ -27,8 +27,8 @@ struct Crossing {
 };
 
 /// All crossings, ascending by edge and parameter.
-/// Properties: (1) along an edge, `after` of a crossing is `before` of the next one; (2) the first `before` and the last
-/// `after` are the labels of the edge's vertices; (3) `before` and `after` differ.
+/// Properties: (1) along an edge, `after` of a crossing is `before` of the next one; (2) the first `before` and the
+/// last `after` are the labels of the edge's vertices; (3) `before` and `after` differ.
 class Crossings {
  public:
   Crossings() = default;

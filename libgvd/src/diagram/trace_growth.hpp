@@ -10,7 +10,7 @@ namespace gvd {
 ///
 /// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is closed by the
 /// assembly of its edge crossings. Cells are connected: a run of a cell that hangs together with nothing is taken away.
-/// Counts gaps and relabelled samples in `report`; reports the steps "bisectors" and "growth". Cost: O(n).
+/// Counts gaps and relabelled vertices in `report`; reports the steps "bisectors" and "growth". Cost: O(n).
 TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
                            DiagramReport& report);
 

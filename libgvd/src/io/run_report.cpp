@@ -59,7 +59,7 @@ Json diagram_json(const std::optional<DiagramFigures>& diagram) {
           {"cells", diagram->cells},
           {"disc_cells", diagram->disc_cells},
           {"unresolved_ends", diagram->unresolved_ends},
-          {"relabelled_samples", diagram->relabelled_samples},
+          {"relabelled_vertices", diagram->relabelled_vertices},
           {"straightened_faces", diagram->straightened_faces},
           {"verify", verify_json(diagram->verify)}};
 }
@@ -83,7 +83,7 @@ DiagramFigures summarize_diagram(const Diagram& diagram) {
     return cell.components == 1 && cell.euler_characteristic == 1;
   });
   figures.unresolved_ends = diagram.report.unresolved_ends;
-  figures.relabelled_samples = diagram.report.relabelled_samples;
+  figures.relabelled_vertices = diagram.report.relabelled_vertices;
   figures.straightened_faces = diagram.report.straightened_faces;
   return figures;
 }
