@@ -1,8 +1,11 @@
 // How whole runs behave: under scale, under repetition, and towards whoever waits for them.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -73,7 +76,8 @@ TEST_CASE("progress goes through the three steps, and every call can cancel") {
     return true;
   };
   compute_diagram(mesh, generators, options);
-  CHECK(steps.front() == "distances");
+  CHECK(steps.front() == "working mesh");
+  CHECK(std::count(steps.begin(), steps.end(), "distances") == 1);
   CHECK(std::count(steps.begin(), steps.end(), "bisectors") >= 1);
   CHECK(steps.back() == "cells");
   for (std::size_t stop = 0; stop < steps.size(); ++stop) {
@@ -107,6 +111,36 @@ TEST_CASE("every long step of an exact diagram can be cancelled while it runs") 
       FAIL("was not cancelled");
     } catch (const Error& error) {
       CHECK(error.code() == ErrorCode::interrupted);
+    }
+  }
+}
+
+TEST_CASE("every method reports the beginning of its distances once, and can be cancelled within each step") {
+  const Mesh mesh = test::make_sphere(5);
+  const auto generators = test::random_generators(mesh, 300, 4);
+  const std::vector<std::pair<Method, std::vector<std::string>>> expected{
+      {Method::exact, {"working mesh", "distances", "bisectors"}},
+      {Method::gbgvd, {"working mesh", "bisectors", "growth"}},
+      {{Solver::windows, Tracer::growth}, {"working mesh", "distances", "tables", "bisectors", "growth"}},
+      {{Solver::fast_marching, Tracer::envelope}, {"working mesh", "bisectors"}}};
+  for (const auto& [method, steps] : expected) {
+    DiagramOptions options;
+    options.method = method;
+    options.front = Front::planar;
+    int beginnings = 0;
+    std::map<std::string, int, std::less<>> within;
+    options.progress = [&](std::string_view step, double fraction) {
+      beginnings += step == "distances" && fraction == 0;
+      within[std::string(step)] += fraction > 0;
+      return true;
+    };
+    compute_diagram(mesh, generators, options);
+    CHECK(beginnings == 1);
+    for (const std::string& step : steps) {
+      INFO(step);
+      CHECK(within[step] > 0);
+      options.progress = [&](std::string_view current, double fraction) { return current != step || fraction == 0; };
+      CHECK_THROWS_AS(compute_diagram(mesh, generators, options), Error);
     }
   }
 }

@@ -10,6 +10,9 @@
 namespace gvd {
 namespace {
 
+/// Progress is reported once in so many faces.
+constexpr std::size_t kProgressStride = 1 << 10;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Distance of a form's generator at a point of face f.
@@ -78,10 +81,15 @@ std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& tab
 }
 
 void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram) {
+                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram,
+                    const Progress& progress) {
   const Mesh& mesh = working.mesh();
   std::vector<BoundaryCrossing> boundary;
-  for (const FaceId f : crossed_faces(mesh, crossings)) {
+  const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceId f = faces[i];
+    if (i % kProgressStride == 0)
+      report_progress(progress, "bisectors", 0.75 + 0.25 * double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
     boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for

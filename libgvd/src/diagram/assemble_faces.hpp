@@ -3,6 +3,7 @@
 #include "diagram/diagram_graph.hpp"
 #include "diagram/distance_form.hpp"
 #include "geodesic/fast_marching.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -16,8 +17,9 @@ std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& tab
                                      FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front);
 
 /// Joins the crossings in every face but those in `skipped` (ascending), and appends the arcs and branch points to
-/// `diagram`. Cost: O(k) for k faces near bisectors.
+/// `diagram`. Reports the last quarter of the step "bisectors". Cost: O(k) for k faces near bisectors.
 void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram);
+                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram,
+                    const Progress& progress = {});
 
 }  // namespace gvd

@@ -57,13 +57,12 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
 Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
                      DiagramReport& report) {
   const Mesh& mesh = working.mesh();
-  report_progress(options.progress, "distances", 0);
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
   const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
   report.propagation_events = field.carried;
   if (options.method.tracer == Tracer::growth) {
-    const GeneratorTable table = make_generator_table(mesh, field);
+    const GeneratorTable table = make_generator_table(mesh, field, options.progress);
     report.table_entries = static_cast<std::int64_t>(table.entry_count());
     return {trace_growth(working, table, options, report), 0};
   }
@@ -79,7 +78,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
     throw Error(ErrorCode::invalid_option, "the chord tolerance must be 1e-10 mean edge lengths or more, and finite");
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
-  const WorkingMesh working(mesh, generators);
+  const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
   Diagram diagram;
   diagram.generators = generators;

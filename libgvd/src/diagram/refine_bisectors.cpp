@@ -7,6 +7,9 @@
 namespace gvd {
 namespace {
 
+/// Progress is reported once in so many faces.
+constexpr std::size_t kProgressStride = 1 << 12;
+
 /// Parameter where the line of points equally far from p and q meets a + t (b - a); outside of [0, 1] where it misses.
 double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   const Vec2 normal = q - p;
@@ -18,11 +21,15 @@ double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const 
 }  // namespace
 
 std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
-                                               const NearestLabels& labels, const Crossings& crossings) {
+                                               const NearestLabels& labels, const Crossings& crossings,
+                                               const Progress& progress) {
   const Mesh& mesh = working.mesh();
   std::vector<CrossingEstimate> estimates;
   std::vector<BoundaryCrossing> boundary;
-  for (const FaceId f : crossed_faces(mesh, crossings)) {
+  const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (k % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 + 0.25 * double(k) / double(faces.size()));
+    const FaceId f = faces[k];
     boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() != 2) continue;
     const auto corner = FaceLayout(mesh, f).corner;

@@ -5,6 +5,7 @@
 #include "diagram/crossings.hpp"
 #include "diagram/nearest_labels.hpp"
 #include "geodesic/generator_table.hpp"
+#include "gvd/progress.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
@@ -19,9 +20,11 @@ struct CrossingEstimate {
 /// face's plane, and the bisector becomes the perpendicular bisector of their two images.
 ///
 /// Source: section 4.2 (refinement by unfolding). An estimate that leaves its edge is not given.
-/// Returns at most two estimates a crossing, one from each face, ascending by face. Cost: O(k) for k crossings.
+/// Returns at most two estimates a crossing, one from each face, ascending by face. Reports the third quarter of the step "bisectors".
+/// Cost: O(k) for k crossings.
 std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
-                                               const NearestLabels& labels, const Crossings& crossings);
+                                               const NearestLabels& labels, const Crossings& crossings,
+                                               const Progress& progress = {});
 
 /// Puts every crossing at the mean of what its two faces estimate, so that the bisector's parts meet on the edge.
 ///

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Progress is reported once in so many edges.
+constexpr std::size_t kProgressStride = 1 << 10;
+
 /// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off
 /// by about a hundredth of an edge, so that such a run says nothing.
 constexpr double kShortestRun = 1e-3;
@@ -197,10 +200,14 @@ std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable&
 }  // namespace
 
 Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                               Front front) {
+                               Front front, const Progress& progress) {
   std::vector<Crossing> crossings;
   EdgeEnvelope envelope(working, table, labels, front);
-  for (const EdgeId e : edges_near_bisectors(working.mesh(), table, labels)) envelope.find(e, false, crossings);
+  const std::vector<EdgeId> edges = edges_near_bisectors(working.mesh(), table, labels);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 * double(i) / double(edges.size()));
+    envelope.find(edges[i], false, crossings);
+  }
   return Crossings(working.mesh().edge_count(), std::move(crossings));
 }
 

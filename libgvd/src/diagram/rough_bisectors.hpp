@@ -4,6 +4,7 @@
 #include "diagram/nearest_labels.hpp"
 #include "geodesic/fast_marching.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -12,9 +13,9 @@ namespace gvd {
 ///
 /// Source: section 4.2 (rough bisectors) and 4.1 (auxiliary distances). A cell that pokes through the inside of an edge
 /// whose two ends belong to others shows at the midpoint.
-/// Cost: O(k) for the k edges near bisectors.
+/// Reports the first half of the step "bisectors". Cost: O(k) for the k edges near bisectors.
 Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                               Front front);
+                               Front front, const Progress& progress = {});
 
 /// Crosses the given edges (ascending) at most once, between the labels of their ends.
 void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,

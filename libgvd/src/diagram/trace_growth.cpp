@@ -12,6 +12,9 @@
 namespace gvd {
 namespace {
 
+/// Progress is reported once in so many gaps.
+constexpr std::size_t kProgressStride = 1 << 5;
+
 class GrowthTracer final : public ConnectedTracer {
  public:
   GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options)
@@ -22,7 +25,7 @@ class GrowthTracer final : public ConnectedTracer {
         may_grow_(gaps_.size(), 1) {}
 
  private:
-  Crossings cross_edges() override { return find_rough_crossings(working_, table_, labels_, front_); }
+  Crossings cross_edges() override { return find_rough_crossings(working_, table_, labels_, front_, progress_); }
 
   void cross_plainly(const std::vector<EdgeId>& edges, Crossings& crossings) override {
     gvd::cross_plainly(working_, table_, labels_, front_, edges, crossings);
@@ -30,11 +33,9 @@ class GrowthTracer final : public ConnectedTracer {
 
   void close_faces(TracedDiagram& traced, DiagramReport& report) override {
     refine(traced.crossings);
-    report_progress(progress_, "growth", 0);
     report.gaps = static_cast<std::int64_t>(gaps_.size());
     report.gaps_grown = grow(traced);
     report.gaps_assembled = report.gaps - report.gaps_grown;
-    report_progress(progress_, "bisectors", 0.5);
     assemble_rest(traced);
   }
 
@@ -51,14 +52,16 @@ class GrowthTracer final : public ConnectedTracer {
   /// refine or weld, and images unfolded over other edges would make them worse (docs/performance.md has the figures).
   void refine(Crossings& crossings) const {
     if (front_ == Front::circle) return;
-    weld_crossings(refine_bisectors(working_, table_, labels_, crossings), crossings);
+    weld_crossings(refine_bisectors(working_, table_, labels_, crossings, progress_), crossings);
   }
 
   /// Grows every gap that may; returns how many closed.
   std::int64_t grow(TracedDiagram& traced) {
     std::vector<ClosedGap> closed;
+    report_progress(progress_, "growth", 0);
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
       if (!may_grow_[i]) continue;
+      if (i % kProgressStride == 0) report_progress(progress_, "growth", double(i) / double(gaps_.size()));
       auto grown = grow_gap(working_, table_, traced.labels, traced.crossings, gaps_[i]);
       if (grown) closed.push_back({&gaps_[i], std::move(*grown)});
       may_grow_[i] = grown.has_value();
@@ -74,7 +77,7 @@ class GrowthTracer final : public ConnectedTracer {
       if (may_grow_[i]) grown.insert(grown.end(), gaps_[i].faces.begin(), gaps_[i].faces.end());
     }
     std::sort(grown.begin(), grown.end());
-    assemble_faces(working_, table_, traced.labels, traced.crossings, front_, grown, traced.faces);
+    assemble_faces(working_, table_, traced.labels, traced.crossings, front_, grown, traced.faces, progress_);
     std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
                      [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
   }

@@ -49,7 +49,7 @@ Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
 struct ExactField::State {
   State(const Mesh& mesh, const std::vector<SurfacePoint>& points, const ExactFieldOptions& options)
       : generators(points),
-        working(mesh, points),
+        working(mesh, points, options.progress),
         field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
                                 {KeepWindows::all, check_offsets(options.offsets, points.size())}, options.progress)),
         offsets(options.offsets) {

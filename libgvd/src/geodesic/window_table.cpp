@@ -9,6 +9,9 @@
 namespace gvd {
 namespace {
 
+/// Progress is reported once in so many faces.
+constexpr std::int32_t kProgressStride = 1 << 12;
+
 /// Generator g's distance at v, lowered to `distance`; returns its place.
 std::int32_t lower(GeneratorTable& table, VertexId v, GeneratorId g, double distance) {
   const std::int32_t place = table.find(v, g);
@@ -20,7 +23,7 @@ std::int32_t lower(GeneratorTable& table, VertexId v, GeneratorId g, double dist
 
 }  // namespace
 
-GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field) {
+GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress) {
   GeneratorTable table(mesh.vertex_count(), mesh.face_count());
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
     const VertexId v(i);
@@ -29,6 +32,7 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field) 
   std::vector<FaceSource> sources;
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
+    if (i % kProgressStride == 0) report_progress(progress, "tables", double(i) / mesh.face_count());
     collect_face_sources(mesh, field, f, sources);
     const FaceLayout layout(mesh, f);
     while (!sources.empty()) {

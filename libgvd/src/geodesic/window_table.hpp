@@ -3,13 +3,14 @@
 #include "geodesic/generator_table.hpp"
 #include "geodesic/window_field.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
 /// The generator tables that exact distances amount to: what the paper's growth asks for. A generator has a line in a
 /// face's table where one of its windows, or a corner of its own, reaches the face; its distances at the corners come
 /// from there.
-/// Cost: O(n + windows).
-GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field);
+/// Reports the step "tables". Cost: O(n + windows).
+GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
 
 }  // namespace gvd

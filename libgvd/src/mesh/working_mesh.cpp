@@ -28,6 +28,9 @@ constexpr double kOnEdge = 1e-9;
 /// forever.
 constexpr double kFlipGain = 1e-10;
 
+/// Progress is reported once in so many generators that are inserted.
+constexpr std::size_t kProgressStride = 1 << 6;
+
 /// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates.
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -78,7 +81,7 @@ std::vector<EdgeInsertion> sort_along_edges(const Mesh& input, const std::vector
 
 }  // namespace
 
-WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators)
+WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress)
     : input_(&input),
       generator_vertex_(generators.size()),
       vertex_generator_(static_cast<std::size_t>(input.vertex_count())),
@@ -101,11 +104,18 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
     }
   }
   if (!on_edges.empty() || !in_faces.empty()) {
+    report_progress(progress, "working mesh", 0);
     copy_input();
-    insert_on_edges(on_edges, generators);
-    for (const auto& [face, ids] : in_faces) insert_in_face(face, ids, generators);
+    insert_on_edges(on_edges, generators, progress);
+    for (const auto& [face, ids] : in_faces) insert_in_face(face, ids, generators, progress);
   }
   vertex_generator_.resize(static_cast<std::size_t>(mesh().vertex_count()));
+}
+
+void WorkingMesh::report_inserted(const Progress& progress) {
+  if (++inserted_ % kProgressStride != 0) return;
+  report_progress(progress, "working mesh",
+                  static_cast<double>(inserted_) / static_cast<double>(generator_vertex_.size()));
 }
 
 void WorkingMesh::copy_input() {
@@ -158,11 +168,13 @@ std::array<double, 3> WorkingMesh::parent_bary(FaceId f, const Bary& bary) const
   return result;
 }
 
-void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators) {
+void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
+                                  const Progress& progress) {
   HalfedgeId current, rest;  // the input's halfedge at work, and the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
   for (const auto& [h, t, g] : sort_along_edges(*input_, ids, generators)) {
+    report_inserted(progress);
     if (h != current) {
       current = h;
       rest = find_copied(h);
@@ -221,7 +233,7 @@ std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const V
 }
 
 void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<GeneratorId>& ids,
-                                 const std::vector<SurfacePoint>& generators) {
+                                 const std::vector<SurfacePoint>& generators, const Progress& progress) {
   std::vector<FaceId> children{parent_face};
   // Children that earlier edge splits appended: reachable across edges inside the parent.
   for (std::size_t i = 0; i < children.size(); ++i) {
@@ -233,7 +245,10 @@ void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<Generator
       }
     }
   }
-  for (const GeneratorId g : ids) insert_point(children, g, generators[g.index()]);
+  for (const GeneratorId g : ids) {
+    report_inserted(progress);
+    insert_point(children, g, generators[g.index()]);
+  }
   make_delaunay(children);
 }
 

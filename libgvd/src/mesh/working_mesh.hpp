@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -16,8 +17,9 @@ namespace gvd {
 class WorkingMesh {
  public:
   /// Throws Error{precondition} where a generator's face does not exist or two generators coincide (both are named).
-  /// Cost: O(n) to copy; k generators in one face cost O(k^2) in the worst case, O(k) on an average.
-  WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators);
+  /// Reports the step "working mesh". Cost: O(n) to copy; k generators in one face cost O(k^2) in the worst case, O(k)
+  /// on an average.
+  WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress = {});
 
   const Mesh& mesh() const { return split_ ? copy_ : *input_; }
   const Mesh& input() const { return *input_; }
@@ -37,8 +39,10 @@ class WorkingMesh {
   using Corners = std::array<Bary, 3>;
 
   void copy_input();
-  void insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
-  void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators);
+  void insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
+                       const Progress& progress);
+  void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
+                      const Progress& progress);
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
   HalfedgeId find_copied(HalfedgeId h) const;
   std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
@@ -47,6 +51,7 @@ class WorkingMesh {
   Corners corners(FaceId f) const;
   void set_corners(FaceId f, FaceId parent, const Corners& corners);
   void claim(VertexId v, GeneratorId g);
+  void report_inserted(const Progress& progress);
 
   const Mesh* input_;
   bool split_ = false;
@@ -56,7 +61,8 @@ class WorkingMesh {
   std::vector<Corners> child_corners_;
   IdVector<GeneratorId, VertexId> generator_vertex_;
   IdVector<VertexId, GeneratorId> vertex_generator_;
-  double coincidence_ = 0;  // mesh units
+  double coincidence_ = 0;    // mesh units
+  std::size_t inserted_ = 0;  // generators so far, but for those on vertices
 };
 
 }  // namespace gvd
