@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cstddef>
+
 #include "common/command.hpp"
 #include "common/numbers.hpp"
 #include "common/pipeline.hpp"
@@ -98,10 +100,25 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<Surf
   return result;
 }
 
+/// Parts the added generators, which come last, from the given ones.
+void mark_added(const RemeshResult& result, ViewScene& scene) {
+  const auto first = scene.generators.end() - static_cast<std::ptrdiff_t>(result.added);
+  scene.added_generators.assign(first, scene.generators.end());
+  scene.generators.erase(first, scene.generators.end());
+}
+
+ViewScene diagram_scene(const Mesh& mesh, const RemeshResult& result) {
+  ViewScene scene = make_view_scene("Diagram", mesh, result.diagram);
+  mark_added(result, scene);
+  return scene;
+}
+
 ViewScene coarse_scene(const RemeshResult& result) {
   ViewScene scene;
   scene.name = "Remesh";
   scene.mesh = &result.mesh;
+  scene.generators = result.mesh.positions();  // vertex i is generator i
+  mark_added(result, scene);
   scene.wireframe = true;
   scene.smooth = false;
   scene.figures = {{"Vertices", fmt::format("{}", result.mesh.vertex_count())},
@@ -122,7 +139,7 @@ void run_remesh(app::Run& run, const Settings& settings) {
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
   app::write_view_file(run, "gvd-remesh", [&] {
-    return std::vector{coarse_scene(result), make_view_scene("Diagram", mesh, result.diagram)};
+    return std::vector{coarse_scene(result), diagram_scene(mesh, result)};
   });
   app::verify(run, mesh, result.diagram);
   app::write_report_file(run);

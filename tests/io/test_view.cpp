@@ -238,6 +238,9 @@ TEST_CASE("a scene whose parts do not fit is refused") {
   bad.pieces.front().corners.front()[1] = std::numeric_limits<double>::quiet_NaN();
   CHECK(code_of(bad) == ErrorCode::precondition);
   bad = good;
+  bad.added_generators.emplace_back(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
   bad.bisectors.front().front().x() = std::numeric_limits<double>::infinity();
   CHECK(code_of(bad) == ErrorCode::precondition);
 }
@@ -255,6 +258,8 @@ TEST_CASE("write a page with three scenes to the file that GVD_VIEW_SAMPLE names
   third.mesh = &torus;
   third.wireframe = true;
   third.figures = {{"Faces", "256"}};
+  third.generators = {torus.position(VertexId(0)), torus.position(VertexId(40))};
+  third.added_generators = {torus.position(VertexId(4))};
   ViewOptions options;
   options.title = "A sample <of the viewer>";
   std::ofstream(file, std::ios::binary) << make_view_page({first, second, third}, options);

@@ -7,9 +7,24 @@ export const kTextureWidth = 256;
 export const kUnlabelled = new Color('#c9d1d8');
 export const kUnreachedFill = [160, 160, 160];
 
+// Added generators are red: no region is as bright, and their lightness tells them from the given ones without hue.
 export const kThemes = {
-  light: { page: '#f3f4f2', line: '#20262e', wire: '#20262e', generator: '#20262e', branch_point: '#ffffff' },
-  dark: { page: '#15181c', line: '#f4f2ea', wire: '#0b0d10', generator: '#fffaf0', branch_point: '#20262e' },
+  light: {
+    page: '#f3f4f2',
+    line: '#20262e',
+    wire: '#20262e',
+    generator: '#20262e',
+    added_generator: '#e8112d',
+    branch_point: '#ffffff',
+  },
+  dark: {
+    page: '#15181c',
+    line: '#f4f2ea',
+    wire: '#0b0d10',
+    generator: '#fffaf0',
+    added_generator: '#ff3b30',
+    branch_point: '#20262e',
+  },
 };
 
 // Large lit areas need calmer colours than files do: the label's own, mixed with this much of a light grey.

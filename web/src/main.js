@@ -15,6 +15,7 @@ const kToggles = [
   ['lines', 'Lines of equal distance'],
   ['bisectors', 'Bisectors'],
   ['generators', 'Generators'],
+  ['added_generators', 'Added generators'],
   ['branch_points', 'Branch points'],
   ['wireframe', 'Wireframe'],
   ['smooth', 'Smooth shading'],
@@ -45,7 +46,8 @@ class Viewer {
     this.picker = new Picker(this.stage);
     this.materials = { ...make_surface_materials(), ...make_mark_materials() };
     this.pictures = manifest.scenes.map(() => null);
-    this.on = { regions: true, shading: false, lines: false, bisectors: true, generators: true, branch_points: true };
+    this.on = { regions: true, shading: false, lines: false };
+    for (const key of ['bisectors', 'generators', 'added_generators', 'branch_points']) this.on[key] = true;
     this.own = manifest.scenes.map(({ wireframe, smooth }) => ({ wireframe, smooth }));
     this.stage.before_draw = () => this.size_marks();
     this.stage.at_rest = () => this.pick();  // the surface has moved under the pointer
@@ -86,9 +88,10 @@ class Viewer {
 
   apply() {
     const on = { ...this.on, ...this.own[this.current] };
-    for (const [key, input] of Object.entries(this.inputs)) {
-      input.disabled = !this.picture.offers(key);
-      input.checked = on[key] && !input.disabled;
+    for (const [key, { row, input, count }] of Object.entries(this.inputs)) {
+      row.hidden = !this.picture.offers(key);
+      input.checked = on[key] && !row.hidden;
+      count.textContent = this.picture.count(key);
     }
     this.picture.apply(on);
     this.stage.request_draw();
@@ -149,6 +152,8 @@ class Viewer {
     this.materials.wire.uniforms.colour.value.set(theme.wire);
     this.materials.generator.uniforms.fill.value.set(theme.generator);
     this.materials.generator.uniforms.ring.value.set(theme.branch_point);
+    this.materials.added_generator.uniforms.fill.value.set(theme.added_generator);
+    this.materials.added_generator.uniforms.ring.value.set(theme.branch_point);
     this.materials.branch_point.uniforms.fill.value.set(theme.branch_point);
     this.materials.branch_point.uniforms.ring.value.set(theme.generator);
     this.stage.request_draw();

@@ -15,6 +15,7 @@ export function make_mark_materials() {
     line: make_line_material(kBisectorWidth),
     wire: make_wire_material(),
     generator: make_dot_material(kGeneratorDiameter),
+    added_generator: make_dot_material(kGeneratorDiameter),
     branch_point: make_dot_material(kBranchPointDiameter),
   };
 }

@@ -34,14 +34,17 @@ export function make_scene_switch(scenes, choose) {
   });
 }
 
-// One checkbox for each [key, text]. `change` gets the key and whether it is on. Returns the inputs by key.
+// One checkbox for each [key, text]. `change` gets the key and whether it is on. Returns by key the row, its input and
+// the place for how many there are.
 export function make_toggles(entries, change) {
   const inputs = {};
   for (const [key, text] of entries) {
     const input = element('input', { type: 'checkbox', id: `toggle-${key}` });
     input.addEventListener('change', () => change(key, input.checked));
-    by_id('toggles').append(element('label', {}, input, text));
-    inputs[key] = input;
+    const count = element('small');
+    const row = element('label', {}, input, text, count);
+    by_id('toggles').append(row);
+    inputs[key] = { row, input, count };
   }
   return inputs;
 }

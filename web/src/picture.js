@@ -23,6 +23,7 @@ export class Picture {
     this.marks = {
       bisectors: make_bisectors(entry, materials.line),
       generators: make_dots(entry.generators, materials.generator),
+      added_generators: make_dots(entry.added_generators, materials.added_generator),
       branch_points: make_dots(entry.branch_points, materials.branch_point),
       wireframe: null,
     };
@@ -37,6 +38,12 @@ export class Picture {
     if (key === 'shading' || key === 'lines') return this.surface.largest_distance > 0;
     if (key === 'wireframe' || key === 'smooth') return true;
     return Boolean(this.marks[key]);
+  }
+
+  // How many dots a switch shows; empty where it shows something else.
+  count(key) {
+    const mark = this.marks[key];
+    return mark?.isPoints ? String(mark.geometry.getAttribute('position').count) : '';
   }
 
   // Shows what `on` (key to boolean) asks for.

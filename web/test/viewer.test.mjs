@@ -91,7 +91,7 @@ const tests = {
     const page = await open();
     await page.mouse.move(30, 400);
     const first = await picture(page);
-    const boxes = await page.locator('#toggles input').all();
+    const boxes = await page.locator('#toggles label:not([hidden]) input').all();
     assert.equal(boxes.length, 8);
     for (const box of boxes) {
       const key = await box.getAttribute('id');
@@ -151,9 +151,14 @@ const tests = {
     await page.getByText('60 generators').click();
     assert.notEqual(await picture(page, 'second'), first);
     assert.match(await page.locator('#figures').innerText(), /Generators\s+60/);
+    assert.equal(await page.locator('#toggle-added_generators').isVisible(), false);
     await page.getByText('A torus').click();
-    assert.ok(await page.locator('#toggle-regions').isDisabled());
+    assert.equal(await page.locator('#toggle-regions').isVisible(), false);
     assert.ok(await page.locator('#toggle-wireframe').isChecked());
+    assert.match(await page.locator('#toggles').innerText(), /^Generators\s+2\s+Added generators\s+1\s+Wireframe/);
+    const all = await picture(page);
+    await page.locator('#toggle-added_generators').uncheck();
+    assert.notEqual(await picture(page), all);
     await picture(page, 'third');
     await page.getByText('24 generators').click();
     assert.equal(await page.locator('#toggle-wireframe').isChecked(), false);

@@ -91,6 +91,7 @@ class SceneEncoder {
     if (!scene_.pieces.empty()) entry["pieces"] = pieces();
     if (!scene_.bisectors.empty()) entry["bisectors"] = bisectors();
     if (!scene_.generators.empty()) entry["generators"] = points(scene_.generators);
+    if (!scene_.added_generators.empty()) entry["added_generators"] = points(scene_.added_generators);
     if (!scene_.branch_points.empty()) entry["branch_points"] = points(scene_.branch_points);
     entry["cells"] = cells();
     entry["figures"] = figures();
@@ -216,6 +217,7 @@ void check_view_scene(const ViewScene& scene) {
   check_pieces(scene);
   check_labels(scene);
   check_finite("generator", scene.generators);
+  check_finite("added generator", scene.added_generators);
   check_finite("branch point", scene.branch_points);
   for (const std::vector<Vec3>& polyline : scene.bisectors) check_finite("a bisector's point", polyline);
 }

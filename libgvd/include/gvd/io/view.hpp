@@ -25,7 +25,8 @@ struct ViewScene {
   std::vector<FacePiece> pieces;               ///< of the cut faces; they take the face's place
   IdVector<VertexId, double> vertex_distance;  ///< infinity where no generator reaches
   std::vector<std::vector<Vec3>> bisectors;    ///< polylines; a closed one repeats its first point at its end
-  std::vector<Vec3> generators;                ///< indexed by GeneratorId
+  std::vector<Vec3> generators;                ///< the given ones, in the order of their ids
+  std::vector<Vec3> added_generators;          ///< those that a command added: drawn in a colour of their own
   std::vector<Vec3> branch_points;
   IdVector<GeneratorId, Cell> cells;  ///< what the page says about the region under the pointer
   std::vector<ViewFigure> figures;    ///< in the order in which they are shown
