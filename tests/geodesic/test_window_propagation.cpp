@@ -5,6 +5,7 @@
 
 #include "geodesic/face_layout.hpp"
 #include "geodesic/window_filters.hpp"
+#include "geodesic/window_limit.hpp"
 #include "geodesic/window_propagation.hpp"
 #include "geodesic/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
@@ -45,6 +46,12 @@ Nearest nearest_on_edge(const Mesh& mesh, const WindowField& field, HalfedgeId h
 }
 
 }  // namespace
+
+TEST_CASE("more windows than 32 bits can number are refused") {
+  CHECK_NOTHROW(check_window_count(0, kMostWindows));
+  CHECK_NOTHROW(check_window_count(kMostWindows - 1024, 1024));
+  CHECK_THROWS_AS(check_window_count(kMostWindows - 1023, 1024), Error);
+}
 
 TEST_CASE("a component without a generator stays out of reach") {
   const Mesh mesh = test::make_two_components();

@@ -98,12 +98,12 @@ struct FacePiece {
 
 /// What a run did, and what it could not do (zero being the normal case).
 struct DiagramReport {
-  std::int64_t propagation_events = 0;  ///< triangles taken from fast marching's queue, or windows carried across one
-  std::int64_t table_entries = 0;       ///< (triangle, generator) pairs in the generator tables; 0 without them
+  std::int64_t propagation_events = 0;   ///< triangles taken from fast marching's queue, or windows carried across one
+  std::int64_t table_entries = 0;        ///< (triangle, generator) pairs in the generator tables; 0 without them
   std::int64_t relabelled_vertices = 0;  ///< vertices given to another generator to keep cells connected
-  std::int64_t gaps = 0;                ///< groups of faces with three or more generators
-  std::int64_t gaps_grown = 0;          ///< of these, closed by growth
-  std::int64_t gaps_assembled = 0;      ///< of these, closed by assembly of the edge crossings instead
+  std::int64_t gaps = 0;                 ///< groups of faces with three or more generators
+  std::int64_t gaps_grown = 0;           ///< of these, closed by growth
+  std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings instead
   std::int64_t straightened_faces =
       0;  ///< faces whose exact arcs would have crossed by rounding, and are straight instead
   std::int64_t unresolved_ends = 0;  ///< bisector ends that meet nothing; zero in a complete diagram
@@ -127,9 +127,9 @@ struct Diagram {
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
-/// coincide (both are named), Error{invalid_option} where the chord tolerance is not a finite number of at least
-/// kLeastChordTolerance or the number of threads is negative, and Error{interrupted} where the progress callback
-/// cancels. May be called from several threads at once.
+/// coincide (both are named), or exact distances take more than 2^31 windows (100 GB), Error{invalid_option} where the
+/// chord tolerance is not a finite number of at least kLeastChordTolerance or the number of threads is negative, and
+/// Error{interrupted} where the progress callback cancels. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

@@ -38,9 +38,9 @@ struct GeodesicPath {
 class ExactField {
  public:
   /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face
-  /// of the mesh, two of them coincide (both are named) or there is not one offset for each; Error{invalid_option}
-  /// where an offset is negative or not finite; Error{interrupted} where the progress callback cancels. Cost:
-  /// O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
+  /// of the mesh, two of them coincide (both are named), there is not one offset for each or there are more than 2^31
+  /// windows (100 GB); Error{invalid_option} where an offset is negative or not finite; Error{interrupted} where the
+  /// progress callback cancels. Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
   ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options = {});
   ~ExactField();
   ExactField(ExactField&&) noexcept;

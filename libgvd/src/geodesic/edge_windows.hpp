@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodesic/window.hpp"
+#include "geodesic/window_limit.hpp"
 #include "gvd/ids.hpp"
 
 namespace gvd {
@@ -25,12 +26,12 @@ struct KeptWindow {
 };
 static_assert(sizeof(KeptWindow) == 48);
 
-/// A sequence that grows without moving what it holds.
+/// A sequence that grows without moving what it holds, up to kMostWindows.
 template <class T>
 class BlockList {
  public:
   void push_back(const T& value) {
-    if (size_ == blocks_.size() * kBlock) blocks_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
+    if (size_ == blocks_.size() * kBlock) add_block();
     blocks_[size_ / kBlock][size_ % kBlock] = value;
     ++size_;
   }
@@ -38,6 +39,11 @@ class BlockList {
   const T& operator[](std::size_t i) const { return blocks_[i / kBlock][i % kBlock]; }
 
  private:
+  void add_block() {
+    check_window_count(size_, kBlock);
+    blocks_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
+  }
+
   static constexpr std::size_t kBlock = 1024;
   std::vector<std::unique_ptr<T[]>> blocks_;
   std::size_t size_ = 0;

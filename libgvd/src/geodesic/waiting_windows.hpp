@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geodesic/window.hpp"
+#include "geodesic/window_limit.hpp"
 
 namespace gvd {
 
@@ -92,8 +93,13 @@ class WaitingWindows {
       free_ = at(place).next;
       return place;
     }
-    if ((used_ & kMask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
+    if ((used_ & kMask) == 0) add_block();
     return used_++;
+  }
+
+  void add_block() {
+    check_window_count(static_cast<std::size_t>(used_), kMask + 1);
+    blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
   }
 
   bool lower_key(std::int32_t head, double key) {
