@@ -5,9 +5,11 @@
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/sampling.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 
@@ -47,6 +49,17 @@ TEST_CASE("lloyd: the moments of a rectangle about any of its points are exact")
     const auto second = [](double low, double high) { return (std::pow(high, 3) - std::pow(low, 3)) / 3; };
     CHECK(m.energy == Approx(4 * second(-x, 6 - x) + 6 * second(-y, 4 - y)).epsilon(1e-9));
   }
+}
+
+TEST_CASE("lloyd: many more generators than faces relax") {
+  const Mesh mesh = test::make_tetrahedron();
+  SamplingOptions sampling;
+  sampling.count = 200;
+  LloydOptions options;
+  options.max_iterations = 3;
+  const LloydResult result = relax_generators(mesh, sample_generators(mesh, sampling), options);
+  CHECK(result.iterations.size() == 3);
+  CHECK(result.final_energy < 0.99 * result.initial_energy);
 }
 
 TEST_CASE("lloyd: one generator goes to the centre of its square in one step") {
