@@ -34,7 +34,7 @@
 namespace gvd::bench {
 namespace {
 
-/// The steps that both methods name; "growth" of exact diagrams is the assembly of the faces.
+/// The columns. That of growth holds the step "faces" of exact diagrams, which take its place.
 constexpr std::array<std::string_view, 4> kSteps{"distances", "bisectors", "growth", "cells"};
 
 struct Settings {
@@ -171,7 +171,7 @@ void print_header(const Settings& settings) {
 
 double time_of(const StepTimes& steps, std::string_view name) {
   for (const auto& [step, time] : steps) {
-    if (step == name) return time;
+    if (step == name || (step == "faces" && name == "growth")) return time;
   }
   return 0;
 }

@@ -99,7 +99,7 @@ TEST_CASE("progress goes through the three steps, and every call can cancel") {
 TEST_CASE("every long step of an exact diagram can be cancelled while it runs") {
   const Mesh mesh = test::make_sphere(5);
   const auto generators = test::random_generators(mesh, 300, 4);
-  for (const std::string step : {"distances", "bisectors", "growth"}) {
+  for (const std::string step : {"distances", "bisectors", "faces"}) {
     INFO(step);
     DiagramOptions options;
     // The first call of a step is its beginning; with the tracing over, "bisectors" is at its half.
@@ -119,7 +119,7 @@ TEST_CASE("every method reports the beginning of its distances once, and can be 
   const Mesh mesh = test::make_sphere(5);
   const auto generators = test::random_generators(mesh, 300, 4);
   const std::vector<std::pair<Method, std::vector<std::string>>> expected{
-      {Method::exact, {"working mesh", "distances", "bisectors"}},
+      {Method::exact, {"working mesh", "distances", "bisectors", "faces"}},
       {Method::gbgvd, {"working mesh", "bisectors", "growth"}},
       {{Solver::windows, Tracer::growth}, {"working mesh", "distances", "tables", "bisectors", "growth"}},
       {{Solver::fast_marching, Tracer::envelope}, {"working mesh", "bisectors"}}};

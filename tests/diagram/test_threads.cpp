@@ -83,7 +83,7 @@ TEST_CASE("a step is cancelled while several threads are at it") {
   test::with_many_threads([] {
     const Mesh mesh = test::make_sphere(5);
     const auto generators = test::random_generators(mesh, 300, 4);
-    for (const std::string step : {"bisectors", "growth", "cells"}) {
+    for (const std::string step : {"bisectors", "faces", "cells"}) {
       for (const int threads : test::kThreads) {
         INFO(step << ", " << threads << " threads");
         int calls_after = -1;

@@ -18,7 +18,7 @@ class ConnectedTracer {
  public:
   virtual ~ConnectedTracer() = default;
 
-  /// Counts relabelled vertices in `report`; reports the steps "bisectors" and "growth". Cost: O(n) a round, of which
+  /// Counts relabelled vertices in `report`; reports the steps "bisectors" and its own. Cost: O(n) a round, of which
   /// one is the rule.
   TracedDiagram run(DiagramReport& report);
 

@@ -98,7 +98,7 @@ class EnvelopeTracer final : public ConnectedTracer {
   }
 
   void close_faces(TracedDiagram& traced, DiagramReport& report) override {
-    report_progress(progress_, "growth", 0);
+    report_progress(progress_, "faces", 0);
     const auto counts = count_by_face(mesh_, traced.crossings);
     const std::vector<FaceId> faces = crossed_faces(counts);
     const auto work = [&](std::size_t i) {
@@ -112,7 +112,7 @@ class EnvelopeTracer final : public ConnectedTracer {
     };
     report.straightened_faces = 0;
     for (const ClosedFaces& part :
-         parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"growth", 0, 1}, close)) {
+         parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
       traced.faces.append(part.diagram);
       report.straightened_faces += part.straightened;
     }

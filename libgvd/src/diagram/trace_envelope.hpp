@@ -11,7 +11,7 @@ namespace gvd {
 /// `tolerance` (mesh units) of the bisectors.
 ///
 /// Edges are crossed and faces closed by several threads; the distance field has to bear that.
-/// Reports the steps "bisectors" and "growth". Cost: O(n + k) for k points of the bisectors.
+/// Reports the steps "bisectors" and "faces". Cost: O(n + k) for k points of the bisectors.
 TracedDiagram trace_envelope(const WorkingMesh& working, const NearestLabels& labels, const DistanceField& field,
                              double tolerance, const ParallelChunks& parallel, DiagramReport& report);
 
