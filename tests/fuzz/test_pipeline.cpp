@@ -33,6 +33,9 @@ constexpr unsigned kFirstSeed = 401, kSeeds = 300;
 /// after so many reports never will. Counted, not timed: the verdict must not depend on the machine.
 constexpr int kMostReports = 60;
 
+/// Of a remesh or a relaxation, which report for several diagrams as if they were one step.
+constexpr int kMostReportsOfMany = 40 * kMostReports;
+
 /// One field a generator is asked for every crossing: only as long as that is cheap.
 constexpr std::size_t kMostFields = 12;
 
@@ -55,10 +58,10 @@ constexpr std::array kMethods{Method::exact, Method::gbgvd, Method{Solver::windo
                               Method{Solver::fast_marching, Tracer::envelope}};
 
 /// Cancels a step that does not end.
-Progress limited() {
-  return [reports = 0](std::string_view, double fraction) mutable {
+Progress limited(int most = kMostReports) {
+  return [reports = 0, most](std::string_view, double fraction) mutable {
     reports = fraction == 0 ? 0 : reports + 1;
-    return reports <= kMostReports;
+    return reports <= most;
   };
 }
 
@@ -150,7 +153,7 @@ class FuzzCase {
   void run_remesh(const Mesh& mesh, const DiagramOptions& diagram) {
     RemeshOptions options;
     options.diagram = diagram;
-    options.diagram.progress = limited();
+    options.diagram.progress = limited(kMostReportsOfMany);
     options.max_added = 20;
     RemeshResult result;
     if (attempt("remesh", [&] { result = remesh(mesh, points_, options); })) {
@@ -165,7 +168,7 @@ class FuzzCase {
   void run_relaxation(const Mesh& mesh, const DiagramOptions& diagram) {
     LloydOptions options;
     options.diagram = diagram;
-    options.progress = limited();
+    options.progress = limited(kMostReportsOfMany);
     options.max_iterations = 2;
     LloydResult result;
     if (!attempt("relaxation", [&] { result = relax_generators(mesh, points_, options); })) {
