@@ -36,9 +36,10 @@ void check_method(const ComputeOptions& compute) {
     refuse("--chord-tolerance: bisectors are bent by --method exact only; choose it or leave --chord-tolerance out");
   }
   if (compute.chord_tolerance && *compute.chord_tolerance < kLeastChordTolerance) {
-    refuse(fmt::format("--chord-tolerance {}: below {} of a mean edge rounding decides where a bisector lies; give at "
-                       "least that",
-                       *compute.chord_tolerance, kLeastChordTolerance));
+    refuse(
+        fmt::format("--chord-tolerance {}: below {} of a mean edge rounding decides where a bisector lies; give at "
+                    "least that",
+                    *compute.chord_tolerance, kLeastChordTolerance));
   }
 }
 

@@ -20,8 +20,8 @@ struct CrossingEstimate {
 /// face's plane, and the bisector becomes the perpendicular bisector of their two images.
 ///
 /// Source: section 4.2 (refinement by unfolding). An estimate that leaves its edge is not given.
-/// Returns at most two estimates a crossing, one from each face, ascending by face. Reports the third quarter of the step "bisectors".
-/// Cost: O(k) for k crossings.
+/// Returns at most two estimates a crossing, one from each face, ascending by face. Reports the third quarter of the
+/// step "bisectors". Cost: O(k) for k crossings.
 std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
                                                const NearestLabels& labels, const Crossings& crossings,
                                                const Progress& progress = {});

@@ -111,8 +111,7 @@ class EnvelopeTracer final : public ConnectedTracer {
       return closer.take_result();
     };
     report.straightened_faces = 0;
-    for (const ClosedFaces& part :
-         parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
+    for (const ClosedFaces& part : parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
       traced.faces.append(part.diagram);
       report.straightened_faces += part.straightened;
     }

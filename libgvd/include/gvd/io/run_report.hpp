@@ -41,8 +41,8 @@ struct DiagramFigures {
   std::int64_t disc_cells = 0;  ///< connected cells of Euler characteristic 1
   std::int64_t unresolved_ends = 0;
   std::int64_t relabelled_vertices = 0;  ///< see DiagramReport
-  std::int64_t straightened_faces = 0;  ///< see DiagramReport
-  std::optional<VerifyFigures> verify;  ///< of a run that measured it
+  std::int64_t straightened_faces = 0;   ///< see DiagramReport
+  std::optional<VerifyFigures> verify;   ///< of a run that measured it
 };
 
 /// Cost: O(cells).
