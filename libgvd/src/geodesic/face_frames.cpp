@@ -34,9 +34,23 @@ VertexKind kind_of(const Turning& total, bool boundary) {
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
 
-/// Height of a face without area, relative to its longest side, so that paths find the way across: from its middle
-/// corner to what lies behind the longest side. It makes them longer by as little.
-constexpr double kLeastHeight = 1e-12;
+/// Sine of a face's widest angle where the face has no area, so that paths find the way across: from its middle corner
+/// to what lies behind the longest side. Relative to the two sides at that angle, the shortest ones: their squares then
+/// still add up (the height comes to 1e-24 of them), however unequal they are. It makes paths longer by 1e-12 of the
+/// shorter one at the most.
+constexpr double kLeastSine = 1e-12;
+
+/// A face with less of its longest side's square than this is a sliver. Its area, as the mesh has it, is rounded by
+/// 1e-16 of that square: above this it keeps 12 digits.
+constexpr double kSliverArea = 1e-4;
+
+/// Twice a sliver's area, from its two shortest sides: right to 1e-16 of their product, so that the angles of a needle
+/// keep all digits, and above nothing.
+double sliver_twice_area(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
+  const auto longest = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const std::size_t i = (longest + 1) % 3, j = (longest + 2) % 3;
+  return std::max(side[i].cross(side[j]).stableNorm(), kLeastSine * length[i] * length[j]);
+}
 
 FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   FaceFrame frame{};
@@ -46,7 +60,8 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   for (std::size_t i = 0; i < 3; ++i) side[i] = mesh.position(corners[(i + 1) % 3]) - mesh.position(corners[i]);
   frame.length = shape.length;
   const double longest = std::max({shape.length[0], shape.length[1], shape.length[2]});
-  const double twice_area = std::max(shape.twice_area, kLeastHeight * longest * longest);
+  const bool is_sliver = !(shape.twice_area > kSliverArea * longest * longest);
+  const double twice_area = is_sliver ? sliver_twice_area(side, shape.length) : shape.twice_area;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t before = (i + 2) % 3;
     // From the sides themselves: the law of cosines would lose the digits of a needle's lengths.

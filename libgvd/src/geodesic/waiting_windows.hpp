@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +36,8 @@ class WaitingWindows {
     added.rays.depth = rays.depth;
     added.offset = origin.offset;
     added.generator = origin.generator;
+    added.crossed = origin.crossed;
+    added.milestone = origin.milestone;
     added.joins = origin.joins;
     added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
@@ -57,7 +60,7 @@ class WaitingWindows {
     while (place >= 0) {
       Window& w = at(place);
       const Rays rays = w.rays;
-      const Origin origin{w.offset, w.generator, w.joins};
+      const Origin origin{w.offset, w.generator, w.crossed, w.milestone, w.joins};
       const std::int32_t next = w.next;
       w.next = free_;
       free_ = place;
@@ -73,6 +76,8 @@ class WaitingWindows {
     std::int32_t generator;
     std::int32_t next;  // in the list, or -1
     float key;          // in the first window of a list: that of the halfedge in the queue, times key_unit_
+    std::int32_t crossed;
+    std::int32_t milestone;
     std::uint8_t joins;
   };
   static_assert(sizeof(Window) == 64);
@@ -120,16 +125,24 @@ class WaitingWindows {
       const int open = w.joins & ((origin.joins >> 1) | (origin.joins << 1));  // at its begin, where our end may join
       if ((open & Origin::kAtEnd) && std::abs(w.rays.end - rays.begin) <= kSameEnd * length) {
         w.rays.end = rays.end;
+        join_history(w, origin);
         w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd));
         return true;
       }
       if ((open & Origin::kAtBegin) && std::abs(w.rays.begin - rays.end) <= kSameEnd * length) {
         w.rays.begin = rays.begin;
+        join_history(w, origin);
         w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtEnd) | (origin.joins & Origin::kAtBegin));
         return true;
       }
     }
     return false;
+  }
+
+  /// The paths of the two parts went through different faces: what only some of them have crossed is forgotten.
+  static void join_history(Window& w, const Origin& origin) {
+    if (w.milestone != origin.milestone) w.milestone = -1;
+    w.crossed = std::min(w.crossed, origin.crossed);
   }
 
   std::vector<std::int32_t> first_;  // [halfedge] or -1

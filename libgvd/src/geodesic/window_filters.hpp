@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include "geodesic/window.hpp"
 
 namespace gvd {
@@ -33,6 +37,61 @@ inline bool is_beaten_by_start(const Rays& w, double offset, double start_distan
 /// The same from the end of the edge, which is `length` long.
 inline bool is_beaten_by_end(const Rays& w, double offset, double end_distance, double length) {
   return is_shorter(end_distance, length - w.begin, offset, w.squared_reach(w.begin));
+}
+
+/// Whether a window that has crossed this many faces takes the last one of them for its milestone: a power of two.
+inline bool is_milestone(std::int32_t crossed) { return (crossed & (crossed - 1)) == 0; }
+
+/// Whether the paths of a window that is about to cross `face` meet a face for the second time: it is their milestone,
+/// or they have crossed as many faces as there are.
+///
+/// Proof: two points of one face are joined by a straight segment in it, and nothing in space is shorter. A path that
+/// leaves the face in between is longer; from the first point on, the segment beats it.
+/// Windows wind round a thin tube as often as it is longer than thick, and all these paths have one length but for
+/// rounding, so that no comparison of lengths ends it. A path that winds repeats a cycle of faces: a milestone within
+/// the cycle is met again one cycle later, and the last power of two comes no later than twice the length of the cycle
+/// (Brent's way to find cycles). The number of faces bounds what repeats itself in any other way.
+inline bool is_crossed_twice(const Origin& origin, std::int32_t face, std::int32_t faces) {
+  return (face == origin.milestone) | (origin.crossed >= faces);
+}
+
+/// The shortest path so far that reaches a face's apex straight across the edge on the other side.
+struct ApexPath {
+  double distance = std::numeric_limits<double>::infinity();  ///< of the apex on it, mesh units
+  double crossing = 0;                                        ///< where it crosses the edge, in the frame of Rays
+};
+
+/// The sides of a face that a window goes on to.
+struct Exits {
+  bool left = true, right = true;
+};
+
+/// Rays through one point that come from images this far apart, relative to their distance, are one: kSameImage of
+/// WaitingWindows.
+inline constexpr double kSameRay = 3e-13;
+
+/// One angle, one split: of all windows that cross an edge and cover the apex, only the one whose path to the apex V is
+/// the shortest needs to go on to both sides of it. Another one goes on to the side only on which its own path to V
+/// arrives. Makes `path` the best path so far, `own` and all that came before.
+///
+/// Proof: let S cross the edge at s on its way to V, and W's path to V at w < s, |W V| >= |S V|. Assume that W holds a
+/// shortest path to a point R of the right side, which crosses the edge at r. If r <= s, it meets the segment from s to
+/// V at a point Q. If not, s lies between the rays of W to V and to R, in a part of the plane that W's rays cover and
+/// that no vertex lies in; so S, followed backwards, leaves that part, and through the ray to R, at Q, since two
+/// straight lines that meet in V meet nowhere else. Either way |W Q| <= |S Q|, the path through Q being shortest, and
+/// |W V| < |W Q| + |Q V| <= |S Q| + |Q V| = |S V|: a contradiction. A tie is one by rounding only where the two paths
+/// are one, and that is left alone.
+/// With it an edge has at most one window that splits at any time, and windows that tie all over, as on faces without
+/// area, don't double with every face.
+///
+/// Source: Chen and Han (1990), lemma 4.
+/// Inputs: `tolerance`, within which crossings are one, mesh units.
+inline Exits exits_beside(ApexPath& path, const ApexPath& own, double tolerance) {
+  if (own.distance < path.distance) {
+    path = own;
+    return {};
+  }
+  return {!(own.crossing > path.crossing + tolerance), !(own.crossing < path.crossing - tolerance)};
 }
 
 }  // namespace gvd

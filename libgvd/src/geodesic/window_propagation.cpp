@@ -32,6 +32,7 @@ class Propagation {
         bucket_width_(kBucketWidth * mesh.mean_edge_length()),
         queue_(bucket_width_, bucket_count(mesh)),
         waiting_(static_cast<std::size_t>(mesh.halfedge_count()), bucket_width_),
+        apex_path_(static_cast<std::size_t>(mesh.halfedge_count())),
         retention_(options.keep, field_) {}
 
   WindowField run(const std::vector<VertexId>& generators, const std::vector<double>& offsets) {
@@ -170,7 +171,7 @@ class Propagation {
     }
     const int joins =
         (!last && is_flat(f.vertex[q]) ? Origin::kAtBegin : 0) | (!first && is_flat(f.vertex[p]) ? Origin::kAtEnd : 0);
-    add_window(send_rays(f, c, first, last), {event.distance, generator, static_cast<std::uint8_t>(joins)},
+    add_window(send_rays(f, c, first, last), {event.distance, generator, 1, base / 3, static_cast<std::uint8_t>(joins)},
                {base, &f, p, q});
   }
 
@@ -209,6 +210,7 @@ class Propagation {
     const FaceFrame& f = fan_.face(h);
     const auto i = static_cast<std::size_t>(h % 3);
     waiting_.take(h, [&](const Rays& rays, const Origin& origin) {
+      if (is_crossed_twice(origin, h / 3, mesh_.face_count())) return;
       keep(rays, origin, h, f.vertex[i], f.vertex[(i + 1) % 3]);
       cross_face(rays, origin, f, h - static_cast<std::int32_t>(i), i);
     });
@@ -218,28 +220,41 @@ class Propagation {
     ++field_.carried;
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const ApexView apex(w, f.length[top] * f.cosine[i], f.length[top] * f.sine[i]);
-    if (apex.covered() || is_grazed(w, apex)) reach_apex(w, origin, f, base, i, apex);
+    Exits exits{!apex.all_right(), !apex.all_left()};
+    if (apex.covered()) {
+      exits = split_at_apex(w, origin, f, base, i, apex);
+    } else if (is_grazed(w, apex)) {
+      reach_apex(w, origin, f, base, i, apex, std::sqrt(apex.squared_reach(w)));
+    }
     if (std::isinf(distance(f.vertex[top]))) reach_apex_along_sides(f, base, i);
     // Where the apex splits the window, the two parts may join again behind it.
     const int split = is_flat(f.vertex[top]) ? Origin::kAtBegin | Origin::kAtEnd : 0;
-    if (!apex.all_right()) {
+    Origin next = origin;
+    if (is_milestone(++next.crossed)) next.milestone = base / 3;
+    if (exits.left) {
       const int at_end = apex.all_left() ? origin.joins : split;
-      const int joins = (origin.joins & Origin::kAtBegin) | (at_end & Origin::kAtEnd);
-      add_window(cross_left(w, f, i, apex), {origin.offset, origin.generator, static_cast<std::uint8_t>(joins)},
-                 {base, &f, top, i});
+      next.joins = static_cast<std::uint8_t>((origin.joins & Origin::kAtBegin) | (at_end & Origin::kAtEnd));
+      add_window(cross_left(w, f, i, apex), next, {base, &f, top, i});
     }
-    if (!apex.all_left()) {
+    if (exits.right) {
       const int at_begin = apex.all_right() ? origin.joins : split;
-      const int joins = (at_begin & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd);
-      add_window(cross_right(w, f, i, apex), {origin.offset, origin.generator, static_cast<std::uint8_t>(joins)},
-                 {base, &f, right, top});
+      next.joins = static_cast<std::uint8_t>((at_begin & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd));
+      add_window(cross_right(w, f, i, apex), next, {base, &f, right, top});
     }
   }
 
+  Exits split_at_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
+                      const ApexView& apex) {
+    const double reach = std::sqrt(apex.squared_reach(w));
+    reach_apex(w, origin, f, base, i, apex, reach);
+    const ApexPath own{origin.offset + reach, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
+    return exits_beside(apex_path_[static_cast<std::size_t>(base) + i], own, kSameRay * reach);
+  }
+
   void reach_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
-                  const ApexView& apex) {
+                  const ApexView& apex, double reach) {
     const std::size_t top = (i + 2) % 3;
-    const double reach = std::sqrt(apex.squared_reach(w)), d = origin.offset + reach;
+    const double d = origin.offset + reach;
     if (!(d < distance(f.vertex[top]))) return;
     // The way back, turned from the side towards the edge's start.
     const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
@@ -274,6 +289,7 @@ class Propagation {
   double bucket_width_;
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
+  std::vector<ApexPath> apex_path_;  // [halfedge that windows cross into the face]
   WindowRetention retention_;
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
