@@ -18,6 +18,8 @@ struct Rotation {
   friend Rotation operator-(const Rotation& a, const Rotation& b) {
     return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
   }
+  /// Whether this is no turn but for kGrazingAngle, or one to the other side. For angles in (-pi, pi].
+  bool is_grazing() const { return sine < kGrazingAngle && cosine > 0; }
 };
 
 /// A direction at a vertex: in the face of `halfedge`, which leaves the vertex, at an angle in [0, that of the corner]

@@ -162,11 +162,11 @@ class Propagation {
     const FaceFrame& f = fan_.face(outgoing);
     const auto c = static_cast<std::size_t>(outgoing % 3), p = (c + 1) % 3, q = (c + 2) % 3;
     const std::int32_t generator = label(event.vertex), base = outgoing - static_cast<std::int32_t>(c);
-    if (!first || first->sine < kGrazingAngle) {
+    if (!first || first->is_grazing()) {
       reach_vertex(f.vertex[p], event.distance + f.length[c], generator,
                    {base + static_cast<std::int32_t>(p), {f.cosine[p], f.sine[p]}});
     }
-    if (!last || (fan_.corner(outgoing) - *last).sine < kGrazingAngle) {
+    if (!last || (fan_.corner(outgoing) - *last).is_grazing()) {
       reach_vertex(f.vertex[q], event.distance + f.length[q], generator, {base + static_cast<std::int32_t>(q), {}});
     }
     const int joins =
