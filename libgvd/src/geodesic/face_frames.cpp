@@ -9,27 +9,37 @@ namespace {
 /// The sum of angles in [0, pi], as whole turns and the rest's cosine and sine: no inverse trigonometry.
 struct Turning {
   double cosine = 1, sine = 0;
+  double least_sine = 1;        // of the corners of the faces round the vertex
   std::int32_t half_turns = 0;  // how often the sum has crossed a multiple of pi
 
-  void add(double c, double s) {
+  void add(double c, double s, double least_sine_of_face) {
     const double turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
     // One angle is at most pi: it crosses one multiple of pi at the most, and there the sine changes sign.
     half_turns += static_cast<std::int32_t>((turned_sine < 0) != (sine < 0));
     cosine = turned_cosine;
     sine = turned_sine;
+    least_sine = std::min(least_sine, least_sine_of_face);
   }
-  /// Whether the sum is `half` times pi, to within kFlatAngle.
-  bool is_near(std::int32_t half) const {
-    if (!(std::abs(sine) < kFlatAngle) || (cosine > 0) != (half % 2 == 0)) return false;
+  /// Whether the sum is `half` times pi, to within an angle below pi / 2 that has the sine `tolerance`.
+  bool is_near(std::int32_t half, double tolerance) const {
+    if (!(std::abs(sine) < tolerance) || (cosine > 0) != (half % 2 == 0)) return false;
     // The sine's sign is chance there: the last multiple is crossed or not. Two half turns more look the same but for
     // their number.
     return half_turns == half || half_turns == half - 1;
   }
 };
 
+/// A face whose least corner has less of a sine than this is a needle. Where a window's end lies on a long side is
+/// rounded by kRounding of that side; seen over the length of a short one, this is an angle of kRounding over the least
+/// sine, and it counts from where it reaches kFlatAngle.
+constexpr double kNeedleSine = kRounding / kFlatAngle;
+
 VertexKind kind_of(const Turning& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;
-  if (total.is_near(straight)) return boundary ? VertexKind::plain : VertexKind::flat;
+  if (total.least_sine < kNeedleSine && total.is_near(straight, kRounding / total.least_sine)) {
+    return VertexKind::blurred;
+  }
+  if (total.is_near(straight, kFlatAngle)) return boundary ? VertexKind::plain : VertexKind::flat;
   if (total.half_turns < straight) return VertexKind::plain;
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
@@ -81,8 +91,10 @@ FaceFrames::FaceFrames(const Mesh& mesh) : kind(static_cast<std::size_t>(mesh.ve
   std::vector<Turning> total(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const FaceFrame made = make_frame(mesh, FaceId(f));
-    for (std::size_t i = 0; i < 3; ++i)
-      total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i]);
+    const double least_sine = std::min({made.sine[0], made.sine[1], made.sine[2]});
+    for (std::size_t i = 0; i < 3; ++i) {
+      total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i], least_sine);
+    }
     frame.push_back(made);
   }
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {

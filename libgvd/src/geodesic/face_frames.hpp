@@ -25,11 +25,17 @@ enum class VertexKind : std::uint8_t {
   flat,    ///< theta = 2 pi: paths go straight on; the images that its two sides see are one
   saddle,  ///< theta > 2 pi: a pseudo-source
   reflex,  ///< on the boundary with theta > pi: a pseudo-source
+  /// One of needles, so that rounding hides on which side of straight theta lies, and opens gaps between the windows
+  /// that pass on both sides of it: a pseudo-source in all directions, which is never wrong.
+  blurred,
 };
 
 /// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is
 /// right to 1e-14; a path that bends by 1e-9 is longer than the straight one by 1e-18 of itself.
 inline constexpr double kFlatAngle = 1e-9;
+
+/// Error of a length along an edge, relative to the edge: a few dozen roundings.
+inline constexpr double kRounding = 1e-14;
 
 struct FaceFrames {
   IdVector<FaceId, FaceFrame> frame;

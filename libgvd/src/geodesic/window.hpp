@@ -83,15 +83,18 @@ struct ApexView {
 /// accepted wrongly is too short by half the square of it: 5e-19 of the last piece of the path.
 inline constexpr double kGrazingAngle = 1e-9;
 
-/// Whether the apex, not covered, lies on the continuation of the window's outermost ray within kGrazingAngle. A path
-/// that turns back at the end of the interval, as it would into a face without area, has no sine either: it has to go
-/// on forwards.
-inline bool is_grazed(const Rays& w, const ApexView& apex) {
+/// Whether the apex, not covered, lies on the continuation of the window's outermost ray within kGrazingAngle, or
+/// within what rounding moves the end of the interval by on an edge of this length: then the path is too short by no
+/// more than that. A path that turns back at the end of the interval, as it would into a face without area, has no sine
+/// either: it has to go on forwards.
+inline bool is_grazed(const Rays& w, const ApexView& apex, double length) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
   const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
   const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
-  return (beyond * beyond <= kGrazingAngle * kGrazingAngle * w.squared_reach(t) * squared_step) & (forwards > 0);
+  const double shift = kRounding * length * (w.depth + apex.y);  // what moving the end by kRounding does to `beyond`
+  const double bend = kGrazingAngle * kGrazingAngle * w.squared_reach(t) * squared_step;
+  return (beyond * beyond <= bend + shift * shift) & (forwards > 0);
 }
 
 /// The part of a window that leaves the face by the left side, from the edge's start to the apex.

@@ -59,7 +59,7 @@ class Propagation {
   /// A pseudo-source that was reached, or a generator: it will send windows.
   struct VertexEvent {
     std::int32_t vertex;
-    bool all_round;  // a generator
+    bool all_round;  // a generator, or a blurred vertex
     double distance;
     FanRay back;  // towards where the path came from
   };
@@ -90,7 +90,7 @@ class Propagation {
     if (!(d < field_.distance[v])) return;
     field_.distance[v] = d;
     field_.label[v] = g;
-    push_event({v.value(), true, d, {mesh_.halfedge(v).value(), {}}});
+    push_event({v.value(), true, d, {}});
   }
 
   void push_event(const VertexEvent& event) {
@@ -112,7 +112,7 @@ class Propagation {
       if (label(v) >= 0) retention_.mark_vertex(fan_, back.halfedge);
       field_.label[VertexId(v)] = GeneratorId(generator);
     }
-    if (kind(v) == VertexKind::saddle || kind(v) == VertexKind::reflex) push_event({v, false, d, back});
+    if (kind(v) >= VertexKind::saddle) push_event({v, kind(v) == VertexKind::blurred, d, back});
   }
 
   void send_from_vertex(std::int32_t place) {
@@ -134,7 +134,7 @@ class Propagation {
   }
 
   void send_all_round(const VertexEvent& event) {
-    const std::int32_t start = event.back.halfedge;
+    const std::int32_t start = mesh_.halfedge(VertexId(event.vertex)).value();
     std::int32_t h = start;
     do {
       send(event, h, nullptr, nullptr);
@@ -223,7 +223,7 @@ class Propagation {
     Exits exits{!apex.all_right(), !apex.all_left()};
     if (apex.covered()) {
       exits = split_at_apex(w, origin, f, base, i, apex);
-    } else if (is_grazed(w, apex)) {
+    } else if (is_grazed(w, apex, f.length[i])) {
       reach_apex(w, origin, f, base, i, apex, std::sqrt(apex.squared_reach(w)));
     }
     if (std::isinf(distance(f.vertex[top]))) reach_apex_along_sides(f, base, i);
