@@ -248,7 +248,8 @@ class Propagation {
     const double reach = std::sqrt(apex.squared_reach(w));
     reach_apex(w, origin, f, base, i, apex, reach);
     const ApexPath own{origin.offset + reach, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
-    return exits_beside(apex_path_[static_cast<std::size_t>(base) + i], own, kSameRay * reach);
+    return exits_beside(apex_path_[static_cast<std::size_t>(base) + i], own,
+                        kSameRay * reach + kRounding * f.length[i]);
   }
 
   void reach_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
