@@ -15,6 +15,13 @@ namespace gvd {
 /// been unfolded over a thousand faces (1e-13), so that two equal paths never drop each other.
 inline constexpr double kTie = 1e-13;
 
+/// A distance must fall by this part of itself to be news. Two paths of the same length differ by rounding, a few
+/// units in the last place; what the second one led to would repeat what the first one did.
+inline constexpr double kNews = 4e-15;
+
+/// Whether a path of length `d` is news where one of length `known` is known.
+inline bool is_news(double d, double known) { return d < known * (1 - kNews); }
+
 /// Whether a window has no width, or its rays run along the edge.
 inline bool is_empty(const Rays& w) { return !(w.begin < w.end) | !(w.depth > 0); }
 
@@ -37,6 +44,19 @@ inline bool is_beaten_by_start(const Rays& w, double offset, double start_distan
 /// The same from the end of the edge, which is `length` long.
 inline bool is_beaten_by_end(const Rays& w, double offset, double end_distance, double length) {
   return is_shorter(end_distance, length - w.begin, offset, w.squared_reach(w.begin));
+}
+
+/// Whether the path through an end of the edge, at `end_distance` from the generator and `step` from the far end of the
+/// interval, is no news to the window: shorter or longer by rounding. Where that end is a blurred vertex, which sends
+/// windows in all directions itself, the window can be left to it.
+///
+/// Proof: as for is_beaten_by_start, the path through the vertex is at most kNews longer at all points of the interval,
+/// and so it is at all points behind, whatever way the window's paths go on; the vertex' own windows hold one that is
+/// no longer. They start nearer to these points, so that leaving a window to a vertex never goes in a circle. Without
+/// it, where needles make a thin tube, as many windows as it has vertices are carried along from each of them.
+inline bool is_left_to_vertex(double offset, double end_distance, double step, double squared) {
+  const double rest = (end_distance + step) * (1 - kNews) - offset;
+  return rest * std::abs(rest) < squared;
 }
 
 /// Whether a window that has crossed this many faces takes the last one of them for its milestone: a power of two.

@@ -18,10 +18,6 @@ constexpr double kBucketWidth = 0.8;
 /// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
 constexpr double kMaxBuckets = 1 << 16;
 
-/// A distance must fall by this part of itself to be news. Two paths of the same length differ by rounding, a few
-/// units in the last place; the windows of the second would repeat those of the first.
-constexpr double kNews = 4e-15;
-
 class Propagation {
  public:
   Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
@@ -29,6 +25,7 @@ class Propagation {
         progress_(progress),
         field_(mesh),
         fan_(field_.frames),
+        has_blurred_(std::count(field_.frames.kind.begin(), field_.frames.kind.end(), VertexKind::blurred) > 0),
         bucket_width_(kBucketWidth * mesh.mean_edge_length()),
         queue_(bucket_width_, bucket_count(mesh)),
         waiting_(static_cast<std::size_t>(mesh.halfedge_count()), bucket_width_),
@@ -106,7 +103,7 @@ class Propagation {
 
   /// A path to vertex v. Where it is news and paths can bend at v, v will send windows.
   void reach_vertex(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
-    if (!(d < distance(v) * (1 - kNews))) return;
+    if (!is_news(d, distance(v))) return;
     distance(v) = d;
     if (label(v) != generator) {
       if (label(v) >= 0) retention_.mark_vertex(fan_, back.halfedge);
@@ -183,6 +180,7 @@ class Propagation {
     const bool by_start = is_beaten_by_start(w, origin.offset, distance(start));
     const bool by_end = is_beaten_by_end(w, origin.offset, distance(end), length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be foretold cost more
+    if (has_blurred_ && is_left_to_ends(w, origin, start, end, length)) return;
     const std::int32_t twin = f.twin[side.end];
     if (twin < 0) {
       keep(w, origin, side.base + static_cast<std::int32_t>(side.end), start, end);
@@ -190,6 +188,13 @@ class Propagation {
     }
     const double key = origin.offset + w.least_reach();
     if (waiting_.add(twin, w, origin, length, key)) queue_.push(key, twin);
+  }
+
+  bool is_left_to_ends(const Rays& w, const Origin& origin, std::int32_t start, std::int32_t end, double length) {
+    return (kind(start) == VertexKind::blurred &&
+            is_left_to_vertex(origin.offset, distance(start), w.end, w.squared_reach(w.end))) ||
+           (kind(end) == VertexKind::blurred &&
+            is_left_to_vertex(origin.offset, distance(end), length - w.begin, w.squared_reach(w.begin)));
   }
 
   void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start, std::int32_t end) {
@@ -287,6 +292,7 @@ class Propagation {
   const Progress& progress_;
   WindowField field_;
   VertexFan fan_;
+  bool has_blurred_;  // so that meshes without needles look no kinds up
   double bucket_width_;
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
