@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geodesic/window.hpp"
+
 namespace gvd {
 namespace {
 
@@ -31,8 +33,8 @@ struct Turning {
 
 /// A face whose least corner has less of a sine than this is a needle. Where a window's end lies on a long side is
 /// rounded by kRounding of that side; seen over the length of a short one, this is an angle of kRounding over the least
-/// sine, and it counts from where it reaches kFlatAngle.
-constexpr double kNeedleSine = kRounding / kFlatAngle;
+/// sine, and for a needle more than kGrazingAngle.
+constexpr double kNeedleSine = kRounding / kGrazingAngle;
 
 VertexKind kind_of(const Turning& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;

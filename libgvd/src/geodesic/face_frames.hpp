@@ -31,8 +31,9 @@ enum class VertexKind : std::uint8_t {
 };
 
 /// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is
-/// right to 1e-14; a path that bends by 1e-9 is longer than the straight one by 1e-18 of itself.
-inline constexpr double kFlatAngle = 1e-9;
+/// right to 1e-14. Behind a saddle that is taken for flat lies a wedge of this angle that no window reaches; what lies
+/// in it is found by kGrazingAngle, where no more than a thousand of them are in one line.
+inline constexpr double kFlatAngle = 1e-12;
 
 /// Error of a length along an edge, relative to the edge: a few dozen roundings.
 inline constexpr double kRounding = 1e-14;
