@@ -124,14 +124,12 @@ class WaitingWindows {
       if (std::abs(w.rays.x - rays.x) > tolerance || std::abs(w.rays.depth - rays.depth) > tolerance) continue;
       const int open = w.joins & ((origin.joins >> 1) | (origin.joins << 1));  // at its begin, where our end may join
       if ((open & Origin::kAtEnd) && std::abs(w.rays.end - rays.begin) <= kSameEnd * length) {
-        w.rays.end = rays.end;
-        join_history(w, origin);
+        unite(w, rays, origin);
         w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd));
         return true;
       }
       if ((open & Origin::kAtBegin) && std::abs(w.rays.begin - rays.end) <= kSameEnd * length) {
-        w.rays.begin = rays.begin;
-        join_history(w, origin);
+        unite(w, rays, origin);
         w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtEnd) | (origin.joins & Origin::kAtBegin));
         return true;
       }
@@ -139,8 +137,11 @@ class WaitingWindows {
     return false;
   }
 
-  /// The paths of the two parts went through different faces: what only some of them have crossed is forgotten.
-  static void join_history(Window& w, const Origin& origin) {
+  /// The parts can be narrower than kSameEnd, so that which of them comes first can't be told from the ends that meet.
+  /// Their paths went through different faces: what only some of them have crossed is forgotten.
+  static void unite(Window& w, const Rays& rays, const Origin& origin) {
+    w.rays.begin = std::min(w.rays.begin, rays.begin);
+    w.rays.end = std::max(w.rays.end, rays.end);
     if (w.milestone != origin.milestone) w.milestone = -1;
     w.crossed = std::min(w.crossed, origin.crossed);
   }
