@@ -38,6 +38,7 @@ constexpr double kNeedleSine = kRounding / kGrazingAngle;
 
 VertexKind kind_of(const Turning& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;
+  if (total.least_sine < kRounding) return VertexKind::blurred;
   if (total.least_sine < kNeedleSine && total.is_near(straight, kRounding / total.least_sine)) {
     return VertexKind::blurred;
   }
@@ -77,9 +78,10 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t before = (i + 2) % 3;
     // From the sides themselves: the law of cosines would lose the digits of a needle's lengths.
-    const double scale = 1 / (shape.length[i] * shape.length[before]);
-    frame.cosine[i] = -side[i].dot(side[before]) * scale;
-    frame.sine[i] = twice_area * scale;
+    const double product = shape.length[i] * shape.length[before];
+    // Two generators can come to lie on one point: a side without length stands upright on the others.
+    frame.cosine[i] = product > 0 ? -side[i].dot(side[before]) / product : 0;
+    frame.sine[i] = product > 0 ? twice_area / product : 1;
     frame.vertex[i] = corners[i].value();
     frame.twin[i] = mesh.twin(Mesh::halfedge(f, static_cast<int>(i))).value();
   }
@@ -94,6 +96,7 @@ FaceFrames::FaceFrames(const Mesh& mesh) : kind(static_cast<std::size_t>(mesh.ve
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const FaceFrame made = make_frame(mesh, FaceId(f));
     const double least_sine = std::min({made.sine[0], made.sine[1], made.sine[2]});
+    has_needles |= least_sine < kNeedleSine;
     for (std::size_t i = 0; i < 3; ++i) {
       total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i], least_sine);
     }

@@ -41,6 +41,9 @@ inline constexpr double kRounding = 1e-14;
 struct FaceFrames {
   IdVector<FaceId, FaceFrame> frame;
   IdVector<VertexId, VertexKind> kind;
+  /// Whether a face is a needle: then paths through different faces tie all over, and what costs time or memory to keep
+  /// such windows down is worth it.
+  bool has_needles = false;
 
   /// Cost: O(n), no trigonometry.
   explicit FaceFrames(const Mesh& mesh);

@@ -56,10 +56,11 @@ class VertexFan {
     return {face(outgoing).cosine[i], face(outgoing).sine[i]};
   }
 
-  /// The direction at an angle of pi counter-clockwise from the ray; invalid where the boundary comes first.
+  /// The direction at an angle of pi counter-clockwise from the ray; invalid where the boundary comes first, or the
+  /// ray.
   FanRay straight_left(const FanRay& ray) const {
     Rotation turned = inside(corner(ray.halfedge) - ray.angle);
-    for (std::int32_t h = left_of(ray.halfedge); h >= 0; h = left_of(h)) {
+    for (std::int32_t h = left_of(ray.halfedge); h >= 0 && h != ray.halfedge; h = left_of(h)) {
       const Rotation after = turned + corner(h);
       // A corner is less than pi, so the sine changes its sign where the sum passes pi.
       if (after.sine < 0) return {h, {-turned.cosine, turned.sine}};
@@ -70,7 +71,7 @@ class VertexFan {
   /// The same clockwise.
   FanRay straight_right(const FanRay& ray) const {
     Rotation turned = inside(ray.angle);
-    for (std::int32_t h = right_of(ray.halfedge); h >= 0; h = right_of(h)) {
+    for (std::int32_t h = right_of(ray.halfedge); h >= 0 && h != ray.halfedge; h = right_of(h)) {
       const Rotation after = turned + corner(h);
       if (after.sine < 0) return {h, corner(h) - Rotation{-turned.cosine, turned.sine}};
       turned = after;

@@ -29,11 +29,11 @@ class Propagation {
         progress_(progress),
         field_(mesh),
         fan_(field_.frames),
-        has_blurred_(std::count(field_.frames.kind.begin(), field_.frames.kind.end(), VertexKind::blurred) > 0),
-        bucket_width_((has_blurred_ ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
+        has_needles_(field_.frames.has_needles),
+        bucket_width_((has_needles_ ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
         queue_(bucket_width_, bucket_count(mesh, bucket_width_)),
         waiting_(static_cast<std::size_t>(mesh.halfedge_count()), bucket_width_),
-        apex_path_(static_cast<std::size_t>(mesh.halfedge_count())),
+        apex_path_(has_needles_ ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
         retention_(options.keep, field_) {}
 
   WindowField run(const std::vector<VertexId>& generators, const std::vector<double>& offsets) {
@@ -127,7 +127,11 @@ class Propagation {
     }
     const FanRay left = fan_.straight_left(event.back), right = fan_.straight_right(event.back);
     if (kind(event.vertex) == VertexKind::saddle) {
-      send_between(event, left, right);
+      if (left.valid() && right.valid()) {
+        send_between(event, left, right);
+      } else {
+        send_all_round(event);  // rounding hides where straight on is
+      }
     } else {
       if (left.valid()) send_between(event, left, {});
       if (right.valid()) send_between(event, {}, right);
@@ -184,7 +188,7 @@ class Propagation {
     const bool by_start = is_beaten_by_start(w, origin.offset, distance(start));
     const bool by_end = is_beaten_by_end(w, origin.offset, distance(end), length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be foretold cost more
-    if (has_blurred_ && is_left_to_ends(w, origin, start, end, length)) return;
+    if (has_needles_ && is_left_to_ends(w, origin, start, end, length)) return;
     const std::int32_t twin = f.twin[side.end];
     if (twin < 0) {
       keep(w, origin, side.base + static_cast<std::int32_t>(side.end), start, end);
@@ -230,10 +234,11 @@ class Propagation {
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const ApexView apex(w, f.length[top] * f.cosine[i], f.length[top] * f.sine[i]);
     Exits exits{!apex.all_right(), !apex.all_left()};
-    if (apex.covered()) {
-      exits = split_at_apex(w, origin, f, base, i, apex);
-    } else if (is_grazed(w, apex, f.length[i])) {
-      reach_apex(w, origin, f, base, i, apex, std::sqrt(apex.squared_reach(w)));
+    if (apex.covered() || is_grazed(w, apex, f.length[i])) {
+      const double reach = std::sqrt(apex.squared_reach(w));
+      reach_apex(w, origin, f, base, i, apex, reach);
+      if (has_needles_ && apex.covered())
+        exits = split_at_apex(w, origin, f, base + static_cast<std::int32_t>(i), apex, reach);
     }
     if (std::isinf(distance(f.vertex[top]))) reach_apex_along_sides(f, base, i);
     // Where the apex splits the window, the two parts may join again behind it.
@@ -252,13 +257,12 @@ class Propagation {
     }
   }
 
-  Exits split_at_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
-                      const ApexView& apex) {
-    const double reach = std::sqrt(apex.squared_reach(w));
-    reach_apex(w, origin, f, base, i, apex, reach);
+  /// The sides of the face that a window which covers the apex goes on to.
+  Exits split_at_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t h, const ApexView& apex,
+                      double reach) {
     const ApexPath own{origin.offset + reach, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
-    return exits_beside(apex_path_[static_cast<std::size_t>(base) + i], own,
-                        kSameRay * reach + kRounding * f.length[i]);
+    const double tolerance = kSameRay * reach + kRounding * f.length[static_cast<std::size_t>(h % 3)];
+    return exits_beside(apex_path_[static_cast<std::size_t>(h)], own, tolerance);
   }
 
   void reach_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
@@ -296,11 +300,11 @@ class Propagation {
   const Progress& progress_;
   WindowField field_;
   VertexFan fan_;
-  bool has_blurred_;  // so that meshes without needles look no kinds up
+  bool has_needles_;
   double bucket_width_;
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
-  std::vector<ApexPath> apex_path_;  // [halfedge that windows cross into the face]
+  std::vector<ApexPath> apex_path_;  // [halfedge into the face]; empty without needles
   WindowRetention retention_;
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
