@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "geodesic/face_layout.hpp"
@@ -12,6 +13,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 
@@ -177,6 +179,80 @@ TEST_CASE("equal paths do not drop each other") {
   CHECK(is_beaten_by_start(w, 0.5, 1 - 1e-9));
 }
 
+TEST_CASE("a path is news where it is shorter by more than rounding") {
+  CHECK(is_news(1 - 1e-14, 1));
+  CHECK_FALSE(is_news(1 - 2e-16, 1));
+  CHECK(is_news(1, std::numeric_limits<double>::infinity()));
+}
+
+TEST_CASE("a window is left to a vertex where the two tie, and not where the window is shorter") {
+  CHECK(is_left_to_vertex(1, 2, 0.5, 1.5 * 1.5));
+  CHECK(is_left_to_vertex(1, 2, 0.5, 1.6 * 1.6));
+  CHECK_FALSE(is_left_to_vertex(1, 2, 0.5 + 1e-13, 1.5 * 1.5));
+}
+
+TEST_CASE("paths that meet a face again are told by their milestone, or by their number") {
+  Origin origin{0, 0, 1, 7, 0};
+  CHECK(is_crossed_twice(origin, 7, 100));
+  CHECK_FALSE(is_crossed_twice(origin, 8, 100));
+  origin.crossed = 100;
+  CHECK(is_crossed_twice(origin, 8, 100));
+  // Round a cycle of any length, after any way to it: the milestone is met again before three times both are over.
+  for (int cycle = 1; cycle < 40; ++cycle) {
+    for (int before = 0; before < 40; ++before) {
+      Origin way{0, 0, 1, 0, 0};
+      int step = 1;
+      const auto face_at = [&](int i) { return i < before ? i : before + (i - before) % cycle; };
+      for (; !is_crossed_twice(way, face_at(step), 1000000); ++step) {
+        if (is_milestone(++way.crossed)) way.milestone = face_at(step);
+        REQUIRE(step < 4 * (cycle + before) + 4);
+      }
+      CHECK(step >= cycle);
+    }
+  }
+}
+
+TEST_CASE("one window of those that cover an apex goes on to both sides") {
+  ApexPath path;
+  const auto exits = [&](double distance, double crossing) {
+    const Exits found = exits_beside(path, {distance, crossing}, 1e-12);
+    return std::array{found.left, found.right};
+  };
+  CHECK(exits(2, 0.5) == std::array{true, true});
+  CHECK(exits(3, 0.4) == std::array{true, false});
+  CHECK(exits(2, 0.6) == std::array{false, true});
+  CHECK(exits(2, 0.5) == std::array{true, true});  // the same ray again
+  CHECK(exits(1, 0.6) == std::array{true, true});  // a better one
+  CHECK(exits(2, 0.5) == std::array{true, false});
+}
+
+TEST_CASE("what one angle, one split drops is beaten by the path that it is dropped for") {
+  std::mt19937 random(8);
+  const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
+  int dropped = 0;
+  for (int run = 0; run < 20000; ++run) {
+    // The edge from (0, 0) to (1, 0), the apex above, and two images below that see all of the edge.
+    const double ax = unit(), ay = 0.1 + unit();
+    const double x1 = unit(), y1 = 0.1 + unit(), x2 = unit(), y2 = 0.1 + unit();
+    const double d1 = std::hypot(ax - x1, ay + y1), d2 = std::hypot(ax - x2, ay + y2);
+    const double offset = std::max(0.0, d2 - d1) * unit();
+    const auto crossing = [&](double x, double y) { return x + (ax - x) * y / (y + ay); };
+    ApexPath path{offset + d1, crossing(x1, y1)};
+    if (!(offset + d1 <= d2)) continue;
+    const Exits exits = exits_beside(path, {d2, crossing(x2, y2)}, 1e-12);
+    for (int i = 0; i <= 8; ++i) {
+      const double t = i / 8.0;
+      if (!exits.right) {
+        const double px = ax + t * (1 - ax), py = ay * (1 - t), at = x2 + (px - x2) * y2 / (y2 + py);
+        // Rays on the far side of the other path's may come from behind its image: then that lies in this window.
+        if (at <= path.crossing) REQUIRE(offset + std::hypot(px - x1, py + y1) <= std::hypot(px - x2, py + y2) + 1e-12);
+      }
+    }
+    dropped += !exits.left + !exits.right;
+  }
+  CHECK(dropped > 5000);
+}
+
 TEST_CASE("each rule keeps the number of windows down") {
   const auto carried_a_face = [](const Mesh& mesh) {
     std::vector<VertexId> generators;
@@ -190,6 +266,75 @@ TEST_CASE("each rule keeps the number of windows down") {
   CHECK(carried_a_face(test::make_grid(40, 40)) < 1.8);
 }
 
+namespace {
+
+/// A tube of n rings of six vertices, of radius `radius` and length 1.
+Mesh make_tube(int rings, double radius) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  for (int j = 0; j <= rings; ++j) {
+    for (int i = 0; i < 6; ++i) {
+      positions.emplace_back(radius * std::cos(i * M_PI / 3), radius * std::sin(i * M_PI / 3), double(j) / rings);
+      if (j == rings) continue;
+      const int a = 6 * j + i, b = 6 * j + (i + 1) % 6;
+      faces.push_back({a, b, b + 6});
+      faces.push_back({a, b + 6, a + 6});
+    }
+  }
+  return test::make_mesh(std::move(positions), faces);
+}
+
+/// Two cones over `count` points, all on one line.
+Mesh make_line(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < count + 2; ++i) positions.emplace_back((double(random()) + 0.5) / 4294967296.0, 0, 0);
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    faces.push_back({i, j, count});
+    faces.push_back({j, i, count + 1});
+  }
+  return test::make_mesh(std::move(positions), faces);
+}
+
+}  // namespace
+
+TEST_CASE("windows do not wind round thin tubes for ever, and keep few where all paths tie") {
+  const auto carried_a_face = [](const Mesh& mesh) {
+    return double(propagate(mesh, {VertexId(1)}).carried) / mesh.face_count();
+  };
+  for (const double radius : {1e-4, 1e-7, 1e-9, 1e-12, 1e-14}) {
+    INFO(radius);
+    CHECK(carried_a_face(make_tube(80, radius)) < 60);
+  }
+  for (const unsigned seed : {1, 2, 3, 4}) {
+    INFO(seed);
+    CHECK(carried_a_face(make_line(100, seed)) < 60);
+  }
+}
+
+TEST_CASE("paths along a line of vertices that rounding has moved are found") {
+  // On the plane, vertices along a straight cut, off it by 1e-10: windows pass between them that are as narrow.
+  std::vector<Vec3> positions{{0, 1, 0}, {0, -1, 0}};
+  std::vector<std::array<int, 3>> faces;
+  std::mt19937 random(4);
+  for (int i = 0; i <= 24; ++i) {
+    positions.emplace_back(-1 + i / 12.0, 1e-10 * (2 * double(random()) / double(std::mt19937::max()) - 1), 0);
+    if (i == 24) break;
+    faces.push_back({2 + i, 3 + i, 0});
+    faces.push_back({3 + i, 2 + i, 1});
+  }
+  const Mesh mesh = test::make_mesh(std::move(positions), faces);
+  for (int g = 0; g < mesh.vertex_count(); ++g) {
+    const WindowField field = propagate(mesh, {VertexId(g)});
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const double straight = (mesh.position(VertexId(v)) - mesh.position(VertexId(g))).norm();
+      CHECK(field.distance[VertexId(v)] == Approx(straight).epsilon(1e-12));
+    }
+  }
+}
+
 TEST_CASE("vertices behind faces without area are reached") {
   // Between (0,0) and (2,0) lies a face that is a line, its third corner at (1,0).
   const auto face = [](int a, int b, int c) { return std::array{VertexId(a), VertexId(b), VertexId(c)}; };
@@ -201,5 +346,144 @@ TEST_CASE("vertices behind faces without area are reached") {
       const double straight = (mesh.position(VertexId(v)) - mesh.position(VertexId(g))).norm();
       CHECK(field.distance[VertexId(v)] == Approx(straight).epsilon(1e-11));
     }
+  }
+}
+
+namespace {
+
+/// Upper bounds on the distances from vertex g, by all paths over the points of edges that lie beside a vertex: on a
+/// mesh whose vertices lie on one line, these are the distances.
+std::vector<double> measure_by_graph(const Mesh& mesh, int g) {
+  std::vector<Vec3> points = mesh.positions();
+  std::vector<std::vector<std::size_t>> on_face(static_cast<std::size_t>(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (const VertexId v : mesh.vertices(FaceId(f))) on_face[static_cast<std::size_t>(f)].push_back(v.index());
+  }
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    const HalfedgeId h = mesh.halfedge(EdgeId(e));
+    const Vec3 from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const double t = (mesh.position(VertexId(v)) - from).dot(along) / along.squaredNorm();
+      if (!(t > 0 && t < 1)) continue;
+      on_face[Mesh::face(h).index()].push_back(points.size());
+      if (mesh.twin(h).valid()) on_face[Mesh::face(mesh.twin(h)).index()].push_back(points.size());
+      points.push_back(from + t * along);
+    }
+  }
+  std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
+  distance[static_cast<std::size_t>(g)] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& face : on_face) {
+      for (const std::size_t a : face) {
+        for (const std::size_t b : face) {
+          const double d = distance[a] + (points[b] - points[a]).norm();
+          if (!(d < distance[b] * (1 - 1e-15))) continue;
+          distance[b] = d;
+          changed = true;
+        }
+      }
+    }
+  }
+  return distance;
+}
+
+void check_by_graph(const Mesh& mesh) {
+  for (int g = 0; g < mesh.vertex_count(); ++g) {
+    const std::vector<double> expected = measure_by_graph(mesh, g);
+    const WindowField field = propagate(mesh, {VertexId(g)});
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      INFO("from " << g << " to " << v);
+      CHECK(field.distance[VertexId(v)] == Approx(expected[static_cast<std::size_t>(v)]).margin(1e-11));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("distances between points of one line, over faces without area") {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    check_by_graph(make_line(3 + int(seed) % 5, seed));
+  }
+}
+
+TEST_CASE("paths go round a boundary vertex whose corners are folded flat") {
+  // The corners at vertex 1 add up to three times pi in the first mesh, and to pi but for rounding in the second one:
+  // what lies beyond is not reached by turning back, and is reached.
+  check_by_graph(test::make_mesh({{0.3026, 0, 0}, {0.2936, 0, 0}, {0.3467, 0, 0}, {0, 0, 0}}, {{0, 1, 3}, {1, 2, 3}}));
+  std::vector<Vec3> positions;
+  for (const double x : {0.4703, 0.3983, 0.0, 1.0, 0.3327, 0.2988, 0.1992, 0.2352, 0.6027, 0.7352, 0.6992}) {
+    positions.emplace_back(x, 0, 0);
+  }
+  check_by_graph(test::make_mesh(
+      std::move(positions),
+      {{1, 4, 0}, {0, 8, 1}, {4, 5, 0}, {5, 6, 0}, {2, 7, 6}, {7, 0, 6}, {8, 9, 1}, {3, 10, 9}, {10, 1, 9}}));
+}
+
+TEST_CASE("a box that is pressed flat has the distances of one that is nearly flat") {
+  const auto make_box = [](double height) {
+    // Two by two squares a side.
+    std::vector<Vec3> positions;
+    std::vector<std::array<int, 3>> faces;
+    std::map<std::array<int, 3>, int> ids;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side <= 2; side += 2) {
+        for (int cell = 0; cell < 4; ++cell) {
+          const auto corner = [&](int a, int b) {
+            std::array<int, 3> at{};
+            at[std::size_t(axis)] = side, at[std::size_t(axis + 1) % 3] = a, at[std::size_t(axis + 2) % 3] = b;
+            const auto [found, fresh] = ids.try_emplace(at, int(positions.size()));
+            if (fresh) positions.emplace_back(0.5 * at[0] * height, 0.5 * at[1], 0.5 * at[2]);
+            return found->second;
+          };
+          const int i = cell / 2, j = cell % 2;
+          int a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+          if (side == 0) std::swap(b, d);
+          faces.push_back({a, b, c});
+          faces.push_back({a, c, d});
+        }
+      }
+    }
+    return test::make_mesh(std::move(positions), faces);
+  };
+  const Mesh reference = make_box(1e-6);
+  for (const double height : {1e-7, 1e-9, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+    INFO(height);
+    const Mesh box = make_box(height);
+    for (int g = 0; g < box.vertex_count(); ++g) {
+      const WindowField flat = propagate(box, {VertexId(g)}), thick = propagate(reference, {VertexId(g)});
+      for (int v = 0; v < box.vertex_count(); ++v) {
+        CHECK(flat.distance[VertexId(v)] == Approx(thick.distance[VertexId(v)]).margin(3e-6));
+      }
+    }
+  }
+}
+
+TEST_CASE("paths round a spindle, past needles that end in one point") {
+  // Six points on a small ring, two tips, and a point on each long side: the ways between these go round the ring.
+  std::vector<Vec3> positions{{0, 0, 1}, {0, 0, -1}};
+  std::vector<std::array<int, 3>> faces;
+  const double radius = 5e-8;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = i * 2 * M_PI / 7;
+    positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  for (int i = 0; i < 7; ++i) {
+    // The point on the side from the ring to the lower tip, at a third of it.
+    const Vec3 third = positions[std::size_t(2 + i)] * (2.0 / 3) + positions[1] / 3;
+    positions.push_back(third);
+  }
+  for (int i = 0; i < 7; ++i) {
+    const int j = (i + 1) % 7, a = 2 + i, b = 2 + j, c = 9 + i, d = 9 + j;
+    faces.push_back({a, b, 0});
+    faces.push_back({b, a, c});
+    faces.push_back({b, c, d});
+    faces.push_back({d, c, 1});
+  }
+  const Mesh mesh = test::make_mesh(std::move(positions), faces);
+  for (int g = 9; g < 16; ++g) {
+    const WindowField field = propagate(mesh, {VertexId(g)});
+    for (int v = 9; v < 16; ++v) CHECK(field.distance[VertexId(v)] <= 4 * radius);
   }
 }

@@ -80,8 +80,9 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
     // From the sides themselves: the law of cosines would lose the digits of a needle's lengths.
     const double product = shape.length[i] * shape.length[before];
     // Two generators can come to lie on one point: a side without length stands upright on the others.
-    frame.cosine[i] = product > 0 ? -side[i].dot(side[before]) / product : 0;
-    frame.sine[i] = product > 0 ? twice_area / product : 1;
+    const double scale = 1 / product;
+    frame.cosine[i] = product > 0 ? -side[i].dot(side[before]) * scale : 0;
+    frame.sine[i] = product > 0 ? twice_area * scale : 1;
     frame.vertex[i] = corners[i].value();
     frame.twin[i] = mesh.twin(Mesh::halfedge(f, static_cast<int>(i))).value();
   }

@@ -94,7 +94,7 @@ inline bool is_grazed(const Rays& w, const ApexView& apex, double length) {
   const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
   const double shift = kRounding * length * (w.depth + apex.y);  // what moving the end by kRounding does to `beyond`
   const double bend = kGrazingAngle * kGrazingAngle * w.squared_reach(t) * squared_step;
-  return (beyond * beyond <= bend + shift * shift) & (forwards > 0);
+  return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
 
 /// The part of a window that leaves the face by the left side, from the edge's start to the apex.

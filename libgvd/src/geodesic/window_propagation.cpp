@@ -223,7 +223,7 @@ class Propagation {
     const FaceFrame& f = fan_.face(h);
     const auto i = static_cast<std::size_t>(h % 3);
     waiting_.take(h, [&](const Rays& rays, const Origin& origin) {
-      if (is_crossed_twice(origin, h / 3, mesh_.face_count())) return;
+      if (has_needles_ && is_crossed_twice(origin, h / 3, mesh_.face_count())) return;
       keep(rays, origin, h, f.vertex[i], f.vertex[(i + 1) % 3]);
       cross_face(rays, origin, f, h - static_cast<std::int32_t>(i), i);
     });
@@ -244,7 +244,7 @@ class Propagation {
     // Where the apex splits the window, the two parts may join again behind it.
     const int split = is_flat(f.vertex[top]) ? Origin::kAtBegin | Origin::kAtEnd : 0;
     Origin next = origin;
-    if (is_milestone(++next.crossed)) next.milestone = base / 3;
+    if (has_needles_ && is_milestone(++next.crossed)) next.milestone = base / 3;
     if (exits.left) {
       const int at_end = apex.all_left() ? origin.joins : split;
       next.joins = static_cast<std::uint8_t>((origin.joins & Origin::kAtBegin) | (at_end & Origin::kAtEnd));
