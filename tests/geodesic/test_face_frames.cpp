@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geodesic/face_frames.hpp"
+#include "geodesic/saddle_fan.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;
@@ -76,4 +77,53 @@ TEST_CASE("a flat fan is flat inside, and convex with a side left out") {
     positions.resize(static_cast<std::size_t>(corners / 2 + 2));
     CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexId(0)] == VertexKind::plain);
   }
+}
+
+TEST_CASE("a needle keeps the digits of its angles, whichever corner comes first") {
+  // A right angle at the short side, in a direction where every coordinate is rounded.
+  const Vec3 along = Vec3(0.3, 0.5, 0.7).normalized(), across = Vec3(0.7, 0, -0.3).normalized();
+  for (const double width : {1e-6, 1e-9, 1e-12}) {
+    for (int turn = 0; turn < 3; ++turn) {
+      INFO(width << " " << turn);
+      const std::array<Vec3, 3> corner{Vec3(0, 0, 0), width * across, width * across + along};
+      std::vector<Vec3> positions;
+      for (int i = 0; i < 3; ++i) positions.push_back(corner[static_cast<std::size_t>((i + turn) % 3)]);
+      const FaceFrames frames(Mesh(positions, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+      const FaceFrame& f = frames.frame[FaceId(0)];
+      const auto at = [&](int i) { return static_cast<std::size_t>((i - turn + 3) % 3); };
+      CHECK(frames.has_needles);
+      CHECK(f.sine[at(1)] == Approx(1).epsilon(1e-13));
+      CHECK(f.sine[at(2)] / width == Approx(1).epsilon(3e-4));  // the width of the corner itself is rounded
+      for (int i = 0; i < 3; ++i) {
+        CHECK(f.sine[at(i)] * f.sine[at(i)] + f.cosine[at(i)] * f.cosine[at(i)] == Approx(1).epsilon(1e-13));
+      }
+    }
+  }
+}
+
+TEST_CASE("a face without area has angles all the same, however short its sides are") {
+  for (const double step : {0.5, 1e-3, 1e-9, 1e-13}) {
+    const FaceFrames frames(
+        Mesh({{0, 0, 0}, {step, 0, 0}, {1, 0, 0}}, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+    const FaceFrame& f = frames.frame[FaceId(0)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(f.sine[i] > 0);
+      CHECK(f.sine[i] <= 1e-12);
+    }
+  }
+}
+
+TEST_CASE("no direction is straight on at a vertex with less of an angle than pi, and the search for it ends") {
+  const auto face = [](int a, int b) { return std::array{VertexId(0), VertexId(a), VertexId(b)}; };
+  const FaceFrames frames(
+      Mesh({{0, 0, 1}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, -0.1, 0}}, {face(1, 2), face(2, 3), face(3, 1)}));
+  const VertexFan fan(frames);
+  CHECK_FALSE(fan.straight_left({0, {}}).valid());
+  CHECK_FALSE(fan.straight_right({0, {}}).valid());
+}
+
+TEST_CASE("a turn back is no grazing") {
+  CHECK(Rotation{1, 1e-12}.is_grazing());
+  CHECK_FALSE(Rotation{-1, 1e-12}.is_grazing());
+  CHECK_FALSE(Rotation{1, 1e-6}.is_grazing());
 }
