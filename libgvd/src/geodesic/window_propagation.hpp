@@ -27,7 +27,8 @@ struct PropagationOptions {
 /// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance on ordinary meshes, 1e-13 with slivers.
 /// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
 /// taken changes no distance, and it is always the same. Cost: O(windows); about 5 to 16 a face on curved meshes, 2
-/// where flat parts are refined. 130 bytes a face while it runs, and the windows kept.
+/// where flat parts are refined. 130 bytes a face while it runs, 180 where a face is a needle, and the windows kept.
+/// Where all faces are needles, paths tie all over, and up to O(faces) windows a face were seen.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
 
