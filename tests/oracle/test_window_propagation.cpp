@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geodesic/window_propagation.hpp"
 #include "gvd/exact_field.hpp"
@@ -46,8 +47,10 @@ TEST_CASE("windows of all generators at once give the nearest distance, and a la
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    for (const KeepWindows keep : {KeepWindows::none, KeepWindows::near_bisectors, KeepWindows::all}) {
-      const WindowField field = propagate_windows(reference.mesh, reference.generators, {keep, {}}, {});
+    for (const auto& [keep, part_faces] :
+         {std::pair{KeepWindows::none, 8192}, std::pair{KeepWindows::near_bisectors, 300},
+          std::pair{KeepWindows::all, 8192}}) {
+      const WindowField field = propagate_windows(reference.mesh, reference.generators, {keep, {}, 0, part_faces}, {});
       double worst = 0, worst_label = 0;
       for (std::size_t v = 0; v < field.distance.size(); ++v) {
         double nearest = std::numeric_limits<double>::infinity();

@@ -59,6 +59,7 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
   const Mesh& mesh = working.mesh();
   PropagationOptions propagation;
   propagation.keep = KeepWindows::near_bisectors;
+  propagation.threads = options.threads;
   const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
   report.propagation_events = field.carried;
   if (options.method.tracer == Tracer::growth) {

@@ -33,14 +33,20 @@ class BucketQueue {
     ++size_;
   }
 
+  /// Number of items in the current bucket.
+  std::size_t front_size() const { return buckets_[current_].size() - next_; }
+
+  /// Goes on to the next bucket. The current one must be empty.
+  void advance() {
+    buckets_[current_].clear();
+    next_ = 0;
+    current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
+    turn_ += 1;
+  }
+
   /// The next item. The queue must not be empty.
   Item pop() {
-    while (next_ == buckets_[current_].size()) {
-      buckets_[current_].clear();
-      next_ = 0;
-      current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
-      turn_ += 1;
-    }
+    while (front_size() == 0) advance();
     --size_;
     return buckets_[current_][next_++];
   }

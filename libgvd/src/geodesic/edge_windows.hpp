@@ -10,6 +10,7 @@
 #include "geodesic/window.hpp"
 #include "geodesic/window_limit.hpp"
 #include "gvd/ids.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -35,6 +36,15 @@ class BlockList {
     blocks_[size_ / kBlock][size_ % kBlock] = value;
     ++size_;
   }
+  /// Puts the blocks of another list behind its own ones, and returns the place of the first of its items. Places
+  /// between that and the former last item hold nothing.
+  std::size_t append(BlockList other) {
+    const std::size_t first = blocks_.size() * kBlock;
+    for (auto& block : other.blocks_) blocks_.push_back(std::move(block));
+    check_window_count(first, other.size_);
+    size_ = first + other.size_;
+    return first;
+  }
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return blocks_[i / kBlock][i % kBlock]; }
 
@@ -44,7 +54,7 @@ class BlockList {
     blocks_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
   }
 
-  static constexpr std::size_t kBlock = 1024;
+  static constexpr std::size_t kBlock = 256;
   std::vector<std::unique_ptr<T[]>> blocks_;
   std::size_t size_ = 0;
 };
@@ -78,10 +88,13 @@ class BlockQueue {
     const std::size_t count = blocks_.size() == 1 ? end_ : kBlock;
     blocks_.pop_front();
     for (std::size_t i = 0; i < count; ++i) visit(block[i]);
-    spare_.push_back(std::move(block));
+    if (spare_.size() < kSpare) spare_.push_back(std::move(block));
   }
 
  private:
+  /// Blocks that are kept for use again. More would stay with a queue that needs them no more while others do.
+  static constexpr std::size_t kSpare = 2;
+
   std::deque<std::unique_ptr<T[]>> blocks_;
   std::vector<std::unique_ptr<T[]>> spare_;
   std::size_t end_ = 0;  // in the last block
@@ -91,19 +104,31 @@ class BlockQueue {
 class EdgeWindows {
  public:
   EdgeWindows() = default;
-  /// Windows of one halfedge stay in their order. Cost: O(windows + faces).
-  EdgeWindows(BlockList<KeptWindow> windows, std::size_t faces)
-      : windows_(std::move(windows)), first_(faces + 1, 0), order_(windows_.size()) {
-    for (std::size_t i = 0; i < windows_.size(); ++i) ++first_[face(i) + 1];
-    for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
-    for (std::size_t i = 0; i < windows_.size(); ++i) {
-      order_[static_cast<std::size_t>(first_[face(i)]++)] = static_cast<std::int32_t>(i);
+  /// Windows of one halfedge stay in their order. No face may have windows in two lists, so that one thread can sort
+  /// each. Cost: O(windows + faces).
+  EdgeWindows(std::vector<BlockList<KeptWindow>> lists, std::size_t faces, const ParallelChunks& parallel)
+      : first_(faces + 1, 0) {
+    std::vector<Chunk> places;
+    for (BlockList<KeptWindow>& list : lists) {
+      const std::size_t begin = windows_.append(std::move(list));
+      places.push_back({begin, windows_.size()});
     }
+    const StepPart end{"distances", 1, 1};
+    parallel.run(places.size(), end, [&](std::size_t list) {
+      for (std::size_t i = places[list].begin; i < places[list].end; ++i) ++first_[face(i) + 1];
+    });
+    for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
+    order_.resize(static_cast<std::size_t>(first_[faces]));
+    parallel.run(places.size(), end, [&](std::size_t list) {
+      for (std::size_t i = places[list].begin; i < places[list].end; ++i) {
+        order_[static_cast<std::size_t>(first_[face(i)]++)] = static_cast<std::int32_t>(i);
+      }
+    });
     for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
-    if (faces > 0) first_[0] = 0;
+    first_[0] = 0;
   }
 
-  std::size_t size() const { return windows_.size(); }
+  std::size_t size() const { return order_.size(); }
 
   /// Calls visit(const KeptWindow&) for the windows on the three halfedges of face f: those that cross into it, and
   /// where the halfedge lies on the boundary, those that end there.
@@ -126,7 +151,7 @@ class EdgeWindows {
 
   BlockList<KeptWindow> windows_;
   std::vector<std::int32_t> first_;  // [face] place of its first window in order_
-  std::vector<std::int32_t> order_;  // windows by face
+  std::vector<std::int32_t> order_;  // places of windows, by face
 };
 
 }  // namespace gvd

@@ -65,6 +65,9 @@ double sliver_twice_area(const std::array<Vec3, 3>& side, const std::array<doubl
   return std::max(side[i].cross(side[j]).stableNorm(), kLeastSine * length[i] * length[j]);
 }
 
+/// Faces whose frames one thread makes at a time.
+constexpr std::size_t kChunkFaces = 1 << 12;
+
 FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   FaceFrame frame{};
   const auto& corners = mesh.vertices(f);
@@ -91,21 +94,28 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
 
 }  // namespace
 
-FaceFrames::FaceFrames(const Mesh& mesh) : kind(static_cast<std::size_t>(mesh.vertex_count())) {
-  frame.reserve(static_cast<std::size_t>(mesh.face_count()));
-  std::vector<Turning> total(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const FaceFrame made = make_frame(mesh, FaceId(f));
-    const double least_sine = std::min({made.sine[0], made.sine[1], made.sine[2]});
+FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
+    : frame(static_cast<std::size_t>(mesh.face_count())), kind(static_cast<std::size_t>(mesh.vertex_count())) {
+  const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kChunkFaces);
+  parallel.run(chunks.size(), {"distances", 0, 0}, [&](std::size_t i) {
+    for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) {
+      const FaceId face(static_cast<std::int64_t>(f));
+      frame[face] = make_frame(mesh, face);
+    }
+  });
+  std::vector<Turning> total(kind.size());
+  for (const FaceFrame& f : frame) {
+    const double least_sine = std::min({f.sine[0], f.sine[1], f.sine[2]});
     has_needles |= least_sine < kNeedleSine;
     for (std::size_t i = 0; i < 3; ++i) {
-      total[static_cast<std::size_t>(made.vertex[i])].add(made.cosine[i], made.sine[i], least_sine);
+      total[static_cast<std::size_t>(f.vertex[i])].add(f.cosine[i], f.sine[i], least_sine);
     }
-    frame.push_back(made);
   }
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
     kind[VertexId(i)] = kind_of(total[static_cast<std::size_t>(i)], mesh.is_boundary(VertexId(i)));
   }
 }
+
+FaceFrames::FaceFrames(const Mesh& mesh) : FaceFrames(mesh, ParallelChunks(1, {})) {}
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -46,6 +47,8 @@ struct FaceFrames {
   bool has_needles = false;
 
   /// Cost: O(n), no trigonometry.
+  FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);
+  /// The same on one thread.
   explicit FaceFrames(const Mesh& mesh);
 };
 

@@ -12,20 +12,23 @@
 
 namespace gvd {
 
-/// The windows that wait to be carried across the faces beyond their edges: a list for every halfedge.
+/// The windows of one part of the mesh that wait to be carried across the faces beyond their edges: a list for every
+/// halfedge.
 ///
-/// Their places are used again in the order last out, first in, while the cache still holds them. Memory: 4 bytes a
-/// halfedge, and 64 for the most windows that wait at once.
+/// Their places are used again in the order last out, first in, while the cache still holds them.
+/// Memory: 64 bytes for each of the most windows that wait at once.
 class WaitingWindows {
  public:
+  /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the part's halfedges are touched.
   /// `key_step`: keys that differ by no more than this count as equal.
-  WaitingWindows(std::size_t halfedges, double key_step)
-      : first_(halfedges, -1), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
+  WaitingWindows(std::vector<std::int32_t>& first, double key_step)
+      : first_(first.data()), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
 
   /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge
   /// has to be queued with that key: nothing waited there, or what waited has a later one.
-  bool add(std::int32_t h, const Rays& rays, const Origin& origin, double length, double key) {
-    std::int32_t& head = first_[static_cast<std::size_t>(h)];
+  /// Inlined, whatever compilers estimate: it belongs to the innermost loop.
+  [[gnu::always_inline]] bool add(std::int32_t h, const Rays& rays, const Origin& origin, double length, double key) {
+    std::int32_t& head = first_[h];
     if (head >= 0 && origin.joins != 0 && join(head, rays, origin, length)) return lower_key(head, key);
     const std::int32_t place = take_place();
     Window& added = at(place);
@@ -55,8 +58,8 @@ class WaitingWindows {
   /// other halfedges.
   template <class Visit>
   void take(std::int32_t h, Visit visit) {
-    std::int32_t place = first_[static_cast<std::size_t>(h)];
-    first_[static_cast<std::size_t>(h)] = -1;
+    std::int32_t place = first_[h];
+    first_[h] = -1;
     while (place >= 0) {
       Window& w = at(place);
       const Rays rays = w.rays;
@@ -82,7 +85,7 @@ class WaitingWindows {
   };
   static_assert(sizeof(Window) == 64);
 
-  static constexpr int kShift = 10;
+  static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
   /// Images that differ by less than this part of their distance are one: a thousand times its rounding, as it comes
   /// out of unfolding a thousand faces.
@@ -146,7 +149,7 @@ class WaitingWindows {
     w.crossed = std::min(w.crossed, origin.crossed);
   }
 
-  std::vector<std::int32_t> first_;  // [halfedge] or -1
+  std::int32_t* first_;  // [halfedge] or -1
   std::vector<std::unique_ptr<Window[]>> blocks_;
   std::int32_t used_ = 0, free_ = -1;
   double key_step_;

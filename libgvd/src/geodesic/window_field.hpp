@@ -18,8 +18,8 @@ struct WindowField {
   std::int64_t carried = 0;  ///< windows that were carried across a face: what the time goes with
   std::int64_t events = 0;   ///< generators and pseudo-sources that sent windows
 
-  explicit WindowField(const Mesh& mesh)
-      : frames(mesh),
+  WindowField(const Mesh& mesh, const ParallelChunks& parallel)
+      : frames(mesh, parallel),
         distance(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity()),
         label(static_cast<std::size_t>(mesh.vertex_count())) {}
 };

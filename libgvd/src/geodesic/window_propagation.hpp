@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geodesic/window_field.hpp"
@@ -13,6 +14,11 @@ struct PropagationOptions {
   KeepWindows keep = KeepWindows::all;
   /// Distance at which each generator starts, mesh units, >= 0: an additive weight, or a tie break. Empty: 0 for all.
   std::vector<double> offsets;
+  int threads = 0;  ///< that work at the same time, >= 1; 0: as many as there are cores
+  /// The mesh is cut into parts of about so many faces, >= 1, that one thread works on at a time; 64 parts at the most.
+  /// With fewer faces more windows cross from part to part, with more the last part of a round is waited for longer.
+  /// Distances are exact with any; windows on edges between parts may come in another number.
+  std::int32_t part_faces = 8192;
 };
 
 /// Exact distances from the nearest of the generators, by propagation of windows.
@@ -26,9 +32,10 @@ struct PropagationOptions {
 /// Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
 /// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance on ordinary meshes, 1e-13 with slivers.
 /// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
-/// taken changes no distance, and it is always the same. Cost: O(windows); about 5 to 16 a face on curved meshes, 2
-/// where flat parts are refined. 130 bytes a face while it runs, 180 where a face is a needle, and the windows kept.
-/// Where all faces are needles, paths tie all over, and up to O(faces) windows a face were seen.
+/// taken changes no distance, and it is the same for any number of threads (window_rounds.hpp). Cost: O(windows); about
+/// 5 to 16 a face on curved meshes, 2 where flat parts are refined. 130 bytes a face while it runs, 180 where a face is
+/// a needle, and the windows kept. Where all faces are needles, paths tie all over, and up to O(faces) windows a face
+/// were seen.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/window_field.hpp"
+#include "geodesic/window_mail.hpp"
+#include "geodesic/window_parts.hpp"
 
 namespace gvd {
 
@@ -16,28 +19,42 @@ enum class KeepWindows {
   all,
 };
 
-/// Keeps the windows that have done their work, and lets go of those that no bisector can need while the propagation
-/// goes on, so that they never fill the memory.
+/// What is known of the distances in a face.
+enum class FaceState : std::uint8_t {
+  open,
+  quiet,  ///< they are settled and have one label
+  mixed,  ///< they have several labels, or had so at some time
+};
+
+/// Keeps the windows of one part of the mesh that have done their work, and lets go of those that no bisector can need
+/// while the propagation goes on, so that they never fill the memory.
 ///
 /// A face is quiet where every distance in it is settled and has one label: the corners' labels are equal, and no
 /// window with another label has ever stood on its sides. The windows on an edge are needed as long as one of its faces
 /// may turn out not to be quiet, since points inside of a face see the windows on all of its sides.
+/// Each part decides about its own faces, and tells the others of windows on its edges to them. A window on such an
+/// edge stays until the end: when the propagation is over, what the others found out can be read.
 class WindowRetention {
  public:
-  /// The field is only read.
-  WindowRetention(KeepWindows keep, const WindowField& field) : keep_(keep), field_(field) {
-    if (keep == KeepWindows::near_bisectors) state_.assign(field.frames.frame.size(), State::open);
-  }
+  /// The field and the parts are only read. `states`: by face; empty unless windows near bisectors are kept.
+  WindowRetention(KeepWindows keep, const WindowField& field, const WindowParts& parts, std::int32_t part,
+                  std::vector<FaceState>& states, Mailboxes& mail)
+      : keep_(keep), field_(field), parts_(parts), part_(part), state_(states.data()), mail_(mail) {}
 
   /// A window stands on halfedge h. `front`: no window to come holds a distance below it.
   void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
     const KeptWindow kept{w.begin, w.end, w.x, w.depth, origin.offset, origin.generator, h};
-    if (keep_ == KeepWindows::all || state_[static_cast<std::size_t>(h / 3)] == State::mixed) {
+    if (keep_ == KeepWindows::all || state_[h / 3] == FaceState::mixed) {
       kept_.push_back(kept);
       return;
     }
-    if (recent_.push_back(kept)) review(front);
+    const std::int32_t twin = twin_of(h);
+    if (twin >= 0 && !is_own(twin / 3)) {
+      on_border_.push_back(kept);
+    } else if (recent_.push_back(kept)) {
+      review(front);
+    }
   }
 
   /// A window whose label is not that of both ends of the edge stands on halfedge h.
@@ -59,14 +76,26 @@ class WindowRetention {
     for (h = outgoing; h >= 0; h = fan.right_of(h)) mark_face(h / 3);
   }
 
-  EdgeWindows finish() {
-    const double end = std::numeric_limits<double>::infinity();
-    while (!recent_.empty()) review_block(end);
-    return EdgeWindows(std::move(kept_), field_.frames.frame.size());
+  /// A window with another label stands on a side of the part's face.
+  void mark_own_face(std::int32_t face) {
+    // Where a face is quiet already, what comes is beaten by the paths through its corners.
+    if (state_[face] == FaceState::open) state_[face] = FaceState::mixed;
+  }
+
+  /// The propagation is over: decides about all windows but those on edges to other parts.
+  void finish_inside() {
+    while (!recent_.empty()) review_block(std::numeric_limits<double>::infinity());
+  }
+  /// All parts have finished inside: decides about the rest. Returns what is kept.
+  BlockList<KeptWindow> finish() {
+    for (std::size_t i = 0; i < on_border_.size(); ++i) {
+      const std::int32_t h = on_border_[i].halfedge;
+      if (is_mixed_at_end(h / 3) || is_mixed_at_end(twin_of(h) / 3)) kept_.push_back(on_border_[i]);
+    }
+    return std::move(kept_);
   }
 
  private:
-  enum class State : std::uint8_t { open, quiet, mixed };
   /// The queue's keys are floats; a distance counts as settled this part of itself later.
   static constexpr double kMargin = 1e-6;
   static constexpr double kReach = 0.5773503;  // 1 / sqrt(3), rounded up
@@ -85,59 +114,79 @@ class WindowRetention {
   std::size_t review_block(double settled) {
     std::size_t undecided = 0;
     std::int32_t last = -1;
-    State state = State::open;
+    FaceState state = FaceState::open;
     recent_.take_block([&](const KeptWindow& w) {
       if (w.halfedge != last) state = look_at_edge(last = w.halfedge, settled);
-      if (state == State::open) {
+      if (state == FaceState::open) {
         recent_.push_back(w);
         ++undecided;
-      } else if (state == State::mixed) {
+      } else if (state == FaceState::mixed) {
         kept_.push_back(w);
       }
     });
     return undecided;
   }
 
-  /// Where a face is quiet already, what comes is beaten by the paths through its corners.
+  bool is_own(std::int32_t face) const { return parts_.of_face(face) == part_; }
+
   void mark_face(std::int32_t face) {
-    State& state = state_[static_cast<std::size_t>(face)];
-    if (state == State::open) state = State::mixed;
+    const std::int32_t part = parts_.of_face(face);
+    if (part == part_) {
+      mark_own_face(face);
+    } else {
+      mail_.to_send(part_, part).mixed_faces.push_back(face);
+    }
   }
 
   std::int32_t twin_of(std::int32_t h) const {
     return field_.frames.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
   }
 
-  State look_at_edge(std::int32_t h, double settled) {
-    const State here = look_at_face(h / 3, settled);
-    if (here == State::mixed) return here;
+  FaceState look_at_edge(std::int32_t h, double settled) {
+    const FaceState here = look_at_face(h / 3, settled);
+    if (here == FaceState::mixed) return here;
     const std::int32_t twin = twin_of(h);
     if (twin < 0) return here;
-    const State there = look_at_face(twin / 3, settled);
-    if (there == State::mixed) return there;
-    return here == State::quiet ? there : here;
+    const FaceState there = look_at_face(twin / 3, settled);
+    if (there == FaceState::mixed) return there;
+    return here == FaceState::quiet ? there : here;
   }
 
   /// Every point of a triangle is within its longest side / sqrt(3) of a corner: where the farthest corner's distance
   /// plus that is below `settled`, paths through the corners beat all windows to come.
-  State look_at_face(std::int32_t face, double settled) {
-    State& state = state_[static_cast<std::size_t>(face)];
-    if (state != State::open) return state;
+  FaceState look_at_face(std::int32_t face, double settled) {
+    FaceState& state = state_[face];
+    if (state != FaceState::open) return state;
     const FaceFrame& f = field_.frames.frame[FaceId(face)];
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
     const double farthest = std::max({field_.distance[a], field_.distance[b], field_.distance[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
     if (!((farthest + kReach * longest) * (1 + kMargin) < settled)) return state;
-    state = field_.label[a] == field_.label[b] && field_.label[b] == field_.label[c] ? State::quiet : State::mixed;
+    state = has_one_label(f) ? FaceState::quiet : FaceState::mixed;
     return state;
+  }
+
+  bool has_one_label(const FaceFrame& f) const {
+    const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
+    return field_.label[a] == field_.label[b] && field_.label[b] == field_.label[c];
+  }
+
+  /// Changes nothing: several parts may ask about one face at the same time.
+  bool is_mixed_at_end(std::int32_t face) const {
+    if (state_[face] != FaceState::open) return state_[face] == FaceState::mixed;
+    return !has_one_label(field_.frames.frame[FaceId(face)]);
   }
 
   KeepWindows keep_;
   const WindowField& field_;
-  std::vector<State> state_;
+  const WindowParts& parts_;
+  std::int32_t part_;
+  FaceState* state_;  // [face]; those of other parts are not touched before the end
+  Mailboxes& mail_;
   BlockQueue<KeptWindow> recent_;  // in the order in which they were added
   BlockList<KeptWindow> kept_;     // for good
-  std::size_t patience_ = 8;       // blocks that wait before the oldest one is looked at
+  BlockList<KeptWindow> on_border_;
+  std::size_t patience_ = 2;  // blocks that wait before the oldest one is looked at
 };
 
 }  // namespace gvd

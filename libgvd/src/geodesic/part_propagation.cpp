@@ -1,47 +1,57 @@
-#include "geodesic/window_propagation.hpp"
+#include "geodesic/part_propagation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "geodesic/bucket_queue.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/waiting_windows.hpp"
 #include "geodesic/window_filters.hpp"
+#include "geodesic/window_mail.hpp"
+#include "geodesic/window_parts.hpp"
+#include "geodesic/window_retention.hpp"
 
 namespace gvd {
 namespace {
 
-/// Bucket width in mean edge lengths. Between 0.5 and 2 the time is the same.
-constexpr double kBucketWidth = 0.8;
-
-/// The same where there are needles: they bring many vertices within one edge's length of each other, and each one that
-/// is taken out of its turn sends windows that are in vain. With a hundredth of the width they are an eighth.
-constexpr double kFineBucketWidth = 0.01;
-
-/// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
-constexpr double kMaxBuckets = 1 << 16;
-
-class Propagation {
+/// Carries windows across faces, splits them at corners, and lets vertices send windows; see window_propagation.hpp.
+class WindowCarrier final : public PartPropagation {
  public:
-  Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
-      : mesh_(mesh),
-        progress_(progress),
-        field_(mesh),
+  WindowCarrier(PropagationState& state, std::int32_t part)
+      : mesh_(state.mesh),
+        field_(state.field),
+        parts_(state.parts),
+        part_(part),
+        mail_(state.mail),
+        sent_(state.sent),
         fan_(field_.frames),
         has_needles_(field_.frames.has_needles),
-        bucket_width_((has_needles_ ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
-        queue_(bucket_width_, bucket_count(mesh, bucket_width_)),
-        waiting_(static_cast<std::size_t>(mesh.halfedge_count()), bucket_width_),
-        apex_path_(has_needles_ ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
-        retention_(options.keep, field_) {}
+        queue_(state.bucket_width, state.bucket_count),
+        waiting_(state.first_waiting, state.bucket_width),
+        apex_path_(state.apex_path),
+        retention_(state.keep, field_, parts_, part, state.face_state, mail_) {}
 
-  WindowField run(const std::vector<VertexId>& generators, const std::vector<double>& offsets) {
-    for (std::size_t g = 0; g < generators.size(); ++g) {
-      start_vertex(generators[g], GeneratorId(static_cast<std::int64_t>(g)), offsets.empty() ? 0 : offsets[g]);
-    }
-    for (std::int64_t pops = 1; !queue_.empty(); ++pops) {
-      if (pops % kProgressStride == 0) report();
+  void start_vertex(std::int32_t place, GeneratorId g, double d) override {
+    if (!(d < distance(place))) return;
+    distance(place) = d;
+    field_.label[VertexId(place)] = g;
+    push_event({place, true, d, {}});
+  }
+
+  void run_round(double settled) override {
+    settled_ = settled;
+    mail_.for_each_received(part_, [&](WindowMail& mail) {
+      for (const std::int32_t face : mail.mixed_faces) retention_.mark_own_face(face);
+      for (const WindowMail::Path& path : mail.paths) receive_path(path);
+    });
+    mail_.for_each_received(part_, [&](WindowMail& mail) {
+      for (const WindowMail::Window& window : mail.windows) receive_window(window);
+      mail.clear();
+    });
+    while (queue_.front_size() > 0) {
       const std::int32_t item = queue_.pop();
       if (item >= 0) {
         cross_halfedge(item);
@@ -49,14 +59,18 @@ class Propagation {
         send_from_vertex(~item);
       }
     }
-    forget_unreached_labels();
-    field_.windows = retention_.finish();
-    return std::move(field_);
   }
 
- private:
-  static constexpr std::int64_t kProgressStride = 1 << 14;
+  void end_round() override { queue_.advance(); }
+  std::size_t waits_now() const override { return queue_.front_size(); }
+  bool waits() const override { return !queue_.empty(); }
+  double front() const override { return queue_.front(); }
+  void finish_inside() override { retention_.finish_inside(); }
+  BlockList<KeptWindow> finish() override { return retention_.finish(); }
+  std::int64_t carried() const override { return carried_; }
+  std::int64_t events() const override { return events_sent_; }
 
+ private:
   /// A pseudo-source that was reached, or a generator: it will send windows.
   struct VertexEvent {
     std::int32_t vertex;
@@ -72,27 +86,17 @@ class Propagation {
     std::size_t end, start;
   };
 
-  static std::size_t bucket_count(const Mesh& mesh, double width) {
-    double longest = 0;
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-      for (const double length : mesh.shape(FaceId(f)).length) longest = std::max(longest, length);
-    }
-    // From a window to the one that it becomes, or to a vertex and its windows, the key rises by two edges at the most.
-    return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / width + 3));
-  }
+  /// An edge that a window stands on, in the window's frame.
+  struct Edge {
+    double length;
+    std::int32_t start, end;  // places of vertices
+    std::int32_t into, from;  // halfedges: that it crosses next, or -1; of the face that it leaves
+  };
 
   double& distance(std::int32_t v) { return field_.distance[VertexId(v)]; }
   std::int32_t label(std::int32_t v) const { return field_.label[VertexId(v)].value(); }
   VertexKind kind(std::int32_t v) const { return field_.frames.kind[VertexId(v)]; }
   bool is_flat(std::int32_t v) const { return kind(v) == VertexKind::flat; }
-
-  /// Windows will start from v in all directions.
-  void start_vertex(VertexId v, GeneratorId g, double d) {
-    if (!(d < field_.distance[v])) return;
-    field_.distance[v] = d;
-    field_.label[v] = g;
-    push_event({v.value(), true, d, {}});
-  }
 
   void push_event(const VertexEvent& event) {
     if (free_events_.empty()) {
@@ -108,19 +112,61 @@ class Propagation {
   /// A path to vertex v. Where it is news and paths can bend at v, v will send windows.
   void reach_vertex(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
     if (!is_news(d, distance(v))) return;
-    distance(v) = d;
-    if (label(v) != generator) {
-      if (label(v) >= 0) retention_.mark_vertex(fan_, back.halfedge);
-      field_.label[VertexId(v)] = GeneratorId(generator);
+    take_path(v, d, generator, back);
+    const std::int32_t shared = parts_.shared(v);
+    if (shared >= 0) [[unlikely]]
+      send_path(shared, d, generator, back);
+  }
+
+  void send_path(std::int32_t shared, double d, std::int32_t generator, const FanRay& back) {
+    for (const WindowParts::Place& place : parts_.places(shared)) {
+      if (place.part == part_) continue;
+      WindowMail& mail = mail_.to_send(part_, place.part);
+      mail.paths.push_back({place.vertex, generator, d, back});
+      mail.least_key = std::min(mail.least_key, d);
     }
+  }
+
+  /// A path to vertex v that another part found. All places of a vertex take the least distance and, of those, the
+  /// least label of all paths that were ever news in one of them, so in the end they agree to the last bit.
+  void receive_path(const WindowMail::Path& path) {
+    const std::int32_t v = path.vertex;
+    if (path.distance < distance(v)) {
+      take_path(v, path.distance, path.generator, path.back);
+    } else if (path.distance == distance(v) && path.generator < label(v)) {
+      take_label(v, path.generator, path.back.halfedge);
+    }
+  }
+
+  void take_path(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
+    distance(v) = d;
+    if (label(v) != generator) take_label(v, generator, back.halfedge);
     if (kind(v) >= VertexKind::saddle) push_event({v, kind(v) == VertexKind::blurred, d, back});
+  }
+
+  void take_label(std::int32_t v, std::int32_t generator, std::int32_t outgoing) {
+    if (label(v) >= 0) retention_.mark_vertex(fan_, outgoing);
+    field_.label[VertexId(v)] = GeneratorId(generator);
+  }
+
+  void receive_window(const WindowMail::Window& window) {
+    const std::int32_t h = window.halfedge;
+    const FaceFrame& f = fan_.face(h);
+    const auto i = static_cast<std::size_t>(h % 3);
+    stand_on(window.rays, window.origin, {f.length[i], f.vertex[i], f.vertex[(i + 1) % 3], h, -1});
   }
 
   void send_from_vertex(std::int32_t place) {
     const VertexEvent event = events_[static_cast<std::size_t>(place)];
     free_events_.push_back(place);
     if (event.distance > distance(event.vertex)) return;  // a shorter path came since
-    ++field_.events;
+    if (const std::int32_t shared = parts_.shared(event.vertex); shared >= 0) {
+      // What another part found may be shorter by rounding alone, and no news.
+      double& sent = sent_[static_cast<std::size_t>(shared)];
+      if (!is_news(event.distance, sent)) return;
+      sent = event.distance;
+    }
+    ++events_sent_;
     if (event.all_round) {
       send_all_round(event);
       return;
@@ -139,7 +185,7 @@ class Propagation {
   }
 
   void send_all_round(const VertexEvent& event) {
-    const std::int32_t start = mesh_.halfedge(VertexId(event.vertex)).value();
+    const std::int32_t start = mesh_.halfedge(parts_.vertex(event.vertex)).value();
     std::int32_t h = start;
     do {
       send(event, h, nullptr, nullptr);
@@ -163,7 +209,9 @@ class Propagation {
   }
 
   /// Sends a window across the face of `outgoing`, and distances along those of its sides that lie between the rays.
+  /// The faces of other parts are left to the events that these have of the same vertex.
   void send(const VertexEvent& event, std::int32_t outgoing, const Rotation* first, const Rotation* last) {
+    if (parts_.of_halfedge(outgoing) != part_) return;
     const FaceFrame& f = fan_.face(outgoing);
     const auto c = static_cast<std::size_t>(outgoing % 3), p = (c + 1) % 3, q = (c + 2) % 3;
     const std::int32_t generator = label(event.vertex), base = outgoing - static_cast<std::int32_t>(c);
@@ -183,32 +231,42 @@ class Propagation {
   /// Puts a window that leaves a face on the edge, unless it can hold no shortest path.
   void add_window(const Rays& w, const Origin& origin, const Side& side) {
     const FaceFrame& f = *side.face;
-    const double length = f.length[side.end];
-    const std::int32_t start = f.vertex[side.start], end = f.vertex[side.end];
-    const bool by_start = is_beaten_by_start(w, origin.offset, distance(start));
-    const bool by_end = is_beaten_by_end(w, origin.offset, distance(end), length);
+    stand_on(w, origin,
+             {f.length[side.end], f.vertex[side.start], f.vertex[side.end], f.twin[side.end],
+              side.base + static_cast<std::int32_t>(side.end)});
+  }
+
+  void stand_on(const Rays& w, const Origin& origin, const Edge& edge) {
+    const bool by_start = is_beaten_by_start(w, origin.offset, distance(edge.start));
+    const bool by_end = is_beaten_by_end(w, origin.offset, distance(edge.end), edge.length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be foretold cost more
-    if (has_needles_ && is_left_to_ends(w, origin, start, end, length)) return;
-    const std::int32_t twin = f.twin[side.end];
-    if (twin < 0) {
-      keep(w, origin, side.base + static_cast<std::int32_t>(side.end), start, end);
+    if (has_needles_ && is_left_to_ends(w, origin, edge)) return;
+    if (edge.into < 0) {
+      keep(w, origin, edge.from, edge.start, edge.end);
       return;
     }
     const double key = origin.offset + w.least_reach();
-    if (waiting_.add(twin, w, origin, length, key)) queue_.push(key, twin);
+    const std::int32_t part = parts_.of_halfedge(edge.into);
+    if (part != part_) [[unlikely]] {
+      WindowMail& mail = mail_.to_send(part_, part);
+      mail.windows.push_back({w, origin, edge.into});
+      mail.least_key = std::min(mail.least_key, key);
+    } else if (waiting_.add(edge.into, w, origin, edge.length, key)) {
+      queue_.push(key, edge.into);
+    }
   }
 
-  bool is_left_to_ends(const Rays& w, const Origin& origin, std::int32_t start, std::int32_t end, double length) {
-    return (kind(start) == VertexKind::blurred &&
-            is_left_to_vertex(origin.offset, distance(start), w.end, w.squared_reach(w.end))) ||
-           (kind(end) == VertexKind::blurred &&
-            is_left_to_vertex(origin.offset, distance(end), length - w.begin, w.squared_reach(w.begin)));
+  bool is_left_to_ends(const Rays& w, const Origin& origin, const Edge& edge) {
+    return (kind(edge.start) == VertexKind::blurred &&
+            is_left_to_vertex(origin.offset, distance(edge.start), w.end, w.squared_reach(w.end))) ||
+           (kind(edge.end) == VertexKind::blurred &&
+            is_left_to_vertex(origin.offset, distance(edge.end), edge.length - w.begin, w.squared_reach(w.begin)));
   }
 
   void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start, std::int32_t end) {
     const bool foreign_start = is_foreign(start, origin.generator), foreign_end = is_foreign(end, origin.generator);
     if (foreign_start || foreign_end) retention_.mark_edge(h);
-    retention_.add(w, origin, h, queue_.front() - bucket_width_);
+    retention_.add(w, origin, h, settled_);
   }
 
   /// A vertex that is not reached yet takes the label for the time being, so that reach_vertex sees when another one
@@ -230,7 +288,7 @@ class Propagation {
   }
 
   void cross_face(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i) {
-    ++field_.carried;
+    ++carried_;
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const ApexView apex(w, f.length[top] * f.cosine[i], f.length[top] * f.sine[i]);
     Exits exits{!apex.all_right(), !apex.all_left()};
@@ -285,37 +343,28 @@ class Propagation {
     reach_vertex(f.vertex[top], distance(end) + f.length[right], label(end), {outgoing, {f.cosine[top], f.sine[top]}});
   }
 
-  void forget_unreached_labels() {
-    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (std::isinf(distance(v))) field_.label[VertexId(v)] = GeneratorId();
-    }
-  }
-
-  void report() const {
-    const double share = static_cast<double>(field_.carried) / (10.0 * mesh_.face_count());
-    report_progress(progress_, "distances", share / (1 + share));
-  }
-
   const Mesh& mesh_;
-  const Progress& progress_;
-  WindowField field_;
+  WindowField& field_;
+  const WindowParts& parts_;
+  std::int32_t part_;
+  Mailboxes& mail_;
+  std::vector<double>& sent_;
   VertexFan fan_;
-  bool has_needles_;
-  double bucket_width_;
+  bool has_needles_;                 // so that meshes without needles look no kinds up
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
-  std::vector<ApexPath> apex_path_;  // [halfedge into the face]; empty without needles
+  std::vector<ApexPath>& apex_path_;  // [halfedge that windows cross into the face]
   WindowRetention retention_;
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
+  double settled_ = 0;
+  std::int64_t carried_ = 0, events_sent_ = 0;
 };
 
 }  // namespace
 
-WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
-                              const PropagationOptions& options, const Progress& progress) {
-  report_progress(progress, "distances", 0);
-  return Propagation(mesh, options, progress).run(generators, options.offsets);
+std::unique_ptr<PartPropagation> make_part_propagation(PropagationState& state, std::int32_t part) {
+  return std::make_unique<WindowCarrier>(state, part);
 }
 
 }  // namespace gvd

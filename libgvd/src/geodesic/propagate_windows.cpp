@@ -1,0 +1,91 @@
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "geodesic/part_propagation.hpp"
+#include "geodesic/window_propagation.hpp"
+#include "geodesic/window_rounds.hpp"
+
+namespace gvd {
+namespace {
+
+/// The propagation in all parts.
+class Propagation {
+ public:
+  Propagation(const Mesh& mesh, const PropagationOptions& options, const ParallelChunks& parallel)
+      : state_(mesh, options, parallel), parallel_(parallel) {
+    for (std::int32_t part = 0; part < state_.parts.count(); ++part) {
+      parts_.push_back(make_part_propagation(state_, part));
+    }
+  }
+
+  void start(VertexId v, GeneratorId g, double d) {
+    const std::int32_t shared = state_.parts.shared(v.value());
+    if (shared < 0) {
+      part(state_.parts.of_halfedge(state_.mesh.halfedge(v).value())).start_vertex(v.value(), g, d);
+      return;
+    }
+    for (const WindowParts::Place& place : state_.parts.places(shared)) {
+      part(place.part).start_vertex(place.vertex, g, d);
+    }
+  }
+
+  WindowField run() {
+    WindowRounds(parts_, state_.mail, state_.bucket_width, parallel_).run([&] { return part_done(); });
+    for (const auto& part : parts_) {
+      state_.field.carried += part->carried();
+      state_.field.events += part->events();
+    }
+    keep_windows();
+    state_.parts.restore(state_.mesh, state_.field);
+    forget_unreached_labels();
+    return std::move(state_.field);
+  }
+
+ private:
+  PartPropagation& part(std::int32_t i) { return *parts_[static_cast<std::size_t>(i)]; }
+
+  double part_done() const {
+    std::int64_t carried = 0;
+    for (const auto& part : parts_) carried += part->carried();
+    const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
+    return share / (1 + share);
+  }
+
+  void keep_windows() {
+    const StepPart end{"distances", 1, 1};
+    std::vector<BlockList<KeptWindow>> kept(parts_.size());
+    parallel_.run(parts_.size(), end, [&](std::size_t i) { parts_[i]->finish_inside(); });
+    parallel_.run(parts_.size(), end, [&](std::size_t i) { kept[i] = parts_[i]->finish(); });
+    state_.field.windows = EdgeWindows(std::move(kept), state_.field.frames.frame.size(), parallel_);
+  }
+
+  void forget_unreached_labels() {
+    WindowField& field = state_.field;
+    for (std::int32_t i = 0; i < state_.mesh.vertex_count(); ++i) {
+      if (std::isinf(field.distance[VertexId(i)])) field.label[VertexId(i)] = GeneratorId();
+    }
+  }
+
+  PropagationState state_;
+  const ParallelChunks& parallel_;
+  std::vector<std::unique_ptr<PartPropagation>> parts_;
+};
+
+}  // namespace
+
+WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
+                              const PropagationOptions& options, const Progress& progress) {
+  report_progress(progress, "distances", 0);
+  const ParallelChunks parallel(options.threads, progress);
+  Propagation propagation(mesh, options, parallel);
+  for (std::size_t g = 0; g < generators.size(); ++g) {
+    propagation.start(generators[g], GeneratorId(static_cast<std::int64_t>(g)),
+                      options.offsets.empty() ? 0 : options.offsets[g]);
+  }
+  return propagation.run();
+}
+
+}  // namespace gvd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geodesic/window_field.hpp"
+#include "geodesic/window_filters.hpp"
+#include "geodesic/window_mail.hpp"
+#include "geodesic/window_parts.hpp"
+#include "geodesic/window_propagation.hpp"
+#include "geodesic/window_retention.hpp"
+#include "gvd/mesh.hpp"
+#include "parallel_chunks.hpp"
+
+namespace gvd {
+
+/// What the parts of the mesh have in common. While they work, each one touches only what belongs to its faces and to
+/// its places of vertices.
+struct PropagationState {
+  PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);
+
+  const Mesh& mesh;
+  KeepWindows keep;
+  WindowField field;
+  WindowParts parts;
+  Mailboxes mail;
+  double bucket_width;  // of the parts' queues
+  std::size_t bucket_count;
+  std::vector<std::int32_t> first_waiting;  // [halfedge] of WaitingWindows
+  std::vector<ApexPath> apex_path;          // [halfedge that windows cross into the face]; where there are needles
+  std::vector<FaceState> face_state;
+  std::vector<double> sent;  // [place of a shared vertex] distance with which it last sent windows
+};
+
+}  // namespace gvd

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geodesic/saddle_fan.hpp"
+#include "geodesic/window.hpp"
+
+namespace gvd {
+
+/// What one part of the mesh tells another one at the end of a round.
+struct WindowMail {
+  /// A window that stands on an edge between the two.
+  struct Window {
+    Rays rays;
+    Origin origin;
+    std::int32_t halfedge;  ///< that it crosses next, the receiver's
+  };
+  /// A path to a vertex that both have.
+  struct Path {
+    std::int32_t vertex;  ///< the receiver's place of it
+    std::int32_t generator;
+    double distance;
+    FanRay back;  ///< towards where the path came from
+  };
+
+  std::vector<Window> windows;
+  std::vector<Path> paths;
+  std::vector<std::int32_t> mixed_faces;  ///< the receiver's, on whose sides stands a window with another label
+  double least_key = std::numeric_limits<double>::infinity();  ///< no path in it is shorter
+
+  std::size_t count() const { return windows.size() + paths.size() + mixed_faces.size(); }
+  void clear() {
+    windows.clear();
+    paths.clear();
+    mixed_faces.clear();
+    least_key = std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Mail between any two parts. What is sent in one round is received in the next one, by sender and then in the order
+/// in which it was sent: it does not matter which part works first, nor on which thread.
+class Mailboxes {
+ public:
+  explicit Mailboxes(std::int32_t parts) : parts_(static_cast<std::size_t>(parts)) {
+    for (auto& boxes : boxes_) boxes.resize(parts_ * parts_);
+  }
+
+  /// To be written by `from` alone, during a round.
+  WindowMail& to_send(std::int32_t from, std::int32_t to) { return box(sent_, from, to); }
+
+  /// Calls visit(WindowMail&) for what has come for `to`, which alone may call this during a round.
+  template <class Visit>
+  void for_each_received(std::int32_t to, Visit visit) {
+    for (std::size_t from = 0; from < parts_; ++from) {
+      WindowMail& mail = box(1 - sent_, static_cast<std::int32_t>(from), to);
+      if (mail.count() > 0) visit(mail);
+    }
+  }
+
+  /// Between two rounds: how much has come for a part.
+  std::size_t count_for(std::size_t to) const {
+    if (!has_come_) return 0;
+    std::size_t count = 0;
+    for (std::size_t from = 0; from < parts_; ++from) count += boxes_[1 - sent_][from * parts_ + to].count();
+    return count;
+  }
+  /// Between two rounds: what was sent can be received. All that was received before must have been cleared.
+  void deliver() {
+    sent_ = 1 - sent_;
+    has_come_ = false;
+    least_key_ = std::numeric_limits<double>::infinity();
+    for (const WindowMail& mail : boxes_[1 - sent_]) {
+      has_come_ = has_come_ || mail.count() > 0;
+      least_key_ = std::min(least_key_, mail.least_key);
+    }
+  }
+
+  /// Between two rounds: whether anything can be received, and the least key in it.
+  bool has_come() const { return has_come_; }
+  double least_key() const { return least_key_; }
+
+ private:
+  WindowMail& box(std::size_t set, std::int32_t from, std::int32_t to) {
+    return boxes_[set][static_cast<std::size_t>(from) * parts_ + static_cast<std::size_t>(to)];
+  }
+
+  std::size_t parts_;
+  std::array<std::vector<WindowMail>, 2> boxes_;  // [set][from, to]
+  std::size_t sent_ = 0;                          // the set that is written
+  bool has_come_ = false;
+  double least_key_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace gvd
