@@ -283,7 +283,8 @@ TEST_CASE("thin windows that join make one that holds both, in whatever order th
   for (const bool swapped : {false, true}) {
     // Narrower than what ends may differ by, and given as if the left one were the right one.
     const Rays left{0.5, 0.5 + 1e-11, 0.5, 1}, right{0.5 + 1e-11, 0.5 + 2e-11, 0.5, 1};
-    WaitingWindows waiting(1, 1);
+    std::vector<std::int32_t> first(1, -1);
+    WaitingWindows waiting(first, 1);
     waiting.add(0, swapped ? right : left, {0, 0, 1, 3, Origin::kAtEnd}, 1, 1);
     waiting.add(0, swapped ? left : right, {0, 0, 1, 4, Origin::kAtBegin}, 1, 1);
     int count = 0;

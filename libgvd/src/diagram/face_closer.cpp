@@ -1,6 +1,7 @@
 #include "diagram/face_closer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "diagram/area_share.hpp"
@@ -66,10 +67,13 @@ void FaceCloser::measure_branches(std::size_t first_arc, std::size_t first_branc
     for (std::size_t a = first_arc; a < faces.arcs.size(); ++a) {
       const FaceArc& arc = faces.arcs[a];
       if (arc.begin != at(id) && arc.end != at(id)) continue;
-      sum += metric_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary);
+      const double distance = metric_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary);
+      // Of a generator that nearly coincides with another, or nearly lies on a side, the face itself may know nothing.
+      if (std::isinf(distance)) continue;
+      sum += distance;
       ++arcs;
     }
-    faces.branches[id].distance = sum / arcs;
+    faces.branches[id].distance = arcs > 0 ? sum / arcs : metric_.nearest_of_all(faces.branches[id].bary);
   }
 }
 

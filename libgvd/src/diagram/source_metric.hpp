@@ -36,6 +36,8 @@ class SourceMetric final : public FaceMetric {
   static Nearest nearest(std::span<const FaceSource> sources, const Vec2& p);
   /// The shortest path from generator g to p.
   FaceSource::Reach nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).reach; }
+  /// The distance to the nearest of all generators.
+  double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).reach.distance; }
   Bary bary(const Vec2& p) const;
 
   /// False makes assembly take every point for a guess.

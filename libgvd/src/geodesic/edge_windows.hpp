@@ -113,7 +113,7 @@ class EdgeWindows {
       const std::size_t begin = windows_.append(std::move(list));
       places.push_back({begin, windows_.size()});
     }
-    const StepPart end{"distances", 1, 1};
+    const StepPart end{"distances"};
     parallel.run(places.size(), end, [&](std::size_t list) {
       for (std::size_t i = places[list].begin; i < places[list].end; ++i) ++first_[face(i) + 1];
     });

@@ -14,8 +14,8 @@ namespace {
 /// The propagation in all parts.
 class Propagation {
  public:
-  Propagation(const Mesh& mesh, const PropagationOptions& options, const ParallelChunks& parallel)
-      : state_(mesh, options, parallel), parallel_(parallel) {
+  Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
+      : progress_(progress), parallel_(options.threads, silent_), state_(mesh, options, parallel_) {
     for (std::int32_t part = 0; part < state_.parts.count(); ++part) {
       parts_.push_back(make_part_propagation(state_, part));
     }
@@ -33,7 +33,7 @@ class Propagation {
   }
 
   WindowField run() {
-    WindowRounds(parts_, state_.mail, state_.bucket_width, parallel_).run([&] { return part_done(); });
+    WindowRounds(parts_, state_.mail, state_.bucket_width, parallel_).run([&] { report(); });
     for (const auto& part : parts_) {
       state_.field.carried += part->carried();
       state_.field.events += part->events();
@@ -47,15 +47,18 @@ class Propagation {
  private:
   PartPropagation& part(std::int32_t i) { return *parts_[static_cast<std::size_t>(i)]; }
 
-  double part_done() const {
+  /// Reports once in so many windows: rounds can be many, and short.
+  void report() {
     std::int64_t carried = 0;
     for (const auto& part : parts_) carried += part->carried();
+    if (carried < next_report_) return;
+    next_report_ = carried + kProgressStride;
     const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
-    return share / (1 + share);
+    report_progress(progress_, "distances", share / (1 + share));
   }
 
   void keep_windows() {
-    const StepPart end{"distances", 1, 1};
+    const StepPart end{"distances"};
     std::vector<BlockList<KeptWindow>> kept(parts_.size());
     parallel_.run(parts_.size(), end, [&](std::size_t i) { parts_[i]->finish_inside(); });
     parallel_.run(parts_.size(), end, [&](std::size_t i) { kept[i] = parts_[i]->finish(); });
@@ -69,9 +72,14 @@ class Propagation {
     }
   }
 
+  static constexpr std::int64_t kProgressStride = 1 << 14;
+
+  const Progress& progress_;
+  const Progress silent_;
+  const ParallelChunks parallel_;
   PropagationState state_;
-  const ParallelChunks& parallel_;
   std::vector<std::unique_ptr<PartPropagation>> parts_;
+  std::int64_t next_report_ = kProgressStride;
 };
 
 }  // namespace
@@ -79,8 +87,7 @@ class Propagation {
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress) {
   report_progress(progress, "distances", 0);
-  const ParallelChunks parallel(options.threads, progress);
-  Propagation propagation(mesh, options, parallel);
+  Propagation propagation(mesh, options, progress);
   for (std::size_t g = 0; g < generators.size(); ++g) {
     propagation.start(generators[g], GeneratorId(static_cast<std::int64_t>(g)),
                       options.offsets.empty() ? 0 : options.offsets[g]);

@@ -29,15 +29,16 @@ class WindowRounds {
                const ParallelChunks& parallel)
       : parts_(parts), mail_(mail), bucket_width_(bucket_width), parallel_(parallel), alone_(1, parallel.progress()) {}
 
-  /// `done()` in [0, 1] is the share of the work that is done, and is asked for between rounds.
-  template <class Done>
-  void run(Done done) {
+  /// Calls report() after each round; what that throws ends the propagation.
+  template <class Report>
+  void run(Report report) {
     while (waits()) {
       const double next_front = parts_.front()->front() + bucket_width_;
       // A list's key in the queue is that of its first windows, which may be later than another's by a bucket.
       const double settled = parts_.front()->front() - bucket_width_;
       do {
-        run_round(settled, done());
+        run_round(settled);
+        report();
       } while (mail_.least_key() < next_front);
       for (const auto& part : parts_) part->end_round();
     }
@@ -56,7 +57,7 @@ class WindowRounds {
            std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->waits(); });
   }
 
-  void run_round(double settled, double fraction) {
+  void run_round(double settled) {
     std::size_t work = 0;
     busy_.clear();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -68,8 +69,7 @@ class WindowRounds {
     // The largest first, so that threads end at about the same time.
     std::sort(busy_.begin(), busy_.end(), [](const Busy& a, const Busy& b) { return a.work > b.work; });
     const ParallelChunks& parallel = work < kWorthSharing ? alone_ : parallel_;
-    parallel.run(busy_.size(), {"distances", fraction, fraction},
-                 [&](std::size_t i) { parts_[busy_[i].part]->run_round(settled); });
+    parallel.run(busy_.size(), {"distances"}, [&](std::size_t i) { parts_[busy_[i].part]->run_round(settled); });
     mail_.deliver();
   }
 
