@@ -99,6 +99,8 @@ void ParallelChunks::run(std::size_t count, const StepPart& step, const std::fun
       tbb::parallel_for(
           std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
     });
+    shared
+        .take_items();  // all of them, where a loop of the caller's that this runs in was cancelled: oneTBB began none
   }
   shared.finish();
 }

@@ -1,3 +1,5 @@
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -165,4 +167,18 @@ TEST_CASE("cancelling ends the work soon, and goes before errors") {
       CHECK(begun < 200);
     }
   });
+}
+
+TEST_CASE("within a loop of the caller's that was cancelled, all items are run nevertheless") {
+  tbb::task_group_context context;
+  std::atomic<int> done = 0;
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        context.cancel_group_execution();
+        const Progress none;
+        ParallelChunks(2, none).run(100, {"step"}, [&](std::size_t) { ++done; });
+      },
+      tbb::simple_partitioner(), context);
+  CHECK(done == 100);
 }

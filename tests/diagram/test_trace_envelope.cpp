@@ -261,6 +261,41 @@ TEST_CASE("on closed meshes of few faces, and where everything is a tie") {
   }
 }
 
+namespace {
+
+std::vector<SurfacePoint> centre_of_every_face(const Mesh& mesh) {
+  std::vector<SurfacePoint> points;
+  for (int f = 0; f < mesh.face_count(); ++f) points.push_back(make_surface_point(FaceId(f), {1 / 3., 1 / 3., 1 / 3.}));
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("bisectors along edges that meet at vertices: all edges of regular solids, and the lines of a grid") {
+  const Mesh tetrahedron = test::make_tetrahedron();
+  double edges = 0;
+  for (int e = 0; e < tetrahedron.edge_count(); ++e) edges += tetrahedron.length(EdgeId(e));
+  CHECK(compute_exact(tetrahedron, centre_of_every_face(tetrahedron)).length == Approx(edges).epsilon(1e-9));
+  const Mesh icosahedron = test::make_sphere(0);
+  edges = 0;
+  for (int e = 0; e < icosahedron.edge_count(); ++e) edges += icosahedron.length(EdgeId(e));
+  CHECK(compute_exact(icosahedron, centre_of_every_face(icosahedron)).length == Approx(edges).epsilon(1e-4));
+  for (const int n : {2, 3, 8}) {
+    CAPTURE(n);
+    const Mesh grid = test::make_grid(n, n);
+    // The middle of every cell lies on the diagonal that its two faces share.
+    std::vector<SurfacePoint> middles;
+    for (int f = 0; f < grid.face_count(); f += 2) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const HalfedgeId h = Mesh::halfedge(FaceId(f), corner);
+        if (grid.length(h) > 1.1) middles.push_back(edge_point(h, 0.5));
+      }
+    }
+    REQUIRE(middles.size() == static_cast<std::size_t>(n * n));
+    CHECK(compute_exact(grid, middles).length == Approx(2 * n * (n - 1)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("any solver goes with any tracer") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Method method :

@@ -330,6 +330,19 @@ Mesh make_line(int count, unsigned seed) {
   return test::make_mesh(std::move(positions), faces);
 }
 
+/// Two tips at a distance of 2, and a ring of `sides` vertices of radius `radius` half way between them.
+Mesh make_spindle(int sides, double radius) {
+  std::vector<Vec3> positions{{0, 0, 1}, {0, 0, -1}};
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = i * 2 * M_PI / sides;
+    positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    faces.push_back({2 + i, 2 + (i + 1) % sides, 0});
+    faces.push_back({2 + (i + 1) % sides, 2 + i, 1});
+  }
+  return test::make_mesh(std::move(positions), faces);
+}
+
 }  // namespace
 
 TEST_CASE("windows do not wind round thin tubes for ever, and keep few where all paths tie") {
@@ -343,6 +356,14 @@ TEST_CASE("windows do not wind round thin tubes for ever, and keep few where all
   for (const unsigned seed : {1, 2, 3, 4}) {
     INFO(seed);
     CHECK(carried_a_face(make_line(160, seed)) < 160);
+  }
+  for (const int sides : {3, 4, 8}) {
+    for (const double radius : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5, 5e-6, 1e-9}) {
+      CAPTURE(sides, radius);
+      const Mesh mesh = make_spindle(sides, radius);
+      CHECK(double(propagate(mesh, {VertexId(0)}).carried) / mesh.face_count() < 50);
+      CHECK(double(propagate(mesh, {VertexId(2)}).carried) / mesh.face_count() < 50);
+    }
   }
 }
 

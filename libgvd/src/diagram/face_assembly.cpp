@@ -22,8 +22,11 @@ using Bary = std::array<double, 3>;
 constexpr double kInside = 1e-6;
 
 /// The same where the metric is as good as exact: a branch point on a side, by a tie, is not moved by more than
-/// rounding.
-constexpr double kInsideExactly = 1e-11;
+/// rounding. A little below what such a metric puts its points inside by, so that these are taken as they are.
+constexpr double kInsideExactly = 1.2e-12;
+
+/// A point this far outside of the face, in barycentric coordinates, may be meant to lie on its boundary.
+constexpr double kBeyond = 1e-9;
 
 /// The way to a branch point that can't lie where it is wanted is halved this often: to the last digits of a
 /// coordinate.
@@ -326,6 +329,26 @@ class FaceAssembly {
     return mix(safe, *wanted, from);
   }
 
+  /// A point that is equally far from the three generators, looked for from `start` on. Distances have ridges, where
+  /// the search gets stuck; where a sure metric finds nothing in the face, it looks again from the polygon's corners
+  /// and the face's. By a tie, that is where such a point is: at a vertex, or on an edge that is a bisector.
+  std::optional<Bary> branch_between(const Polygon& polygon, const std::array<GeneratorId, 3>& g,
+                                     const Bary& start) const {
+    const auto first = metric_.equidistant(g[0], g[1], g[2], start);
+    if (!metric_.is_sure() || is_in_face(first)) return first;
+    std::vector<Bary> starts{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Corner& corner : polygon) starts.push_back(corner.bary);
+    for (const Bary& other : starts) {
+      const auto p = metric_.equidistant(g[0], g[1], g[2], other);
+      if (is_in_face(p)) return p;
+    }
+    return first;
+  }
+
+  static bool is_in_face(const std::optional<Bary>& p) {
+    return p && *std::min_element(p->begin(), p->end()) > -kBeyond;
+  }
+
   BranchPointId add_branch(const Bary& p) { return diagram_.branches.push_back({face_, p, 0}); }
 
   void finish_branch(const Polygon& polygon) {
@@ -336,7 +359,7 @@ class FaceAssembly {
       return whole ? *std::min_element(p.begin(), p.end()) >= (metric_.is_sure() ? kInsideExactly : kInside)
                    : inside(polygon, p);
     };
-    const auto wanted = metric_.equidistant(polygon[0].next, polygon[1].next, polygon[2].next, safe);
+    const auto wanted = branch_between(polygon, {polygon[0].next, polygon[1].next, polygon[2].next}, safe);
     join_three(polygon, approach(safe, wanted, valid));
   }
 
@@ -381,7 +404,7 @@ class FaceAssembly {
       return is_convex(rest) && inside(polygon, p);
     };
     const Bary safe = middle(polygon, i);
-    close_run(polygon, i, approach(safe, metric_.equidistant(x, y, z, safe), valid));
+    close_run(polygon, i, approach(safe, branch_between(polygon, {x, y, z}, safe), valid));
   }
 
   /// Joins the two ends of run i to a branch point at p, and goes on with what is left.

@@ -36,6 +36,10 @@ struct Turning {
 /// sine, and for a needle more than kGrazingAngle.
 constexpr double kNeedleSine = kRounding / kGrazingAngle;
 
+/// A face whose least corner has less of a sine than this is thin. Round a tube of such faces windows wind up to 1 /
+/// sine times before a shorter path beats them; a dozen turns cost no more than looking for them.
+constexpr double kThinSine = 0.05;
+
 VertexKind kind_of(const Turning& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;
   if (total.least_sine < kRounding) return VertexKind::blurred;
@@ -107,6 +111,7 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
   for (const FaceFrame& f : frame) {
     const double least_sine = std::min({f.sine[0], f.sine[1], f.sine[2]});
     has_needles |= least_sine < kNeedleSine;
+    has_thin_faces |= least_sine < kThinSine;
     for (std::size_t i = 0; i < 3; ++i) {
       total[static_cast<std::size_t>(f.vertex[i])].add(f.cosine[i], f.sine[i], least_sine);
     }

@@ -45,6 +45,8 @@ struct FaceFrames {
   /// Whether a face is a needle: then paths through different faces tie all over, and what costs time or memory to keep
   /// such windows down is worth it.
   bool has_needles = false;
+  /// Whether a face is so thin that windows might wind round it often: a path that meets faces again is then looked for.
+  bool has_thin_faces = false;
 
   /// Cost: O(n), no trigonometry.
   FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);

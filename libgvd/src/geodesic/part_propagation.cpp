@@ -29,6 +29,7 @@ class WindowCarrier final : public PartPropagation {
         sent_(state.sent),
         fan_(field_.frames),
         has_needles_(field_.frames.has_needles),
+        has_thin_faces_(field_.frames.has_thin_faces),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         apex_path_(state.apex_path),
@@ -281,7 +282,7 @@ class WindowCarrier final : public PartPropagation {
     const FaceFrame& f = fan_.face(h);
     const auto i = static_cast<std::size_t>(h % 3);
     waiting_.take(h, [&](const Rays& rays, const Origin& origin) {
-      if (has_needles_ && is_crossed_twice(origin, h / 3, mesh_.face_count())) return;
+      if (has_thin_faces_ && is_crossed_twice(origin, h / 3, mesh_.face_count())) return;
       keep(rays, origin, h, f.vertex[i], f.vertex[(i + 1) % 3]);
       cross_face(rays, origin, f, h - static_cast<std::int32_t>(i), i);
     });
@@ -302,7 +303,7 @@ class WindowCarrier final : public PartPropagation {
     // Where the apex splits the window, the two parts may join again behind it.
     const int split = is_flat(f.vertex[top]) ? Origin::kAtBegin | Origin::kAtEnd : 0;
     Origin next = origin;
-    if (has_needles_ && is_milestone(++next.crossed)) next.milestone = base / 3;
+    if (has_thin_faces_ && is_milestone(++next.crossed)) next.milestone = base / 3;
     if (exits.left) {
       const int at_end = apex.all_left() ? origin.joins : split;
       next.joins = static_cast<std::uint8_t>((origin.joins & Origin::kAtBegin) | (at_end & Origin::kAtEnd));
@@ -351,6 +352,7 @@ class WindowCarrier final : public PartPropagation {
   std::vector<double>& sent_;
   VertexFan fan_;
   bool has_needles_;                 // so that meshes without needles look no kinds up
+  bool has_thin_faces_;              // so that other meshes count no faces
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
   std::vector<ApexPath>& apex_path_;  // [halfedge that windows cross into the face]
