@@ -15,8 +15,8 @@ namespace gvd {
 void part_coincident_corners(CutTriangles& cut, std::size_t first_added, double reach);
 
 /// Each round moves by twice as much as the one before, so that two vertices that were moved onto each other, or onto a
-/// third, are parted by the next. Rounds over 2^20 times the reach (1e-9 of the largest coordinate) would be a shift
-/// that one can see.
+/// third, are parted by the next. The last round moves by 2^19 times the reach, 5e-10 of the largest coordinate: more
+/// would be a shift that matters.
 inline constexpr int kPartingRounds = 20;
 
 }  // namespace gvd

@@ -46,8 +46,8 @@ struct Counts {
 
 /// What is known not to hold yet, by class; with GVD_FUZZ_ALL=1 nothing is left out.
 struct KnownOpen {
-  /// Meshes with needles or faces without area: windows can be propagated without end, distances can be wrong by more
-  /// than rounding, and bisectors be bent without end. No diagram is made.
+  /// Meshes with needles or faces without area: far from the origin distances can be wrong by more than rounding, and
+  /// bisectors be bent without end. No diagram is made.
   bool thin = false;
   /// Generators that nearly coincide, or nearly lie on a vertex or an edge: growth can lose a cell; pieces of faces can
   /// overlap, and crossings be off by more than rounding. One diagram is made and checked, not measured.

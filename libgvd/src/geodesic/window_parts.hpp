@@ -18,7 +18,7 @@ namespace gvd {
 /// `restore`, the frames of the faces name places instead of vertices.
 ///
 /// The cut depends on the mesh alone: vertices in boxes; a face goes with its first corner.
-/// Memory: 1 byte a face and 4 a vertex where there are several parts, and 40 for each place.
+/// Memory: 1 byte a face; where there are several parts, 4 a vertex and 40 for each place.
 class WindowParts {
  public:
   struct Place {
