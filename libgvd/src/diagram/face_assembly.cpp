@@ -56,9 +56,9 @@ Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-bool is_convex(const std::vector<Bary>& polygon) {
+bool is_convex(const std::vector<Bary>& polygon, double least) {
   for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < 0) return false;
+    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < least) return false;
   }
   return true;
 }
@@ -309,12 +309,16 @@ class FaceAssembly {
 
   /// In the convex polygon, or on its boundary. Crossings of one edge span a polygon without area: then branch points
   /// lie on that edge, and the pieces between them have no area either, but never a negative one.
-  static bool inside(const Polygon& polygon, const Bary& p) {
+  bool inside(const Polygon& polygon, const Bary& p) const {
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-      if (signed_area(polygon[i].bary, polygon[(i + 1) % n].bary, p) < 0) return false;
+      if (signed_area(polygon[i].bary, polygon[(i + 1) % n].bary, p) < least_area()) return false;
     }
     return true;
   }
+
+  /// What a triangle may have less than no area, as a part of the face's twofold one: a branch point at a vertex, by a
+  /// tie, lies as near to the crossings round it as these to the vertex, and on whichever side of them.
+  double least_area() const { return metric_.is_sure() ? -kInsideExactly * 4 : 0; }
 
   /// The point nearest to `wanted` on the way to it from `safe` that `valid` accepts.
   template <class Valid>
@@ -401,7 +405,7 @@ class FaceAssembly {
     for (std::size_t k = 2; k < n; ++k) rest.push_back(polygon[(i + k) % n].bary);
     const auto valid = [&](const Bary& p) {
       rest[0] = p;
-      return is_convex(rest) && inside(polygon, p);
+      return is_convex(rest, least_area()) && inside(polygon, p);
     };
     const Bary safe = middle(polygon, i);
     close_run(polygon, i, approach(safe, branch_between(polygon, {x, y, z}, safe), valid));
