@@ -18,14 +18,6 @@ Vec3 longest_direction(const CutTriangles& cut, std::size_t first, std::size_t l
   return longest.stableNormalized();
 }
 
-/// Where the triangles of the parent of triangle `first` end.
-std::size_t end_of_parent(const CutTriangles& cut, std::size_t first) {
-  const auto parent = [&cut](std::size_t t) { return cut.parent[FaceId(std::int64_t(t))]; };
-  std::size_t last = first;
-  while (last < cut.faces.size() && parent(last) == parent(first)) ++last;
-  return last;
-}
-
 bool have_one_place(const CutTriangles& cut, VertexId a, VertexId b) {
   return cut.positions[a.index()] == cut.positions[b.index()];
 }

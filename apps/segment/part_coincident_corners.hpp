@@ -2,11 +2,12 @@
 
 #include <cstddef>
 
-#include "split_doubled_edges.hpp"
+#include "cut_triangles.hpp"
 
 namespace gvd {
 
-/// Moves vertices apart that are corners of one triangle and have the same position, by a few times `reach`.
+/// Moves vertices apart that are corners of one triangle and have the same position, by a few times `reach`
+/// (mesh units; see place_reach).
 ///
 /// In a face without area the cuts through two of its sides can meet in one place, and stay two vertices: one on each
 /// side. The vertices from `first_added` on may be moved, each along the longest edge in its parent; the

@@ -25,15 +25,6 @@ struct Side {
   bool joins_same(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-/// Where the triangles of the parent of triangle `first` end.
-std::size_t end_of_parent(const CutTriangles& cut, std::size_t first) {
-  std::size_t last = first;
-  while (last < cut.faces.size() && cut.parent[FaceId(std::int64_t(last))] == cut.parent[FaceId(std::int64_t(first))]) {
-    ++last;
-  }
-  return last;
-}
-
 std::vector<Side> collect_sides_of_cut_parents(const CutTriangles& cut) {
   std::vector<Side> sides;
   for (std::size_t first = 0, last = 0; first < cut.faces.size(); first = last) {

@@ -1,23 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
-#include "gvd/ids.hpp"
-#include "gvd/vec.hpp"
+#include "cut_triangles.hpp"
 
 namespace gvd {
-
-/// The triangles of a cut mesh before they become one. Those of one parent stand together, and in it those of one
-/// polygon.
-struct CutTriangles {
-  std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;
-  IdVector<FaceId, FaceId> parent;
-  IdVector<FaceId, GeneratorId> label;
-  IdVector<FaceId, std::int32_t> polygon;  ///< which polygon of all parents it is a part of, ascending
-};
 
 /// Splits, at its midpoint, each edge inside a parent whose two ends are also joined elsewhere: inside another parent,
 /// along a border, or inside another polygon.

@@ -23,10 +23,12 @@ constexpr double kInside = 1e-6;
 
 /// The same where the metric is as good as exact: a branch point on a side, by a tie, is not moved by more than
 /// rounding. A little below what such a metric puts its points inside by, so that these are taken as they are.
-constexpr double kInsideExactly = 1.2e-12;
+constexpr double kInsideExactly = 0.6 * kInsideFace;
 
-/// A point this far outside of the face, in barycentric coordinates, may be meant to lie on its boundary.
-constexpr double kBeyond = 1e-9;
+/// What a triangle may have less than no area, as a part of the face's twofold one. A branch point at a vertex, by a
+/// tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
+/// from which a piece counts as turned.
+constexpr double kTurnedByTie = 4.8e-12;
 
 /// The way to a branch point that can't lie where it is wanted is halved this often: to the last digits of a
 /// coordinate.
@@ -316,9 +318,8 @@ class FaceAssembly {
     return true;
   }
 
-  /// What a triangle may have less than no area, as a part of the face's twofold one: a branch point at a vertex, by a
-  /// tie, lies as near to the crossings round it as these to the vertex, and on whichever side of them.
-  double least_area() const { return metric_.is_sure() ? -kInsideExactly * 4 : 0; }
+  /// Of a triangle that counts as one the right way round.
+  double least_area() const { return metric_.is_sure() ? -kTurnedByTie : 0; }
 
   /// The point nearest to `wanted` on the way to it from `safe` that `valid` accepts.
   template <class Valid>
@@ -350,7 +351,7 @@ class FaceAssembly {
   }
 
   static bool is_in_face(const std::optional<Bary>& p) {
-    return p && *std::min_element(p->begin(), p->end()) > -kBeyond;
+    return p && *std::min_element(p->begin(), p->end()) > -kBeyondFace;
   }
 
   BranchPointId add_branch(const Bary& p) { return diagram_.branches.push_back({face_, p, 0}); }

@@ -10,6 +10,10 @@
 
 namespace gvd {
 
+/// A branch point may come out this far beyond a side, in barycentric coordinates, because crossings that it comes near
+/// are kept apart from it or were rounded, and be meant to lie on it; a sure metric puts it kInsideFace inside.
+inline constexpr double kBeyondFace = 1e-9, kInsideFace = 2e-12;
+
 /// What the assembly of a face asks of the distances inside it.
 class FaceMetric {
  public:

@@ -19,18 +19,14 @@ constexpr double kResidual = 1e-12;
 /// four.
 constexpr double kTie = 1e-12;
 
-/// A branch point may come out this far beyond a side, in barycentric coordinates, because crossings that it comes near
-/// are kept apart from it or were rounded; it is put this far inside.
-constexpr double kBeyond = 1e-9, kInside = 2e-12;
-
 constexpr int kNewtonSteps = 40, kHalvings = 6;
 
 /// Moves a point that lies a little beyond a side, or just on it, inside.
 std::array<double, 3> moved_inside(std::array<double, 3> bary) {
   const double least = *std::min_element(bary.begin(), bary.end());
-  if (least >= kInside || least < -kBeyond) return bary;
+  if (least >= kInsideFace || least < -kBeyondFace) return bary;
   double sum = 0;
-  for (double& b : bary) sum += b = std::max(b, kInside);
+  for (double& b : bary) sum += b = std::max(b, kInsideFace);
   for (double& b : bary) b /= sum;
   return bary;
 }
@@ -128,7 +124,7 @@ std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, Generat
 }
 
 bool SourceMetric::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {
-  if (!sure_ || *std::min_element(bary.begin(), bary.end()) < kInside * (1 - 1e-3)) return false;
+  if (!sure_ || *std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
   const Vec2 p = layout_->at(bary);
   const auto reach_a = nearest(a, p), reach_b = nearest(b, p), reach_c = nearest(c, p);
   for (const FaceSource& s : sources_) {

@@ -320,7 +320,7 @@ class WindowCarrier final : public PartPropagation {
   Exits split_at_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t h, const ApexView& apex,
                       double reach) {
     const ApexPath own{origin.offset + reach, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
-    const double tolerance = kSameRay * reach + kRounding * f.length[static_cast<std::size_t>(h % 3)];
+    const double tolerance = kSameImage * reach + kRounding * f.length[static_cast<std::size_t>(h % 3)];
     return exits_beside(apex_path_[static_cast<std::size_t>(h)], own, tolerance);
   }
 

@@ -87,9 +87,6 @@ class WaitingWindows {
 
   static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
-  /// Images that differ by less than this part of their distance are one: a thousand times its rounding, as it comes
-  /// out of unfolding a thousand faces.
-  static constexpr double kSameImage = 3e-13;
   /// Ends that lie within this part of the edge are one.
   static constexpr double kSameEnd = 1e-9;
 

@@ -8,6 +8,10 @@
 
 namespace gvd {
 
+/// Images that differ by less than this part of their distance are one, and so are the rays from them through one
+/// point: a thousand times the rounding of a distance, as it comes out of unfolding a thousand faces.
+inline constexpr double kSameImage = 3e-13;
+
 /// All shortest paths that reach one interval of an edge from one side through the same faces: they come straight from
 /// one image of a generator, or of a pseudo-source, in the plane of the face that they leave.
 ///

@@ -86,10 +86,6 @@ struct Exits {
   bool left = true, right = true;
 };
 
-/// Rays through one point that come from images this far apart, relative to their distance, are one: kSameImage of
-/// WaitingWindows.
-inline constexpr double kSameRay = 3e-13;
-
 /// One angle, one split: of all windows that cross an edge and cover the apex, only the one whose path to the apex V is
 /// the shortest needs to go on to both sides of it. Another one goes on to the side only on which its own path to V
 /// arrives. Makes `path` the best path so far, `own` and all that came before.
