@@ -31,7 +31,7 @@ struct BentArc {
     FaceArc arc;
     arc.left = kA;
     arc.right = kB;
-    bend_arc(metric, arc, begin, end, tolerance, inner);
+    ArcBender(metric, tolerance).bend(arc, begin, end, inner);
   }
 
   double error(const FaceMetric::Bary& p) const { return metric.at(kA, p) - metric.at(kB, p); }

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
 
 namespace gvd {
 namespace {
@@ -17,7 +16,7 @@ constexpr double kShown = 0.5;
 /// No piece is halved more often than this: a tenth of the digits of a double are left for its length.
 constexpr int kMostHalvings = 40;
 
-constexpr int kSteps = 60;
+constexpr int kSteps = 60, kStepsBetweenLooks = 4;
 
 /// An inner point lies this near to the bisector, as a part of the tolerance.
 constexpr double kOnBisector = 1e-3;
@@ -31,136 +30,183 @@ constexpr double kNearEnd = 0.01;
 /// And what may be lost of it in addition where a point's coordinates can't be told apart any more.
 constexpr double kLost = 1e-13;
 
-class ArcBender {
- public:
-  ArcBender(const SourceMetric& metric, const FaceArc& arc, double tolerance, std::vector<FaceMetric::Bary>& points)
-      : metric_(metric),
-        left_(metric.sources(arc.left)),
-        right_(metric.sources(arc.right)),
-        tolerance_(tolerance),
-        points_(points) {}
+/// Looks count on what is seen this near to the arc, as a part of its length: on a tenth of the sources that a face has.
+/// A bisector that leaves the strip is looked at once more, with all of them.
+constexpr double kBeside = 0.05;
 
-  void bend(const Vec2& begin, const Vec2& end) {
-    if ((end - begin).norm() <= tolerance_) return;
-    bend({begin, way_at(begin, look(begin))}, {end, way_at(end, look(end))}, 0);
+/// How the difference of the two distances changes at p, per mesh unit.
+template <class View>
+Vec2 gradient(const Vec2& p, const View& view) {
+  return direction(p, view.left.from) - direction(p, view.right.from);
+}
+/// Along the bisector at p.
+template <class View>
+Vec2 way_at(const Vec2& p, const View& view) {
+  return turned_left(gradient(p, view));
+}
+
+template <class View>
+double rounding(const View& view) {
+  return kRounding * view.left.distance;
+}
+
+/// How far the straight lines on from the two ends get from the chord. A bisector with one corner gets no farther, even
+/// where an end is a corner too and says nothing of what follows.
+template <class OnBisector>
+double height_by_ends(const OnBisector& begin, const OnBisector& end) {
+  const Vec2 chord = end.point - begin.point;
+  return std::max(std::abs(cross(begin.way, chord)) / begin.way.norm(),
+                  std::abs(cross(end.way, chord)) / end.way.norm());
+}
+
+/// Where on the line p + s across the straight paths of a view are equally long, looked for from s on.
+template <class View>
+double meeting_of_view(const Vec2& p, const Vec2& across, double s, const View& view, double precision) {
+  const Vec2 left = p - view.left.from, right = p - view.right.from, start = p + s * across;
+  const double lead = view.error() - (start - view.left.from).norm() + (start - view.right.from).norm();
+  for (int step = 0; step < kStepsBetweenLooks; ++step) {
+    const Vec2 to_left = left + s * across, to_right = right + s * across;
+    const double far_left = to_left.norm(), far_right = to_right.norm();
+    const double slope = across.dot(to_left) / far_left - across.dot(to_right) / far_right;
+    const double move = (lead + far_left - far_right) / slope;
+    s -= move;
+    if (!(std::abs(move) > precision)) break;
   }
-
- private:
-  /// What the two generators look like from a point.
-  struct View {
-    FaceSource::Reach left, right;
-    double error() const { return left.distance - right.distance; }
-    double rounding() const { return kRounding * left.distance; }
-  };
-  View look(const Vec2& p) const {
-    return {SourceMetric::nearest(left_, p).reach, SourceMetric::nearest(right_, p).reach};
-  }
-
-  /// How the difference of the two distances changes at p, per mesh unit.
-  static Vec2 gradient(const Vec2& p, const View& view) {
-    return direction(p, view.left.from) - direction(p, view.right.from);
-  }
-  /// Along the bisector at p.
-  static Vec2 way_at(const Vec2& p, const View& view) { return turned_left(gradient(p, view)); }
-
-  /// A point of the bisector, and the way that it runs there.
-  struct OnBisector {
-    Vec2 point, way;
-  };
-
-  /// Appends the inner points between begin and end, if the straight piece between them is not near enough.
-  void bend(const OnBisector& begin, const OnBisector& end, int halvings) {
-    if (halvings >= kMostHalvings || is_near(begin, end)) return;
-    const auto on = moved_across(likely_corner(begin, end), (end.point - begin.point).normalized());
-    if (!on) return;
-    bend(begin, *on, halvings + 1);
-    points_.push_back(metric_.bary(on->point));
-    bend(*on, end, halvings + 1);
-  }
-
-  /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. The
-  /// middle of the chord where they meet near an end, beyond it, far from the chord or outside of the face.
-  Vec2 likely_corner(const OnBisector& begin, const OnBisector& end) const {
-    const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
-    const double t = cross(chord, end.way) / cross(begin.way, end.way);
-    const Vec2 corner = begin.point + t * begin.way;
-    const double where = (corner - begin.point).dot(chord) / chord.squaredNorm();
-    const bool between =
-        where > kNearEnd && where < 1 - kNearEnd && (corner - begin.point - where * chord).norm() < chord.norm();
-    if (!between) return middle;
-    const auto bary = metric_.bary(corner);
-    return *std::min_element(bary.begin(), bary.end()) >= 0 ? corner : middle;
-  }
-
-  /// Whether the straight piece is near enough to the bisector: where its ends say so, its middle is looked at.
-  bool is_near(const OnBisector& begin, const OnBisector& end) const {
-    const Vec2 chord = end.point - begin.point;
-    if (chord.norm() <= tolerance_) return true;
-    if (height_by_ends(begin, end) <= tolerance_) return passes_by(begin.point + 0.5 * chord);
-    return passes_by(begin.point + kSamples[0] * chord) && passes_by(begin.point + kSamples[1] * chord);
-  }
-
-  /// How far the straight lines on from the two ends get from the chord. A bisector with one corner gets no farther,
-  /// even where an end is a corner too and says nothing of what follows.
-  static double height_by_ends(const OnBisector& begin, const OnBisector& end) {
-    const Vec2 chord = end.point - begin.point;
-    return std::max(std::abs(cross(begin.way, chord)) / begin.way.norm(),
-                    std::abs(cross(end.way, chord)) / end.way.norm());
-  }
-
-  /// Whether the bisector passes by p, a sample of a straight piece.
-  bool passes_by(const Vec2& p) const {
-    const View view = look(p);
-    // The way to the bisector is the error by the gradient.
-    return std::abs(view.error()) <= 8 * view.rounding() + kShown * tolerance_ * gradient(p, view).norm();
-  }
-
-  /// How far one can go from p along `way`, and against it, without leaving the face.
-  std::pair<double, double> room(const Vec2& p, const Vec2& way) const {
-    const auto bary = metric_.bary(p), rate = metric_.layout().bary_rate(way);
-    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double b = std::max(0.0, bary[i]);
-      if (rate[i] > 0) low = std::max(low, -b / rate[i]);
-      if (rate[i] < 0) high = std::min(high, -b / rate[i]);
-    }
-    return {low, high};
-  }
-
-  /// The point of the bisector straight across a chord along `along` from p; nothing where the face ends before it.
-  std::optional<OnBisector> moved_across(const Vec2& p, const Vec2& along) const {
-    const Vec2 across = turned_left(along);  // where the left generator gains
-    auto [low, high] = room(p, across);
-    double s = 0;
-    for (int step = 0; step < kSteps; ++step) {
-      const Vec2 q = p + s * across;
-      const View view = look(q);
-      const double slope = gradient(q, view).dot(across), error = std::abs(view.error());
-      if (error <= 4 * view.rounding() + kOnBisector * tolerance_ * std::abs(slope))
-        return OnBisector{q, way_at(q, view)};
-      (view.error() > 0 ? low : high) = s;
-      double next = s - view.error() / slope;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (next == s) {
-        if (error > kLost * view.left.distance) return std::nullopt;
-        return OnBisector{q, way_at(q, view)};
-      }
-      s = next;
-    }
-    return std::nullopt;
-  }
-
-  const SourceMetric& metric_;
-  std::span<const FaceSource> left_, right_;
-  double tolerance_;
-  std::vector<FaceMetric::Bary>& points_;
-};
+  return s;
+}
 
 }  // namespace
 
-void bend_arc(const SourceMetric& metric, const FaceArc& arc, const FaceMetric::Bary& begin,
-              const FaceMetric::Bary& end, double tolerance, std::vector<FaceMetric::Bary>& points) {
-  ArcBender(metric, arc, tolerance, points).bend(metric.layout().at(begin), metric.layout().at(end));
+void ArcBender::bend(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
+  const Vec2 from = metric_.layout().at(begin), to = metric_.layout().at(end), chord = to - from;
+  if (chord.norm() <= tolerance_) return;
+  points_ = &points;
+  const std::size_t before = points.size();
+  for (const double width : {kBeside, std::numeric_limits<double>::infinity()}) {
+    strip_ = {from, chord, turned_left(chord), width};
+    find_seeing(arc.left, left_);
+    find_seeing(arc.right, right_);
+    points.resize(before);
+    if (bend({from, way_at(from, look(from))}, {to, way_at(to, look(to))}, 0)) return;
+  }
+}
+
+/// What sees something in the strip. A ray past an end of an opening parts the plane in what is seen past it and what
+/// is not; on the strip that is a matter of the place along it, and of its width at the most.
+void ArcBender::find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const {
+  seeing.clear();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const FaceSource& s : metric_.sources(g)) {
+    Seeing all{&s, -infinity, infinity};
+    if (!s.is_corner && std::isfinite(strip_.width)) {
+      const Vec2 start = strip_.from - s.image;
+      for (const Vec2& rim : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
+        // At place t, seen: at_start + rate t + (at most) slack >= 0.
+        const double at_start = cross(start, rim), rate = cross(strip_.along, rim);
+        const double slack = strip_.width * std::abs(cross(strip_.across, rim));
+        const double place = -(at_start + slack) / rate;
+        if (rate > 0) all.first = std::max(all.first, place);
+        if (rate < 0) all.last = std::min(all.last, place);
+      }
+    }
+    if (all.first <= std::min(all.last, 1.0) && all.last >= 0) seeing.push_back(all);
+  }
+}
+
+/// Appends the inner points between begin and end, if the straight piece between them is not near enough.
+bool ArcBender::bend(const OnBisector& begin, const OnBisector& end, int halvings) {
+  const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
+  const double length = chord.norm();
+  if (halvings >= kMostHalvings || length <= tolerance_) return true;
+  const bool is_flat = height_by_ends(begin, end) <= tolerance_;
+  const Vec2 guess = is_flat ? middle : likely_corner(begin, end).value_or(middle);
+  const auto height = [&](const Vec2& p) { return std::abs(cross(p - begin.point, chord)) / length; };
+  const bool is_low = !is_flat && height(guess) <= tolerance_;
+  if (is_low && is_near_quarters(begin.point, chord)) return true;
+  const View view = look(guess);
+  if (is_flat && is_near(view, middle)) return true;
+  const auto on = moved_across(guess, view, chord / length);
+  if (!on) return true;
+  if (!strip_.contains(on->point)) return false;
+  if (!is_low && height(on->point) <= kShown * tolerance_ && is_near_quarters(begin.point, chord)) return true;
+  if (!bend(begin, *on, halvings + 1)) return false;
+  points_->push_back(metric_.bary(on->point));
+  return bend(*on, end, halvings + 1);
+}
+
+ArcBender::View ArcBender::look(const Vec2& p) const { return {nearest(left_, p), nearest(right_, p)}; }
+
+FaceSource::Reach ArcBender::nearest(const std::vector<Seeing>& seeing, const Vec2& p) const {
+  const double place = strip_.place(p);
+  FaceSource::Reach best{std::numeric_limits<double>::infinity(), p};
+  for (const Seeing& s : seeing) {
+    if ((place < s.first) | (place > s.last)) continue;
+    take_nearer(*s.source, p, best);
+  }
+  return best;
+}
+
+/// Whether the bisector passes by p, a sample of a straight piece, as the view from p shows.
+bool ArcBender::is_near(const View& view, const Vec2& p) const {
+  // The way to the bisector is the error by the gradient.
+  return std::abs(view.error()) <= 8 * rounding(view) + kShown * tolerance_ * gradient(p, view).norm();
+}
+
+bool ArcBender::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
+  return std::all_of(kSamples.begin(), kSamples.end(), [&](double sample) {
+    const Vec2 p = begin + sample * chord;
+    return is_near(look(p), p);
+  });
+}
+
+/// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. Nothing
+/// where they meet near an end, beyond it, far from the chord or outside of the face.
+std::optional<Vec2> ArcBender::likely_corner(const OnBisector& begin, const OnBisector& end) const {
+  const Vec2 chord = end.point - begin.point;
+  const double t = cross(chord, end.way) / cross(begin.way, end.way);
+  const Vec2 corner = begin.point + t * begin.way;
+  const double where = (corner - begin.point).dot(chord) / chord.squaredNorm();
+  const bool between =
+      where > kNearEnd && where < 1 - kNearEnd && (corner - begin.point - where * chord).norm() < chord.norm();
+  if (!between) return std::nullopt;
+  const auto bary = metric_.bary(corner);
+  if (*std::min_element(bary.begin(), bary.end()) < 0) return std::nullopt;
+  return corner;
+}
+
+/// How far one can go from p along `way`, and against it, without leaving the face.
+std::pair<double, double> ArcBender::room(const Vec2& p, const Vec2& way) const {
+  const auto bary = metric_.bary(p), rate = metric_.layout().bary_rate(way);
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double b = std::max(0.0, bary[i]);
+    if (rate[i] > 0) low = std::max(low, -b / rate[i]);
+    if (rate[i] < 0) high = std::min(high, -b / rate[i]);
+  }
+  return {low, high};
+}
+
+/// The point of the bisector straight across a chord along `along` from p, which has the given view; nothing where the
+/// face ends before it.
+std::optional<ArcBender::OnBisector> ArcBender::moved_across(const Vec2& p, View view, const Vec2& along) const {
+  const Vec2 across = turned_left(along);  // where the left generator gains
+  auto [low, high] = room(p, across);
+  double s = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    const Vec2 q = p + s * across;
+    if (step > 0) view = look(q);
+    const double slope = gradient(q, view).dot(across), error = std::abs(view.error());
+    if (error <= 4 * rounding(view) + kOnBisector * tolerance_ * std::abs(slope)) return OnBisector{q, way_at(q, view)};
+    (view.error() > 0 ? low : high) = s;
+    double next = meeting_of_view(p, across, s, view, 0.1 * kOnBisector * tolerance_);
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == s) {
+      if (error > kLost * view.left.distance) return std::nullopt;
+      return OnBisector{q, way_at(q, view)};
+    }
+    s = next;
+  }
+  return std::nullopt;
 }
 
 }  // namespace gvd

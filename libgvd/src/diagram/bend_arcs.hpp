@@ -1,19 +1,70 @@
 #pragma once
 
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "diagram/face_diagram.hpp"
 #include "diagram/source_metric.hpp"
 
 namespace gvd {
 
-/// Bends a straight arc into the bisector of its two generators: appends inner points to `points` until no straight
-/// piece is farther than `tolerance` (mesh units) from it.
+/// Bends the straight arcs of a face into the bisectors of their two generators.
 ///
-/// The bisector is made of pieces of hyperbolas, straight where the two offsets agree, with a corner wherever the
+/// A bisector is made of pieces of hyperbolas, straight where the two offsets agree, with a corner wherever the
 /// source that reaches it first changes. A straight piece that is too far off, as the bisector's directions at its ends
-/// and a look at its middle or its quarters show, is parted by a point of the bisector. `begin` and `end` are the arc's
-/// ends in the face that the metric has entered.
-/// Cost: O(points); three evaluations of both distances where the bisector is straight.
-void bend_arc(const SourceMetric& metric, const FaceArc& arc, const FaceMetric::Bary& begin,
-              const FaceMetric::Bary& end, double tolerance, std::vector<FaceMetric::Bary>& points);
+/// and looks at a few places show, is parted by a point of the bisector.
+class ArcBender {
+ public:
+  using Bary = FaceMetric::Bary;
+
+  /// `metric` has to outlive this. No straight piece will be farther than `tolerance` (mesh units) from the bisector.
+  ArcBender(const SourceMetric& metric, double tolerance) : metric_(metric), tolerance_(tolerance) {}
+
+  /// Appends the inner points of the arc from `begin` to `end`, in the face that the metric has entered, to `points`.
+  /// Cost: O(points) looks at the sources that are seen from near the arc; three where the bisector is straight.
+  void bend(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points);
+
+ private:
+  /// What the two generators look like from a point.
+  struct View {
+    FaceSource::Reach left, right;
+    double error() const { return left.distance - right.distance; }
+  };
+  /// A point of the bisector, and the way that it runs there.
+  struct OnBisector {
+    Vec2 point, way;
+  };
+
+  /// A source, and the part of the strip along the arc in which it may see something, from 0 at its begin to 1.
+  struct Seeing {
+    const FaceSource* source;
+    double first, last;
+  };
+  /// The arc at work, and how far from it looks are sure to see what is the nearest.
+  struct Strip {
+    Vec2 from, along, across;  // the last two of the arc's length
+    double width;              // as a part of that
+    double place(const Vec2& p) const { return (p - from).dot(along) / along.squaredNorm(); }
+    bool contains(const Vec2& p) const { return std::abs((p - from).dot(across)) <= width * across.squaredNorm(); }
+  };
+
+  void find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const;
+  bool bend(const OnBisector& begin, const OnBisector& end, int halvings);
+  View look(const Vec2& p) const;
+  FaceSource::Reach nearest(const std::vector<Seeing>& seeing, const Vec2& p) const;
+  bool is_near(const View& view, const Vec2& p) const;
+  bool is_near_quarters(const Vec2& begin, const Vec2& chord) const;
+  std::optional<Vec2> likely_corner(const OnBisector& begin, const OnBisector& end) const;
+  std::optional<OnBisector> moved_across(const Vec2& p, View view, const Vec2& along) const;
+  std::pair<double, double> room(const Vec2& p, const Vec2& way) const;
+
+  const SourceMetric& metric_;
+  double tolerance_;
+  Strip strip_{{0, 0}, {0, 0}, {0, 0}, 0};
+  std::vector<Seeing> left_, right_;  // what may be the nearest in the strip
+  std::vector<Bary>* points_ = nullptr;
+};
 
 }  // namespace gvd

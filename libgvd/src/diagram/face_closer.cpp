@@ -5,7 +5,6 @@
 #include <span>
 
 #include "diagram/area_share.hpp"
-#include "diagram/bend_arcs.hpp"
 #include "diagram/face_assembly.hpp"
 
 namespace gvd {
@@ -52,7 +51,7 @@ FaceMetric::Bary FaceCloser::place(const ArcEnd& end) const {
 void FaceCloser::bend(FaceArc& arc) {
   std::vector<FaceMetric::Bary>& points = closed_.diagram.points;
   const std::size_t first = points.size();
-  bend_arc(metric_, arc, place(arc.begin), place(arc.end), tolerance_, points);
+  bender_.bend(arc, place(arc.begin), place(arc.end), points);
   arc.first_point = static_cast<std::int32_t>(first);
   arc.point_count = static_cast<std::int32_t>(points.size() - first);
 }

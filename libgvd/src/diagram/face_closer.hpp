@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "diagram/bend_arcs.hpp"
 #include "diagram/crossings.hpp"
 #include "diagram/face_diagram.hpp"
 #include "diagram/face_pieces.hpp"
@@ -24,7 +25,7 @@ struct ClosedFaces {
 class FaceCloser {
  public:
   FaceCloser(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tolerance)
-      : mesh_(mesh), crossings_(crossings), metric_(field), tolerance_(tolerance) {}
+      : mesh_(mesh), crossings_(crossings), metric_(field), bender_(metric_, tolerance) {}
 
   /// Appends face f to the result; faces come in ascending order.
   void close(FaceId f);
@@ -40,7 +41,7 @@ class FaceCloser {
   const Mesh& mesh_;
   const Crossings& crossings_;
   SourceMetric metric_;  // of the face at work
-  double tolerance_;
+  ArcBender bender_;
   std::vector<BoundaryCrossing> boundary_;
   WorkingPieces pieces_;
   ClosedFaces closed_;

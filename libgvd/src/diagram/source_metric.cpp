@@ -60,11 +60,7 @@ std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
 SourceMetric::Nearest SourceMetric::nearest(std::span<const FaceSource> sources, const Vec2& p) {
   Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
   for (const FaceSource& source : sources) {
-    // No path of a source is shorter than the straight one.
-    const double rest = best.reach.distance - source.offset;
-    if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) continue;
-    const auto reach = source.reach(p);
-    if (reach.distance < best.reach.distance) best = {&source, reach};
+    if (take_nearer(source, p, best.reach)) best.source = &source;
   }
   return best;
 }

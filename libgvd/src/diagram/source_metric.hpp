@@ -16,6 +16,17 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
+/// Whether the path of a source to p is shorter than `best`, which it then replaces.
+inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Reach& best) {
+  // No path of a source is shorter than the straight one.
+  const double rest = best.distance - source.offset;
+  if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) return false;
+  const auto reach = source.reach(p);
+  if (!(reach.distance < best.distance)) return false;
+  best = reach;
+  return true;
+}
+
 /// Distances inside one face, from the sources that a solver knows there: as good as the solver.
 class SourceMetric final : public FaceMetric {
  public:
