@@ -34,11 +34,13 @@ class FailingField final : public DistanceField {
  public:
   FailingField(const DistanceField& field, FaceId from) : field_(field), from_(from) {}
 
-  bool is_contested(EdgeId e) const override { return field_.is_contested(e); }
+  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override {
+    return field_.contested_edges(parallel);
+  }
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override { field_.collect(e, sources); }
-  void collect(FaceId f, std::vector<FaceSource>& sources) const override {
+  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override {
     if (f >= from_) throw Error(ErrorCode::no_valid_result, "no distances", f.value());
-    field_.collect(f, sources);
+    field_.collect(f, layout, sources);
   }
 
  private:

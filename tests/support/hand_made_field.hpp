@@ -11,9 +11,9 @@ class HandMadeField final : public DistanceField {
  public:
   explicit HandMadeField(std::vector<FaceSource> sources) : sources_(std::move(sources)) {}
 
-  bool is_contested(EdgeId) const override { return false; }
+  std::vector<EdgeId> contested_edges(const ParallelChunks&) const override { return {}; }
   void collect(EdgeId, std::vector<EdgeSource>& sources) const override { sources.clear(); }
-  void collect(FaceId, std::vector<FaceSource>& sources) const override { sources = sources_; }
+  void collect(FaceId, const FaceLayout&, std::vector<FaceSource>& sources) const override { sources = sources_; }
 
  private:
   std::vector<FaceSource> sources_;

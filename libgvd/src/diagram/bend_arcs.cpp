@@ -30,8 +30,8 @@ constexpr double kNearEnd = 0.01;
 /// And what may be lost of it in addition where a point's coordinates can't be told apart any more.
 constexpr double kLost = 1e-13;
 
-/// Looks count on what is seen this near to the arc, as a part of its length: on a tenth of the sources that a face has.
-/// A bisector that leaves the strip is looked at once more, with all of them.
+/// Looks count on what is seen this near to the arc, as a part of its length: on a tenth of the sources that a face
+/// has. A bisector that leaves the strip is looked at once more, with all of them.
 constexpr double kBeside = 0.05;
 
 /// How the difference of the two distances changes at p, per mesh unit.
@@ -79,11 +79,12 @@ double meeting_of_view(const Vec2& p, const Vec2& across, double s, const View& 
 
 void ArcBender::bend(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
   const Vec2 from = metric_.layout().at(begin), to = metric_.layout().at(end), chord = to - from;
-  if (chord.norm() <= tolerance_) return;
+  const double length = chord.norm();
+  if (length <= tolerance_) return;
   points_ = &points;
   const std::size_t before = points.size();
-  for (const double width : {kBeside, std::numeric_limits<double>::infinity()}) {
-    strip_ = {from, chord, turned_left(chord), width};
+  for (const double width : {kBeside * length, std::numeric_limits<double>::infinity()}) {
+    strip_ = {from, chord / length, turned_left(chord) / length, length, width};
     find_seeing(arc.left, left_);
     find_seeing(arc.right, right_);
     points.resize(before);
@@ -97,19 +98,19 @@ void ArcBender::find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const {
   seeing.clear();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const FaceSource& s : metric_.sources(g)) {
-    Seeing all{&s, -infinity, infinity};
+    double first = -infinity, last = infinity;
     if (!s.is_corner && std::isfinite(strip_.width)) {
       const Vec2 start = strip_.from - s.image;
       for (const Vec2& rim : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
-        // At place t, seen: at_start + rate t + (at most) slack >= 0.
+        // Seen at place t where at_start + rate t + (slack at most) >= 0.
         const double at_start = cross(start, rim), rate = cross(strip_.along, rim);
         const double slack = strip_.width * std::abs(cross(strip_.across, rim));
         const double place = -(at_start + slack) / rate;
-        if (rate > 0) all.first = std::max(all.first, place);
-        if (rate < 0) all.last = std::min(all.last, place);
+        if (rate > 0) first = std::max(first, place);
+        if (rate < 0) last = std::min(last, place);
       }
     }
-    if (all.first <= std::min(all.last, 1.0) && all.last >= 0) seeing.push_back(all);
+    if (first <= std::min(last, strip_.length) && last >= 0) seeing.push_back({&s, first, last});
   }
 }
 
@@ -134,10 +135,12 @@ bool ArcBender::bend(const OnBisector& begin, const OnBisector& end, int halving
   return bend(*on, end, halvings + 1);
 }
 
-ArcBender::View ArcBender::look(const Vec2& p) const { return {nearest(left_, p), nearest(right_, p)}; }
-
-FaceSource::Reach ArcBender::nearest(const std::vector<Seeing>& seeing, const Vec2& p) const {
+ArcBender::View ArcBender::look(const Vec2& p) const {
   const double place = strip_.place(p);
+  return {nearest(left_, place, p), nearest(right_, place, p)};
+}
+
+FaceSource::Reach ArcBender::nearest(const std::vector<Seeing>& seeing, double place, const Vec2& p) {
   FaceSource::Reach best{std::numeric_limits<double>::infinity(), p};
   for (const Seeing& s : seeing) {
     if ((place < s.first) | (place > s.last)) continue;

@@ -37,23 +37,23 @@ class ArcBender {
     Vec2 point, way;
   };
 
-  /// A source, and the part of the strip along the arc in which it may see something, from 0 at its begin to 1.
+  /// A source, and the part of the strip along the arc in which it may see something, mesh units.
   struct Seeing {
     const FaceSource* source;
     double first, last;
   };
   /// The arc at work, and how far from it looks are sure to see what is the nearest.
   struct Strip {
-    Vec2 from, along, across;  // the last two of the arc's length
-    double width;              // as a part of that
-    double place(const Vec2& p) const { return (p - from).dot(along) / along.squaredNorm(); }
-    bool contains(const Vec2& p) const { return std::abs((p - from).dot(across)) <= width * across.squaredNorm(); }
+    Vec2 from, along, across;  // unit vectors
+    double length, width;
+    double place(const Vec2& p) const { return (p - from).dot(along); }
+    bool contains(const Vec2& p) const { return std::abs((p - from).dot(across)) <= width; }
   };
 
   void find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const;
   bool bend(const OnBisector& begin, const OnBisector& end, int halvings);
   View look(const Vec2& p) const;
-  FaceSource::Reach nearest(const std::vector<Seeing>& seeing, const Vec2& p) const;
+  static FaceSource::Reach nearest(const std::vector<Seeing>& seeing, double place, const Vec2& p);
   bool is_near(const View& view, const Vec2& p) const;
   bool is_near_quarters(const Vec2& begin, const Vec2& chord) const;
   std::optional<Vec2> likely_corner(const OnBisector& begin, const OnBisector& end) const;
@@ -62,7 +62,7 @@ class ArcBender {
 
   const SourceMetric& metric_;
   double tolerance_;
-  Strip strip_{{0, 0}, {0, 0}, {0, 0}, 0};
+  Strip strip_{};
   std::vector<Seeing> left_, right_;  // what may be the nearest in the strip
   std::vector<Bary>* points_ = nullptr;
 };

@@ -33,6 +33,16 @@ struct Reach {
   double slope() const { return straight > 0 ? along / straight : 0; }
 };
 
+/// Whether a source that is above another one at both ends of an interval is above it in between: both distances are
+/// convex, so the one lies above its two tangents, and the other one below its chord.
+bool is_above(const Reach& begin, const Reach& end, const Reach& other_begin, const Reach& other_end, double width) {
+  const double first = begin.slope(), last = end.slope();
+  if (!(last > first)) return true;
+  const double meet = (begin.distance - end.distance + last * width) / (last - first);
+  const double chord = other_begin.distance + (other_end.distance - other_begin.distance) * (meet / width);
+  return begin.distance + first * meet > chord;
+}
+
 }  // namespace
 
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, double tie_step) {
@@ -65,10 +75,10 @@ std::int32_t EdgeEnvelope::nearer(std::int32_t a, std::int32_t b, double t) cons
 }
 
 void EdgeEnvelope::append(double end, std::int32_t source) {
-  if (!segments_.empty() && segments_.back().source == source) {
-    segments_.back().end = end;
-  } else if (segments_.empty() ? end > 0 : end > segments_.back().end) {
-    segments_.push_back({end, source});
+  if (!pieces_.empty() && pieces_.back().source == source) {
+    pieces_.back().end = end;
+  } else {
+    pieces_.push_back({end, source});
   }
 }
 
@@ -77,28 +87,39 @@ void EdgeEnvelope::insert(std::int32_t source) {
   const double begin = sources_[static_cast<std::size_t>(source)].begin;
   const double end = sources_[static_cast<std::size_t>(source)].end;
   if (!(begin < end)) return;
-  std::swap(segments_, before_);
-  segments_.clear();
-  double from = 0;
-  for (const Segment& s : before_) {
-    const double low = std::max(from, begin), high = std::min(s.end, end);
-    if (low < high) {
-      if (from < low) append(low, s.source);
-      compare(s.source, source, low, high);
-    }
-    append(s.end, s.source);
-    from = s.end;
+  const auto first = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.end > begin; });
+  pieces_.clear();
+  if (begin > (first == segments_.begin() ? 0 : (first - 1)->end)) pieces_.push_back({begin, first->source});
+  bool is_nearer = false;
+  double low = begin;
+  auto next = first;
+  while (low < end) {
+    const double high = std::min(next->end, end);
+    is_nearer |= compare(next->source, source, low, high);
+    if (high < next->end) append(next->end, next->source);
+    low = high;
+    ++next;
   }
+  if (!is_nearer) return;
+  const auto kept = std::min(next - first, static_cast<std::ptrdiff_t>(pieces_.size()));
+  std::copy(pieces_.begin(), pieces_.begin() + kept, first);
+  if (next - first > kept) segments_.erase(first + kept, next);
+  segments_.insert(first + kept, pieces_.begin() + kept, pieces_.end());
 }
 
-/// Appends the lower one of two sources, piece by piece, from `begin` to `end`.
-void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double begin, double end) {
+/// Appends the lower one of two sources, piece by piece, from `begin` to `end`. Whether the new one is lower anywhere.
+bool EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double begin, double end) {
   const EdgeSource &o = sources_[static_cast<std::size_t>(old_source)], &s = sources_[static_cast<std::size_t>(source)];
   const Reach s_begin(s, begin), s_end(s, end), o_begin(o, begin), o_end(o, end);
   const double at_begin = s_begin.distance - o_begin.distance, at_end = s_end.distance - o_end.distance;
-  // Both distances are convex, so the slope of their difference lies between these two.
-  const bool is_monotone = s_begin.slope() > o_end.slope() || s_end.slope() < o_begin.slope();
-  if (at_begin * at_end > 0 && is_monotone) return append(end, at_begin < 0 ? source : old_source);
+  if (at_begin > 0 && at_end > 0 && is_above(s_begin, s_end, o_begin, o_end, end - begin)) {
+    append(end, old_source);
+    return false;
+  }
+  if (at_begin < 0 && at_end < 0 && is_above(o_begin, o_end, s_begin, s_end, end - begin)) {
+    append(end, source);
+    return true;
+  }
   // sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots that only the squares have do no harm: the
   // pieces on their two sides go to the same source.
   const double c = (o.offset - s.offset) * unit_;
@@ -119,16 +140,23 @@ void EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
     if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
   }
   double from = begin;
+  bool is_nearer = false;
+  const auto take = [&](double to) {
+    const std::int32_t winner = nearer(old_source, source, 0.5 * (from + to));
+    append(to, winner);
+    is_nearer |= winner == source;
+    from = to;
+  };
   for (const double scaled : roots) {
     const double root = scaled / unit_;
     if (!(root > from && root < end)) continue;
     // Between two windows of one generator the place shows nowhere.
     const double t = o.generator == s.generator ? root : polish(old_source, source, from, end, root);
     if (!(t > from && t < end)) continue;
-    append(t, nearer(old_source, source, 0.5 * (from + t)));
-    from = t;
+    take(t);
   }
-  append(end, nearer(old_source, source, 0.5 * (from + end)));
+  take(end);
+  return is_nearer;
 }
 
 /// Newton's steps towards the place near t where two sources are equally far.

@@ -42,14 +42,15 @@ class EdgeEnvelope {
   std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const;
   void insert(std::int32_t source);
   void append(double end, std::int32_t source);
-  void compare(std::int32_t old_source, std::int32_t source, double begin, double end);
+  bool compare(std::int32_t old_source, std::int32_t source, double begin, double end);
   double polish(std::int32_t a, std::int32_t b, double begin, double end, double t) const;
   void find_runs(GeneratorId first, GeneratorId last);
   bool is_gap(GeneratorId before, GeneratorId g, double begin, double end) const;
   double meeting(GeneratorId a, GeneratorId b, double low, double t, double high) const;
 
   std::vector<EdgeSource> sources_;
-  std::vector<Segment> segments_, before_;
+  std::vector<Segment> segments_;
+  std::vector<Segment> pieces_;  // that a new source parts segments into
   std::vector<Run> runs_;
   double length_ = 0;
   double unit_ = 1;  // a power of two that brings the edge's length near 1: sixth powers of it stay in range

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 namespace gvd {
 namespace {
@@ -35,18 +35,26 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
-  field_.collect(f, found_);
-  // The most likely ones first: then the others are passed over without a square root.
-  const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
+  field_.collect(f, *layout_, found_);
   order_.clear();
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    order_.push_back({found_[i].generator, found_[i].reach(centre).distance, static_cast<std::int32_t>(i)});
-  }
-  std::sort(order_.begin(), order_.end(), [](const Place& a, const Place& b) {
-    return std::tie(a.generator, a.distance, a.index) < std::tie(b.generator, b.distance, b.index);
-  });
+  for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
+  std::sort(order_.begin(), order_.end());
   sources_.clear();
-  for (const Place& place : order_) sources_.push_back(found_[static_cast<std::size_t>(place.index)]);
+  for (const auto& [generator, place] : order_) sources_.push_back(found_[static_cast<std::size_t>(place)]);
+  bring_nearest_forward();
+}
+
+/// The most likely one of each generator comes first: then most of the others are passed over without a square root.
+void SourceMetric::bring_nearest_forward() {
+  const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
+  FaceSource::Reach best{};
+  for (std::size_t i = 0, first = 0; i < sources_.size(); ++i) {
+    if (i == 0 || sources_[i].generator != sources_[first].generator) {
+      first = i;
+      best.distance = std::numeric_limits<double>::infinity();
+    }
+    if (take_nearer(sources_[i], centre, best)) std::swap(sources_[i], sources_[first]);
+  }
 }
 
 std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {

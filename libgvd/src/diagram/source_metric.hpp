@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "diagram/face_metric.hpp"
@@ -36,7 +37,7 @@ class SourceMetric final : public FaceMetric {
   void enter(const Mesh& mesh, FaceId f);
 
   const FaceLayout& layout() const { return *layout_; }
-  /// The sources of generator g, the one that is nearest to the face's centre first.
+  /// The sources of generator g; the first one is the nearest to the face's centre.
   std::span<const FaceSource> sources(GeneratorId g) const;
 
   /// The shortest path over some sources, and the one that it comes from; null, and infinite, where there is none.
@@ -64,17 +65,14 @@ class SourceMetric final : public FaceMetric {
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
  private:
+  void bring_nearest_forward();
+
   const DistanceField& field_;
   bool sure_ = true;
   std::optional<FaceLayout> layout_;
-  struct Place {
-    GeneratorId generator;
-    double distance;     // at the face's centre
-    std::int32_t index;  // in sources_
-  };
-  std::vector<FaceSource> sources_;  // in the order of order_
+  std::vector<FaceSource> sources_;  // by generator
   std::vector<FaceSource> found_;
-  std::vector<Place> order_;  // of found_, ascending
+  std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
 };
 
 }  // namespace gvd

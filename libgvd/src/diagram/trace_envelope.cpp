@@ -63,7 +63,7 @@ class EnvelopeTracer final : public ConnectedTracer {
 
  private:
   Crossings cross_edges() override {
-    return Crossings(mesh_.edge_count(), cross(contested_edges(), false, {"bisectors", 0, 0.5}));
+    return Crossings(mesh_.edge_count(), cross(field_.contested_edges(parallel_), false, {"bisectors", 0, 0.5}));
   }
 
   void cross_plainly(const std::vector<EdgeId>& edges, Crossings& crossings) override {
@@ -74,18 +74,6 @@ class EnvelopeTracer final : public ConnectedTracer {
     std::merge(others.begin(), others.end(), plain.begin(), plain.end(), std::back_inserter(all),
                [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
     crossings = Crossings(mesh_.edge_count(), std::move(all));
-  }
-
-  std::vector<EdgeId> contested_edges() const {
-    const auto edges = cut_into_chunks(static_cast<std::size_t>(mesh_.edge_count()), kScanChunk);
-    return parallel_.collect(edges, {"bisectors", 0, 0}, [&](const Chunk& chunk) {
-      std::vector<EdgeId> contested;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const EdgeId e(static_cast<std::int64_t>(i));
-        if (field_.is_contested(e)) contested.push_back(e);
-      }
-      return contested;
-    });
   }
 
   /// The crossings of these edges, ascending as they are.

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "geodesic/face_layout.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/plane.hpp"
+#include "parallel_chunks.hpp"
 
 namespace gvd {
 
@@ -63,13 +66,27 @@ class DistanceField {
  public:
   virtual ~DistanceField() = default;
 
-  /// Whether more than one generator may be the nearest on edge e.
-  virtual bool is_contested(EdgeId e) const = 0;
+  /// Edges on which more than one generator may be the nearest, ascending.
+  virtual std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const = 0;
   /// Overwrites `sources` with all that reach edge e; those of its two ends come first. The least distance over them is
   /// the distance to the nearest generator.
   virtual void collect(EdgeId e, std::vector<EdgeSource>& sources) const = 0;
-  /// The same for the inside of face f.
-  virtual void collect(FaceId f, std::vector<FaceSource>& sources) const = 0;
+  /// The same for the inside of face f, which is laid out like that.
+  virtual void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const = 0;
 };
+
+/// The edges of a mesh that `is_wanted(EdgeId)` holds for, ascending.
+template <class Wanted>
+std::vector<EdgeId> find_edges(const Mesh& mesh, const ParallelChunks& parallel, const Wanted& is_wanted) {
+  const auto edges = cut_into_chunks(static_cast<std::size_t>(mesh.edge_count()), kScanChunk);
+  return parallel.collect(edges, {"bisectors", 0, 0}, [&](const Chunk& chunk) {
+    std::vector<EdgeId> found;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const EdgeId e(static_cast<std::int64_t>(i));
+      if (is_wanted(e)) found.push_back(e);
+    }
+    return found;
+  });
+}
 
 }  // namespace gvd

@@ -2,7 +2,6 @@
 
 #include <tuple>
 
-#include "geodesic/face_layout.hpp"
 #include "geodesic/unfold.hpp"
 
 namespace gvd {
@@ -15,13 +14,15 @@ const VertexDistance& MarchedDistances::nearest(VertexId v) const {
   return *best;
 }
 
-bool MarchedDistances::is_contested(EdgeId e) const {
+std::vector<EdgeId> MarchedDistances::contested_edges(const ParallelChunks& parallel) const {
   const auto has_several = [&](HalfedgeId h) {
     const FaceId f = Mesh::face(h);
     return table_.reached(f) && table_.entry(f.value()).next >= 0;
   };
-  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
-  return has_several(h) || (twin.valid() && has_several(twin));
+  return find_edges(mesh_, parallel, [&](EdgeId e) {
+    const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+    return has_several(h) || (twin.valid() && has_several(twin));
+  });
 }
 
 void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const {
@@ -45,9 +46,8 @@ void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const
   }
 }
 
-void MarchedDistances::collect(FaceId f, std::vector<FaceSource>& sources) const {
+void MarchedDistances::collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const {
   sources.clear();
-  const FaceLayout layout(mesh_, f);
   const auto& corner = layout.corner;
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexDistance& v = nearest(mesh_.vertices(f)[i]);

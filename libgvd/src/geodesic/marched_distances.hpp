@@ -13,9 +13,9 @@ class MarchedDistances final : public DistanceField {
   /// Both have to outlive this.
   MarchedDistances(const Mesh& mesh, const GeneratorTable& table) : mesh_(mesh), table_(table) {}
 
-  bool is_contested(EdgeId e) const override;
+  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
-  void collect(FaceId f, std::vector<FaceSource>& sources) const override;
+  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override;
 
  private:
   const VertexDistance& nearest(VertexId v) const;

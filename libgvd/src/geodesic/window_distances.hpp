@@ -11,9 +11,9 @@ class WindowDistances final : public DistanceField {
   /// Both have to outlive this.
   WindowDistances(const Mesh& mesh, const WindowField& field) : mesh_(mesh), field_(field) {}
 
-  bool is_contested(EdgeId e) const override;
+  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
   void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
-  void collect(FaceId f, std::vector<FaceSource>& sources) const override;
+  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override;
 
  private:
   const Mesh& mesh_;

@@ -1,9 +1,8 @@
 #include "geodesic/window_sources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "geodesic/face_layout.hpp"
 
 namespace gvd {
 
@@ -36,14 +35,15 @@ Vec2 FaceSource::entry(const Vec2& p) const {
   return begin + to_begin / (to_begin + to_end) * (end - begin);
 }
 
-void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, std::vector<FaceSource>& sources) {
+void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
+                          std::vector<FaceSource>& sources) {
   sources.clear();
-  const FaceLayout layout(mesh, f);
+  const std::array<Vec2, 3> side{layout.side(0), layout.side(1), layout.side(2)};
   field.windows.for_each(f, [&](const KeptWindow& w) {
     const HalfedgeId h(w.halfedge);
     if (!mesh.twin(h).valid()) return;  // it ends there
     const int i = Mesh::corner(h);
-    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i),
+    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = side[static_cast<std::size_t>(i)],
                inwards(-along.y(), along.x());
     const Vec2 image = origin + w.x * along - w.depth * inwards;
     sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, GeneratorId(w.generator), h,

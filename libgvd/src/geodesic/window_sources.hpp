@@ -14,9 +14,14 @@ namespace gvd {
 /// In coordinates from `from(h)`. Replaces what `sources` held. Cost: O(windows on the two faces).
 void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources);
 
-/// All ways to the points of face f: the windows that enter through its sides, then the cones of its corners.
-/// Replaces what `sources` held. Cost: O(windows on the face).
-void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, std::vector<FaceSource>& sources);
+/// All ways to the points of face f, laid out as it is: the windows that enter through its sides, then the cones of its
+/// corners. Replaces what `sources` held. Cost: O(windows on the face).
+void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
+                          std::vector<FaceSource>& sources);
+inline void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f,
+                                 std::vector<FaceSource>& sources) {
+  collect_face_sources(mesh, field, f, FaceLayout(mesh, f), sources);
+}
 
 /// The nearest of the sources; ties go to the lower generator, then to the one that comes first. Null where there is
 /// none.

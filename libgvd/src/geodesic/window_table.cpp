@@ -33,8 +33,8 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
     if (i % kProgressStride == 0) report_progress(progress, "tables", double(i) / mesh.face_count());
-    collect_face_sources(mesh, field, f, sources);
     const FaceLayout layout(mesh, f);
+    collect_face_sources(mesh, field, f, layout, sources);
     while (!sources.empty()) {
       const GeneratorId g = sources.front().generator;
       std::array<std::int32_t, 3> corner{};
