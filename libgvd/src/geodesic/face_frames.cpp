@@ -72,7 +72,9 @@ double sliver_twice_area(const std::array<Vec3, 3>& side, const std::array<doubl
 /// Faces whose frames one thread makes at a time.
 constexpr std::size_t kChunkFaces = 1 << 12;
 
-FaceFrame make_frame(const Mesh& mesh, FaceId f) {
+}  // namespace
+
+FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
   FaceFrame frame{};
   const auto& corners = mesh.vertices(f);
   const FaceShape& shape = mesh.shape(f);
@@ -96,15 +98,13 @@ FaceFrame make_frame(const Mesh& mesh, FaceId f) {
   return frame;
 }
 
-}  // namespace
-
 FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
     : frame(static_cast<std::size_t>(mesh.face_count())), kind(static_cast<std::size_t>(mesh.vertex_count())) {
   const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kChunkFaces);
   parallel.run(chunks.size(), {"distances"}, [&](std::size_t i) {
     for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) {
       const FaceId face(static_cast<std::int64_t>(f));
-      frame[face] = make_frame(mesh, face);
+      frame[face] = make_face_frame(mesh, face);
     }
   });
   std::vector<Turning> total(kind.size());

@@ -20,6 +20,8 @@ struct FaceFrame {
 };
 static_assert(sizeof(FaceFrame) == 96);
 
+FaceFrame make_face_frame(const Mesh& mesh, FaceId f);
+
 /// What the total angle theta of the faces round a vertex means for shortest paths.
 enum class VertexKind : std::uint8_t {
   plain,   ///< convex, or on the boundary with theta <= pi: no shortest path goes through it but at its end
@@ -45,7 +47,8 @@ struct FaceFrames {
   /// Whether a face is a needle: then paths through different faces tie all over, and what costs time or memory to keep
   /// such windows down is worth it.
   bool has_needles = false;
-  /// Whether a face is so thin that windows might wind round it often: a path that meets faces again is then looked for.
+  /// Whether a face is so thin that windows might wind round it often: a path that meets faces again is then looked
+  /// for.
   bool has_thin_faces = false;
 
   /// Cost: O(n), no trigonometry.

@@ -22,18 +22,19 @@ class WindowCarrier final : public PartPropagation {
  public:
   WindowCarrier(PropagationState& state, std::int32_t part)
       : mesh_(state.mesh),
+        frames_(state.frames),
         field_(state.field),
         parts_(state.parts),
         part_(part),
         mail_(state.mail),
         sent_(state.sent),
-        fan_(field_.frames),
-        has_needles_(field_.frames.has_needles),
-        has_thin_faces_(field_.frames.has_thin_faces),
+        fan_(frames_),
+        has_needles_(frames_.has_needles),
+        has_thin_faces_(frames_.has_thin_faces),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         apex_path_(state.apex_path),
-        retention_(state.keep, field_, parts_, part, state.face_state, mail_) {}
+        retention_(state, part) {}
 
   void start_vertex(std::int32_t place, GeneratorId g, double d) override {
     if (!(d < distance(place))) return;
@@ -66,7 +67,6 @@ class WindowCarrier final : public PartPropagation {
   std::size_t waits_now() const override { return queue_.front_size(); }
   bool waits() const override { return !queue_.empty(); }
   double front() const override { return queue_.front(); }
-  void finish_inside() override { retention_.finish_inside(); }
   BlockList<KeptWindow> finish() override { return retention_.finish(); }
   std::int64_t carried() const override { return carried_; }
   std::int64_t events() const override { return events_sent_; }
@@ -96,7 +96,7 @@ class WindowCarrier final : public PartPropagation {
 
   double& distance(std::int32_t v) { return field_.distance[VertexId(v)]; }
   std::int32_t label(std::int32_t v) const { return field_.label[VertexId(v)].value(); }
-  VertexKind kind(std::int32_t v) const { return field_.frames.kind[VertexId(v)]; }
+  VertexKind kind(std::int32_t v) const { return frames_.kind[VertexId(v)]; }
   bool is_flat(std::int32_t v) const { return kind(v) == VertexKind::flat; }
 
   void push_event(const VertexEvent& event) {
@@ -167,7 +167,7 @@ class WindowCarrier final : public PartPropagation {
       if (!is_news(event.distance, sent)) return;
       sent = event.distance;
     }
-    ++events_sent_;
+    events_sent_ += static_cast<std::int64_t>(event.vertex < mesh_.vertex_count());  // once for all places of a vertex
     if (event.all_round) {
       send_all_round(event);
       return;
@@ -345,6 +345,7 @@ class WindowCarrier final : public PartPropagation {
   }
 
   const Mesh& mesh_;
+  const FaceFrames& frames_;
   WindowField& field_;
   const WindowParts& parts_;
   std::int32_t part_;

@@ -31,9 +31,7 @@ class PartPropagation {
   /// The least key of the current bucket.
   virtual double front() const = 0;
 
-  /// After the last round: decides which windows inside the part are kept.
-  virtual void finish_inside() = 0;
-  /// After `finish_inside` of all parts: returns all windows of the part that are kept.
+  /// After the last round of all parts: returns all windows of the part that are kept.
   virtual BlockList<KeptWindow> finish() = 0;
 
   virtual std::int64_t carried() const = 0;  ///< windows carried across a face

@@ -39,8 +39,7 @@ class Propagation {
       state_.field.events += part->events();
     }
     keep_windows();
-    state_.parts.restore(state_.mesh, state_.field);
-    forget_unreached_labels();
+    forget_places();
     return std::move(state_.field);
   }
 
@@ -60,13 +59,15 @@ class Propagation {
   void keep_windows() {
     const StepPart end{"distances"};
     std::vector<BlockList<KeptWindow>> kept(parts_.size());
-    parallel_.run(parts_.size(), end, [&](std::size_t i) { parts_[i]->finish_inside(); });
     parallel_.run(parts_.size(), end, [&](std::size_t i) { kept[i] = parts_[i]->finish(); });
-    state_.field.windows = EdgeWindows(std::move(kept), state_.field.frames.frame.size(), parallel_);
+    state_.field.windows = EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
   }
 
-  void forget_unreached_labels() {
+  /// The places of shared vertices, and the labels of vertices that nothing reaches.
+  void forget_places() {
     WindowField& field = state_.field;
+    field.distance.resize(static_cast<std::size_t>(state_.mesh.vertex_count()));
+    field.label.resize(field.distance.size());
     for (std::int32_t i = 0; i < state_.mesh.vertex_count(); ++i) {
       if (std::isinf(field.distance[VertexId(i)])) field.label[VertexId(i)] = GeneratorId();
     }

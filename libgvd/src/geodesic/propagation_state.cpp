@@ -31,14 +31,15 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
                                    const ParallelChunks& parallel)
     : mesh(of_mesh),
       keep(options.keep),
-      field(mesh, parallel),
-      parts(mesh, options.part_faces, field),
+      frames(mesh, parallel),
+      parts(mesh, options.part_faces, frames),
+      field(parts.place_count()),
       mail(parts.count()),
-      bucket_width((field.frames.has_needles ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
+      bucket_width((frames.has_needles ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
       bucket_count(count_buckets(mesh, bucket_width)),
       first_waiting(static_cast<std::size_t>(mesh.halfedge_count()), -1),
-      apex_path(field.frames.has_needles ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
-      face_state(keep == KeepWindows::near_bisectors ? field.frames.frame.size() : 0, FaceState::open),
+      apex_path(frames.has_needles ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
+      face_state(keep == KeepWindows::near_bisectors ? frames.frame.size() : 0, FaceState::open),
       sent(parts.shared_count(), std::numeric_limits<double>::infinity()) {}
 
 }  // namespace gvd

@@ -4,16 +4,23 @@
 #include <cstdint>
 #include <vector>
 
+#include "geodesic/face_frames.hpp"
 #include "geodesic/window_field.hpp"
 #include "geodesic/window_filters.hpp"
 #include "geodesic/window_mail.hpp"
 #include "geodesic/window_parts.hpp"
 #include "geodesic/window_propagation.hpp"
-#include "geodesic/window_retention.hpp"
 #include "gvd/mesh.hpp"
 #include "parallel_chunks.hpp"
 
 namespace gvd {
+
+/// What is known of the distances in a face.
+enum class FaceState : std::uint8_t {
+  open,
+  quiet,  ///< they are settled and have one label
+  mixed,  ///< they have several labels, or had so at some time
+};
 
 /// What the parts of the mesh have in common. While they work, each one touches only what belongs to its faces and to
 /// its places of vertices.
@@ -22,8 +29,9 @@ struct PropagationState {
 
   const Mesh& mesh;
   KeepWindows keep;
-  WindowField field;
+  FaceFrames frames;
   WindowParts parts;
+  WindowField field;  // its arrays hold all places of vertices
   Mailboxes mail;
   double bucket_width;  // of the parts' queues
   std::size_t bucket_count;

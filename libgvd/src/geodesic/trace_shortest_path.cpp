@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geodesic/face_frames.hpp"
 #include "geodesic/locate_in_face.hpp"
 #include "geodesic/window_sources.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -122,7 +123,7 @@ class PathTracer {
   /// Crosses one face. Returns the vertex where the line ends, or moves the step on to the next face.
   VertexId advance(Step& step) {
     const HalfedgeId k = step.halfedge;
-    const FaceFrame& f = field_.frames.frame[Mesh::face(k)];
+    const FaceFrame f = make_face_frame(mesh_, Mesh::face(k));
     const auto i = static_cast<std::size_t>(Mesh::corner(k));
     const double left = f.length[(i + 2) % 3], base = f.length[i];
     const Vec2 apex(left * f.cosine[i], left * f.sine[i]), at(step.t, 0);

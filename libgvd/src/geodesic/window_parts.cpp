@@ -1,16 +1,12 @@
 #include "geodesic/window_parts.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "geodesic/kd_cut.hpp"
 
 namespace gvd {
 namespace {
-
-/// From there on parts grow with the mesh: places of vertices and mailboxes stay few.
-constexpr std::int32_t kMaxParts = 64;
 
 std::vector<std::uint8_t> cut_vertices(const Mesh& mesh, std::int32_t parts) {
   const KdCut cut(mesh.positions(), parts);
@@ -22,18 +18,19 @@ std::vector<std::uint8_t> cut_vertices(const Mesh& mesh, std::int32_t parts) {
 
 }  // namespace
 
-WindowParts::WindowParts(const Mesh& mesh, std::int32_t part_faces, WindowField& field)
+WindowParts::WindowParts(const Mesh& mesh, std::int32_t part_faces, FaceFrames& frames)
     : count_(std::clamp(mesh.face_count() / part_faces, 1, std::min(kMaxParts, mesh.vertex_count()))),
+      place_count_(static_cast<std::size_t>(mesh.vertex_count())),
       parts_(static_cast<std::size_t>(mesh.face_count()), 0),
       part_(parts_.data()) {
   if (count_ == 1) return;
   const std::vector<std::uint8_t> part_of_vertex = cut_vertices(mesh, count_);
   const std::vector<ForeignCorner> corners = find_foreign_corners(mesh, part_of_vertex);
-  shared_.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  shared_.reserve(place_count_ + corners.size());
+  shared_.assign(place_count_, -1);
   add_places(corners, part_of_vertex);
-  enter_places(corners, field);
-  halfedges_.reserve(corners.size());
-  for (const ForeignCorner& c : corners) halfedges_.push_back(c.halfedge);
+  place_count_ = shared_.size();
+  enter_places(corners, frames);
 }
 
 std::vector<WindowParts::ForeignCorner> WindowParts::find_foreign_corners(
@@ -74,32 +71,20 @@ void WindowParts::add_place(std::int32_t vertex, std::int32_t part) {
   places_.push_back({vertex, part});
 }
 
-void WindowParts::enter_places(const std::vector<ForeignCorner>& corners, WindowField& field) const {
-  const std::size_t vertices = field.distance.size();
-  field.distance.resize(shared_.size(), std::numeric_limits<double>::infinity());
-  field.label.resize(shared_.size());
-  field.frames.kind.resize(shared_.size());
+void WindowParts::enter_places(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {
+  const std::size_t vertices = frames.kind.size();
+  frames.kind.reserve(shared_.size());  // `resize` alone would take twice as much
+  frames.kind.resize(shared_.size());
   for (std::size_t place = vertices; place < shared_.size(); ++place) {
     const VertexId id(static_cast<std::int64_t>(place));
-    field.frames.kind[id] = field.frames.kind[vertex(id.value())];
+    frames.kind[id] = frames.kind[vertex(id.value())];
   }
   for (const ForeignCorner& c : corners) {
-    std::int32_t& name = field.frames.frame[FaceId(c.halfedge / 3)].vertex[static_cast<std::size_t>(c.halfedge % 3)];
+    std::int32_t& name = frames.frame[FaceId(c.halfedge / 3)].vertex[static_cast<std::size_t>(c.halfedge % 3)];
     for (const Place& place : places(shared(c.vertex))) {
       if (place.part == c.part) name = place.vertex;
     }
   }
-}
-
-void WindowParts::restore(const Mesh& mesh, WindowField& field) const {
-  for (const std::int32_t h : halfedges_) {
-    const auto corner = static_cast<std::size_t>(h % 3);
-    field.frames.frame[FaceId(h / 3)].vertex[corner] = mesh.vertices(FaceId(h / 3))[corner].value();
-  }
-  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
-  field.distance.resize(vertices);
-  field.label.resize(vertices);
-  field.frames.kind.resize(vertices);
 }
 
 }  // namespace gvd

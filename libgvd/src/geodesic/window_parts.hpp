@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geodesic/window_field.hpp"
+#include "geodesic/face_frames.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -14,25 +14,29 @@ namespace gvd {
 ///
 /// A part owns its faces and their halfedges. A vertex whose faces lie in several parts has a place of its own in each
 /// of them, with a distance and a label, so that no part ever reads what another one writes: the vertex itself in the
-/// first one, numbers beyond the last vertex in the others. While this object lives between construction and
-/// `restore`, the frames of the faces name places instead of vertices.
+/// first one, numbers beyond the last vertex in the others. The frames of the faces name places instead of vertices.
 ///
 /// The cut depends on the mesh alone: vertices in boxes; a face goes with its first corner.
-/// Memory: 1 byte a face; where there are several parts, 4 a vertex and 40 for each place.
+/// Memory: 1 byte a face; where there are several parts, 4 a vertex and 24 for each place of a shared one.
 class WindowParts {
  public:
   struct Place {
-    std::int32_t vertex;  ///< as the frames of that part name it, and the field's arrays
+    std::int32_t vertex;  ///< as the frames of that part name it
     std::int32_t part;
   };
 
-  /// Changes the field's frames, and makes room for the places in its arrays. Cost: O(n).
-  /// `part_faces` >= 1: about so many faces make a part.
-  WindowParts(const Mesh& mesh, std::int32_t part_faces, WindowField& field);
-  /// Gives the frames their vertices back, and the field's arrays their sizes.
-  void restore(const Mesh& mesh, WindowField& field) const;
+  /// Lets the frames name places, and gives each place its vertex' kind. Cost: O(n).
+  /// `part_faces` >= 1: about so many faces make a part, of which there are kMaxParts at the most.
+  WindowParts(const Mesh& mesh, std::int32_t part_faces, FaceFrames& frames);
+  WindowParts(const WindowParts&) = delete;
+  WindowParts& operator=(const WindowParts&) = delete;
+
+  /// From there on parts grow with the mesh: places of vertices, queues and mailboxes stay few.
+  static constexpr std::int32_t kMaxParts = 64;
 
   std::int32_t count() const { return count_; }
+  /// Number of places, of all vertices.
+  std::size_t place_count() const { return place_count_; }
   std::int32_t of_face(std::int32_t f) const { return part_[f]; }
   std::int32_t of_halfedge(std::int32_t h) const { return part_[h / 3]; }
 
@@ -65,15 +69,15 @@ class WindowParts {
   std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh, const std::vector<std::uint8_t>& part_of_vertex);
   void add_places(const std::vector<ForeignCorner>& corners, const std::vector<std::uint8_t>& part_of_vertex);
   void add_place(std::int32_t vertex, std::int32_t part);
-  void enter_places(const std::vector<ForeignCorner>& corners, WindowField& field) const;
+  void enter_places(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const;
 
   std::int32_t count_;
-  std::vector<std::uint8_t> parts_;      // [face]
-  const std::uint8_t* part_;             // the same, for the sake of the innermost loop
-  std::vector<std::int32_t> shared_;     // [vertex or place] its number, or -1
-  std::vector<Place> places_;            // those of one vertex one after the other
-  std::vector<Range> range_;             // [place's number] of the places of its vertex
-  std::vector<std::int32_t> halfedges_;  // whose start is not named by its vertex
+  std::size_t place_count_;
+  std::vector<std::uint8_t> parts_;   // [face]
+  const std::uint8_t* part_;          // the same, for the sake of the innermost loop
+  std::vector<std::int32_t> shared_;  // [vertex or place] its number, or -1
+  std::vector<Place> places_;         // those of one vertex one after the other
+  std::vector<Range> range_;          // [place's number] of the places of its vertex
 };
 
 }  // namespace gvd

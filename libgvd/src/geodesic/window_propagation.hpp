@@ -4,11 +4,17 @@
 #include <vector>
 
 #include "geodesic/window_field.hpp"
-#include "geodesic/window_retention.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
+
+/// Which windows are kept after they have done their work.
+enum class KeepWindows {
+  none,
+  near_bisectors,  ///< those on the edges of faces that a bisector can meet
+  all,
+};
 
 struct PropagationOptions {
   KeepWindows keep = KeepWindows::all;

@@ -2,29 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
+#include "geodesic/propagation_state.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/window_field.hpp"
-#include "geodesic/window_mail.hpp"
-#include "geodesic/window_parts.hpp"
 
 namespace gvd {
-
-/// Which windows are kept after they have done their work.
-enum class KeepWindows {
-  none,
-  near_bisectors,  ///< those on the edges of faces that a bisector can meet
-  all,
-};
-
-/// What is known of the distances in a face.
-enum class FaceState : std::uint8_t {
-  open,
-  quiet,  ///< they are settled and have one label
-  mixed,  ///< they have several labels, or had so at some time
-};
 
 /// Keeps the windows of one part of the mesh that have done their work, and lets go of those that no bisector can need
 /// while the propagation goes on, so that they never fill the memory.
@@ -36,10 +19,15 @@ enum class FaceState : std::uint8_t {
 /// edge stays until the end: when the propagation is over, what the others found out can be read.
 class WindowRetention {
  public:
-  /// The field and the parts are only read. `states`: by face; empty unless windows near bisectors are kept.
-  WindowRetention(KeepWindows keep, const WindowField& field, const WindowParts& parts, std::int32_t part,
-                  std::vector<FaceState>& states, Mailboxes& mail)
-      : keep_(keep), field_(field), parts_(parts), part_(part), state_(states.data()), mail_(mail) {}
+  /// Of the state, the mail and the states of the part's own faces are written.
+  WindowRetention(PropagationState& state, std::int32_t part)
+      : keep_(state.keep),
+        frames_(state.frames),
+        field_(state.field),
+        parts_(state.parts),
+        part_(part),
+        state_(state.face_state.data()),
+        mail_(state.mail) {}
 
   /// A window stands on halfedge h. `front`: no window to come holds a distance below it.
   void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
@@ -82,16 +70,14 @@ class WindowRetention {
     if (state_[face] == FaceState::open) state_[face] = FaceState::mixed;
   }
 
-  /// The propagation is over: decides about all windows but those on edges to other parts.
-  void finish_inside() {
-    while (!recent_.empty()) review_block(std::numeric_limits<double>::infinity());
-  }
-  /// All parts have finished inside: decides about the rest. Returns what is kept.
+  /// The propagation is over, in all parts: decides about the rest. Returns what is kept.
   BlockList<KeptWindow> finish() {
-    for (std::size_t i = 0; i < on_border_.size(); ++i) {
-      const std::int32_t h = on_border_[i].halfedge;
-      if (is_mixed_at_end(h / 3) || is_mixed_at_end(twin_of(h) / 3)) kept_.push_back(on_border_[i]);
-    }
+    const auto decide = [&](const KeptWindow& w) {
+      const std::int32_t twin = twin_of(w.halfedge);
+      if (is_mixed_at_end(w.halfedge / 3) || (twin >= 0 && is_mixed_at_end(twin / 3))) kept_.push_back(w);
+    };
+    while (!recent_.empty()) recent_.take_block(decide);  // nothing is added: one block less each time
+    for (std::size_t i = 0; i < on_border_.size(); ++i) decide(on_border_[i]);
     return std::move(kept_);
   }
 
@@ -139,7 +125,7 @@ class WindowRetention {
   }
 
   std::int32_t twin_of(std::int32_t h) const {
-    return field_.frames.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
+    return frames_.frame[FaceId(h / 3)].twin[static_cast<std::size_t>(h % 3)];
   }
 
   FaceState look_at_edge(std::int32_t h, double settled) {
@@ -157,7 +143,7 @@ class WindowRetention {
   FaceState look_at_face(std::int32_t face, double settled) {
     FaceState& state = state_[face];
     if (state != FaceState::open) return state;
-    const FaceFrame& f = field_.frames.frame[FaceId(face)];
+    const FaceFrame& f = frames_.frame[FaceId(face)];
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
     const double farthest = std::max({field_.distance[a], field_.distance[b], field_.distance[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
@@ -174,10 +160,11 @@ class WindowRetention {
   /// Changes nothing: several parts may ask about one face at the same time.
   bool is_mixed_at_end(std::int32_t face) const {
     if (state_[face] != FaceState::open) return state_[face] == FaceState::mixed;
-    return !has_one_label(field_.frames.frame[FaceId(face)]);
+    return !has_one_label(frames_.frame[FaceId(face)]);
   }
 
   KeepWindows keep_;
+  const FaceFrames& frames_;
   const WindowField& field_;
   const WindowParts& parts_;
   std::int32_t part_;
