@@ -264,7 +264,8 @@ class WindowCarrier final : public PartPropagation {
             is_left_to_vertex(origin.offset, distance(edge.end), edge.length - w.begin, w.squared_reach(w.begin)));
   }
 
-  void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start, std::int32_t end) {
+  [[gnu::always_inline]] void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start,
+                                   std::int32_t end) {
     const bool foreign_start = is_foreign(start, origin.generator), foreign_end = is_foreign(end, origin.generator);
     if (foreign_start || foreign_end) retention_.mark_edge(h);
     retention_.add(w, origin, h, settled_);

@@ -30,7 +30,7 @@ class WindowRetention {
         mail_(state.mail) {}
 
   /// A window stands on halfedge h. `front`: no window to come holds a distance below it.
-  void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
+  [[gnu::always_inline]] void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
     const KeptWindow kept{w.begin, w.end, w.x, w.depth, origin.offset, origin.generator, h};
     if (keep_ == KeepWindows::all || state_[h / 3] == FaceState::mixed) {
@@ -72,9 +72,11 @@ class WindowRetention {
 
   /// The propagation is over, in all parts: decides about the rest. Returns what is kept.
   BlockList<KeptWindow> finish() {
+    std::int32_t last = -1;
+    bool stays = false;
     const auto decide = [&](const KeptWindow& w) {
-      const std::int32_t twin = twin_of(w.halfedge);
-      if (is_mixed_at_end(w.halfedge / 3) || (twin >= 0 && is_mixed_at_end(twin / 3))) kept_.push_back(w);
+      if (w.halfedge != last) stays = is_edge_mixed_at_end(last = w.halfedge);
+      if (stays) kept_.push_back(w);
     };
     while (!recent_.empty()) recent_.take_block(decide);  // nothing is added: one block less each time
     for (std::size_t i = 0; i < on_border_.size(); ++i) decide(on_border_[i]);
@@ -87,7 +89,7 @@ class WindowRetention {
   static constexpr double kReach = 0.5773503;  // 1 / sqrt(3), rounded up
 
   /// Lets go of what can go, oldest first. Where half of a block can't be told yet, so can't what is younger.
-  void review(double settled) {
+  [[gnu::noinline]] void review(double settled) {
     while (!recent_.empty() && recent_.age() > patience_) {
       const std::size_t undecided = review_block(settled);
       if (2 * undecided > BlockQueue<KeptWindow>::kBlock) {
@@ -155,6 +157,11 @@ class WindowRetention {
   bool has_one_label(const FaceFrame& f) const {
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
     return field_.label[a] == field_.label[b] && field_.label[b] == field_.label[c];
+  }
+
+  bool is_edge_mixed_at_end(std::int32_t h) const {
+    const std::int32_t twin = twin_of(h);
+    return is_mixed_at_end(h / 3) || (twin >= 0 && is_mixed_at_end(twin / 3));
   }
 
   /// Changes nothing: several parts may ask about one face at the same time.
