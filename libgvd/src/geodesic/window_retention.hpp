@@ -140,16 +140,17 @@ class WindowRetention {
     return here == FaceState::quiet ? there : here;
   }
 
-  /// Every point of a triangle is within its longest side / sqrt(3) of a corner: where the farthest corner's distance
-  /// plus that is below `settled`, paths through the corners beat all windows to come.
+  /// Every point of a triangle is within its longest side of each corner, and within that / sqrt(3) of one of them:
+  /// where the nearest corner's distance plus the former, or the farthest one's plus the latter, is below `settled`,
+  /// paths through the corners beat all windows to come.
   FaceState look_at_face(std::int32_t face, double settled) {
     FaceState& state = state_[face];
     if (state != FaceState::open) return state;
     const FaceFrame& f = frames_.frame[FaceId(face)];
     const VertexId a(f.vertex[0]), b(f.vertex[1]), c(f.vertex[2]);
-    const double farthest = std::max({field_.distance[a], field_.distance[b], field_.distance[c]});
+    const auto [nearest, farthest] = std::minmax({field_.distance[a], field_.distance[b], field_.distance[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
-    if (!((farthest + kReach * longest) * (1 + kMargin) < settled)) return state;
+    if (!(std::min(farthest + kReach * longest, nearest + longest) * (1 + kMargin) < settled)) return state;
     state = has_one_label(f) ? FaceState::quiet : FaceState::mixed;
     return state;
   }
