@@ -103,3 +103,17 @@ TEST_CASE("random work: everything comes out once, and never a bucket too early"
     for (std::size_t i = 0; i < popped.size(); ++i) REQUIRE(popped[i] == static_cast<int>(i));
   }
 }
+
+TEST_CASE("a queue that has given its memory back goes on from where it was") {
+  BucketQueue<int> queue(1.0, 3);
+  queue.push(0.5, 1);
+  CHECK(queue.pop() == 1);
+  queue.release();
+  queue.push(0.7, 2);
+  queue.push(1.5, 3);
+  CHECK(queue.front_size() == 1);
+  CHECK(queue.pop() == 2);
+  CHECK(queue.pop() == 3);
+  CHECK(queue.front() == 1);
+  CHECK(queue.empty());
+}

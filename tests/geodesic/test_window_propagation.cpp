@@ -53,6 +53,26 @@ TEST_CASE("more windows than 32 bits can number are refused") {
   CHECK_THROWS_AS(check_window_count(kMostWindows - 1023, 1024), Error);
 }
 
+TEST_CASE("lists of waiting windows that have given their memory back take windows again") {
+  std::vector<std::int32_t> first(2, -1);
+  WaitingWindows waiting(first, 1);
+  for (int time = 0; time < 2; ++time) {
+    for (std::int32_t i = 0; i < 1000; ++i) {
+      waiting.add(i % 2, {0.25, 0.5, i / 1000.0, 1}, {0, i, 0, -1, 0}, 1, 1);
+    }
+    for (const std::int32_t h : {0, 1}) {
+      int count = 0;
+      waiting.take(h, [&](const Rays& w, const Origin& origin) {
+        ++count;
+        CHECK(w.x == origin.generator / 1000.0);
+        CHECK(origin.generator % 2 == h);
+      });
+      CHECK(count == 500);
+    }
+    waiting.release();
+  }
+}
+
 TEST_CASE("a component without a generator stays out of reach") {
   const Mesh mesh = test::make_two_components();
   const WindowField field = propagate(mesh, {VertexId(0)}, KeepWindows::near_bisectors);

@@ -51,6 +51,12 @@ class BucketQueue {
     return buckets_[current_][next_++];
   }
 
+  /// Gives the buckets' memory back. The queue must be empty.
+  void release() {
+    for (std::vector<Item>& bucket : buckets_) bucket = std::vector<Item>();
+    next_ = 0;
+  }
+
  private:
   double inverse_width_;
   double last_;  // number of the ring's last bucket, counted from the current one

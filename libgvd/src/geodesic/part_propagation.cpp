@@ -45,6 +45,7 @@ class WindowCarrier final : public PartPropagation {
 
   void run_round(double settled) override {
     settled_ = settled;
+    has_run_ = true;
     mail_.for_each_received(part_, [&](WindowMail& mail) {
       for (const std::int32_t face : mail.mixed_faces) retention_.mark_own_face(face);
       for (const WindowMail::Path& path : mail.paths) receive_path(path);
@@ -63,7 +64,12 @@ class WindowCarrier final : public PartPropagation {
     }
   }
 
-  void end_round() override { queue_.advance(); }
+  void end_bucket(double settled) override {
+    retention_.review_border(settled);
+    // The front has passed: other parts need the memory now. What waits, is queued.
+    if (queue_.empty() && has_run_) release();
+    queue_.advance();
+  }
   std::size_t waits_now() const override { return queue_.front_size(); }
   bool waits() const override { return !queue_.empty(); }
   double front() const override { return queue_.front(); }
@@ -93,6 +99,14 @@ class WindowCarrier final : public PartPropagation {
     std::int32_t start, end;  // places of vertices
     std::int32_t into, from;  // halfedges: that it crosses next, or -1; of the face that it leaves
   };
+
+  void release() {
+    waiting_.release();
+    queue_.release();
+    events_ = std::vector<VertexEvent>();
+    free_events_ = std::vector<std::int32_t>();
+    has_run_ = false;
+  }
 
   double& distance(std::int32_t v) { return field_.distance[VertexId(v)]; }
   std::int32_t label(std::int32_t v) const { return field_.label[VertexId(v)].value(); }
@@ -362,6 +376,7 @@ class WindowCarrier final : public PartPropagation {
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
   double settled_ = 0;
+  bool has_run_ = false;  // since the last `release`
   std::int64_t carried_ = 0, events_sent_ = 0;
 };
 

@@ -21,8 +21,8 @@ class PartPropagation {
   /// Takes the mail, and then all that waits in the current bucket of the queue. `settled`: no window in the whole mesh
   /// that has still to be carried holds a distance below it.
   virtual void run_round(double settled) = 0;
-  /// All parts have run: goes on to the next bucket.
-  virtual void end_round() = 0;
+  /// No part runs, and no mail for the current bucket is left: goes on to the next one. `settled`: as above.
+  virtual void end_bucket(double settled) = 0;
 
   /// Number of items in the current bucket; mail apart.
   virtual std::size_t waits_now() const = 0;

@@ -16,7 +16,7 @@ namespace gvd {
 /// halfedge.
 ///
 /// Their places are used again in the order last out, first in, while the cache still holds them.
-/// Memory: 64 bytes for each of the most windows that wait at once.
+/// Memory: 64 bytes for each of the most windows that have waited at once since the last `release`.
 class WaitingWindows {
  public:
   /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the part's halfedges are touched.
@@ -70,6 +70,13 @@ class WaitingWindows {
       visit(rays, origin);
       place = next;
     }
+  }
+
+  /// Gives the memory back. No window may wait.
+  void release() {
+    blocks_ = std::vector<std::unique_ptr<Window[]>>();
+    used_ = 0;
+    free_ = -1;
   }
 
  private:

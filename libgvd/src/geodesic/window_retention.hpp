@@ -15,8 +15,8 @@ namespace gvd {
 /// A face is quiet where every distance in it is settled and has one label: the corners' labels are equal, and no
 /// window with another label has ever stood on its sides. The windows on an edge are needed as long as one of its faces
 /// may turn out not to be quiet, since points inside of a face see the windows on all of its sides.
-/// Each part decides about its own faces, and tells the others of windows on its edges to them. A window on such an
-/// edge stays until the end: when the propagation is over, what the others found out can be read.
+/// Each part decides about its own faces, and tells the others of windows on its edges to them. About windows on such
+/// an edge it decides while no other part runs, so that what these have found out can be read.
 class WindowRetention {
  public:
   /// Of the state, the mail and the states of the part's own faces are written.
@@ -39,9 +39,9 @@ class WindowRetention {
     }
     const std::int32_t twin = twin_of(h);
     if (twin >= 0 && !is_own(twin / 3)) {
-      on_border_.push_back(kept);
-    } else if (recent_.push_back(kept)) {
-      review(front);
+      on_border_.windows.push_back(kept);
+    } else if (recent_.windows.push_back(kept)) {
+      review(recent_, front);
     }
   }
 
@@ -70,6 +70,9 @@ class WindowRetention {
     if (state_[face] == FaceState::open) state_[face] = FaceState::mixed;
   }
 
+  /// Lets go of what can go on edges to other parts, none of which may run. `settled` as in `add`.
+  void review_border(double settled) { review(on_border_, settled); }
+
   /// The propagation is over, in all parts: decides about the rest. Returns what is kept.
   BlockList<KeptWindow> finish() {
     std::int32_t last = -1;
@@ -78,8 +81,9 @@ class WindowRetention {
       if (w.halfedge != last) stays = is_edge_mixed_at_end(last = w.halfedge);
       if (stays) kept_.push_back(w);
     };
-    while (!recent_.empty()) recent_.take_block(decide);  // nothing is added: one block less each time
-    for (std::size_t i = 0; i < on_border_.size(); ++i) decide(on_border_[i]);
+    for (Undecided* list : {&recent_, &on_border_}) {
+      while (!list->windows.empty()) list->windows.take_block(decide);  // nothing is added: one block less each time
+    }
     return std::move(kept_);
   }
 
@@ -88,25 +92,31 @@ class WindowRetention {
   static constexpr double kMargin = 1e-6;
   static constexpr double kReach = 0.5773503;  // 1 / sqrt(3), rounded up
 
+  /// Windows of which it can't be told yet whether they are kept, in the order in which they were added.
+  struct Undecided {
+    BlockQueue<KeptWindow> windows;
+    std::size_t patience = 2;  // blocks that wait before the oldest one is looked at
+  };
+
   /// Lets go of what can go, oldest first. Where half of a block can't be told yet, so can't what is younger.
-  [[gnu::noinline]] void review(double settled) {
-    while (!recent_.empty() && recent_.age() > patience_) {
-      const std::size_t undecided = review_block(settled);
+  [[gnu::noinline]] void review(Undecided& list, double settled) {
+    while (list.windows.age() > list.patience) {
+      const std::size_t undecided = review_block(list.windows, settled);
       if (2 * undecided > BlockQueue<KeptWindow>::kBlock) {
-        patience_ = recent_.age() + recent_.age() / 4 + 1;
+        list.patience = list.windows.age() + list.windows.age() / 4 + 1;
         return;
       }
     }
   }
 
-  std::size_t review_block(double settled) {
+  std::size_t review_block(BlockQueue<KeptWindow>& windows, double settled) {
     std::size_t undecided = 0;
     std::int32_t last = -1;
     FaceState state = FaceState::open;
-    recent_.take_block([&](const KeptWindow& w) {
+    windows.take_block([&](const KeptWindow& w) {
       if (w.halfedge != last) state = look_at_edge(last = w.halfedge, settled);
       if (state == FaceState::open) {
-        recent_.push_back(w);
+        windows.push_back(w);
         ++undecided;
       } else if (state == FaceState::mixed) {
         kept_.push_back(w);
@@ -176,12 +186,10 @@ class WindowRetention {
   const WindowField& field_;
   const WindowParts& parts_;
   std::int32_t part_;
-  FaceState* state_;  // [face]; those of other parts are not touched before the end
+  FaceState* state_;  // [face]; those of other parts are not touched while these run
   Mailboxes& mail_;
-  BlockQueue<KeptWindow> recent_;  // in the order in which they were added
-  BlockList<KeptWindow> kept_;     // for good
-  BlockList<KeptWindow> on_border_;
-  std::size_t patience_ = 2;  // blocks that wait before the oldest one is looked at
+  Undecided recent_, on_border_;
+  BlockList<KeptWindow> kept_;  // for good
 };
 
 }  // namespace gvd

@@ -40,7 +40,7 @@ class WindowRounds {
         run_round(settled);
         report();
       } while (mail_.least_key() < next_front);
-      for (const auto& part : parts_) part->end_round();
+      for (const auto& part : parts_) part->end_bucket(settled);
     }
   }
 
