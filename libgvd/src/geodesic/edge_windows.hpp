@@ -63,7 +63,7 @@ class BlockList {
 template <class T>
 class BlockQueue {
  public:
-  static constexpr std::size_t kBlock = 512;
+  static constexpr std::size_t kBlock = 256;
 
   bool empty() const { return blocks_.empty(); }
   /// Number of blocks.
