@@ -104,6 +104,22 @@ TEST_CASE("random work: everything comes out once, and never a bucket too early"
   }
 }
 
+TEST_CASE("empty buckets are passed at once") {
+  BucketQueue<int> queue(0.5, 8);
+  CHECK(queue.steps_to_next() == 8);
+  queue.push(2.6, 1);
+  CHECK(queue.steps_to_next() == 5);
+  queue.advance(5);
+  CHECK(queue.front() == 2.5);
+  CHECK(queue.steps_to_next() == 0);
+  queue.push(4.1, 2);  // beyond the ring's end, where it begins again
+  CHECK(queue.pop() == 1);
+  CHECK(queue.steps_to_next() == 3);
+  queue.advance(3);
+  CHECK(queue.front() == 4);
+  CHECK(queue.pop() == 2);
+}
+
 TEST_CASE("a queue that has given its memory back goes on from where it was") {
   BucketQueue<int> queue(1.0, 3);
   queue.push(0.5, 1);

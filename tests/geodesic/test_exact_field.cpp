@@ -6,6 +6,7 @@
 #include "gvd/geodesic_tracing.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
+#include "support/many_threads.hpp"
 #include "support/meshes.hpp"
 
 using namespace gvd;
@@ -68,6 +69,22 @@ TEST_CASE("a geodesic traced in the direction of departure arrives") {
   CHECK(traced > 300);
 }
 
+TEST_CASE("any number of threads leaves the same field to the last bit") {
+  const Mesh mesh = test::make_bumpy_sphere(5, 2);
+  const auto generators = test::random_generators(mesh, 8, 4), points = test::random_generators(mesh, 200, 5);
+  const ExactField one(mesh, generators, {{}, {}, 1});
+  test::with_many_threads([&] {
+    for (const int threads : {0, 2, 3, 8}) {
+      INFO(threads);
+      const ExactField field(mesh, generators, {{}, {}, threads});
+      for (const SurfacePoint& p : points) {
+        CHECK(field.nearest(p).distance == one.nearest(p).distance);
+        CHECK(field.nearest(p).generator == one.nearest(p).generator);
+      }
+    }
+  });
+}
+
 TEST_CASE("an exact field refuses what it can't do") {
   const Mesh mesh = test::make_sphere(1);
   const SurfacePoint good = vertex_point(mesh, VertexId(0)), other = vertex_point(mesh, VertexId(5));
@@ -77,5 +94,6 @@ TEST_CASE("an exact field refuses what it can't do") {
   CHECK(code_of(mesh, {good, other}, {{0.5}, {}}) == ErrorCode::precondition);
   CHECK(code_of(mesh, {good, other}, {{0.5, -1}, {}}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{std::numeric_limits<double>::quiet_NaN()}, {}}) == ErrorCode::invalid_option);
+  CHECK(code_of(mesh, {good}, {{}, {}, -1}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{}, [](std::string_view, double) { return false; }}) == ErrorCode::interrupted);
 }

@@ -56,22 +56,31 @@ double nearest_distance(const Mesh& mesh, const WindowField& field, FaceId f, co
 
 }  // namespace
 
-TEST_CASE("boxes hold about as many points each") {
-  const Mesh mesh = test::make_bumpy_sphere(4, 1);
+namespace {
+
+void check_boxes(const std::vector<Vec3>& points) {
   for (const std::int32_t boxes : {1, 2, 3, 7, 64}) {
-    const KdCut cut(mesh.positions(), boxes);
+    INFO(boxes);
+    const KdCut cut(points, boxes);
     std::vector<int> content(static_cast<std::size_t>(boxes), 0);
-    for (const Vec3& p : mesh.positions()) ++content.at(static_cast<std::size_t>(cut.box(p)));
-    const int fair = mesh.vertex_count() / boxes;
+    std::size_t i = 0;
+    for (const Vec3& p : points) ++content.at(static_cast<std::size_t>(cut.box(p, i++)));
+    const double fair = static_cast<double>(points.size()) / boxes;
     CHECK(*std::min_element(content.begin(), content.end()) > 0.7 * fair);
     CHECK(*std::max_element(content.begin(), content.end()) < 1.3 * fair + 1);
   }
 }
 
-TEST_CASE("points in one place are all in one box") {
-  const std::vector<Vec3> points(100, Vec3(1, 2, 3));
-  const KdCut cut(points, 8);
-  for (const Vec3& p : points) CHECK(cut.box(p) == cut.box(points.front()));
+}  // namespace
+
+TEST_CASE("boxes hold about as many points each") {
+  check_boxes(test::make_bumpy_sphere(4, 1).positions());
+  // A grid, row by row: every 64th point would lie in its first column.
+  std::vector<Vec3> grid;
+  for (int i = 0; i < 4096 * 64; ++i) grid.emplace_back(100 * (i % 64), i / 64, 0);
+  check_boxes(grid);
+  // No coordinate tells these apart.
+  check_boxes(std::vector<Vec3>(1000, Vec3(1, 2, 3)));
 }
 
 TEST_CASE("every part has places of its own") {
@@ -158,6 +167,17 @@ TEST_CASE("with parts, too, windows near bisectors are all that the faces near t
           REQUIRE(nearest_distance(mesh, near, f, at) == nearest_distance(mesh, all, f, at));
         }
       }
+    }
+  }
+}
+
+TEST_CASE("a vertex between parts sends windows once") {
+  const Mesh mesh = test::make_grid(8, 6);
+  for (const std::int32_t part_faces : kPartFaces) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      PropagationOptions options;
+      options.part_faces = part_faces;
+      CHECK(propagate_windows(mesh, {VertexId(v)}, options, {}).events == 1);
     }
   }
 }

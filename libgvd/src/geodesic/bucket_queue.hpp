@@ -27,21 +27,28 @@ class BucketQueue {
     const double ahead = key * inverse_width_ - turn_;
     // A cast cuts off the fraction; below 0 everything goes into the current bucket.
     const std::size_t offset = ahead > 0 ? static_cast<std::size_t>(std::min(ahead, last_)) : 0;
-    std::size_t bucket = current_ + offset;
-    if (bucket >= buckets_.size()) bucket -= buckets_.size();
-    buckets_[bucket].push_back(item);
+    buckets_[wrapped(current_ + offset)].push_back(item);
     ++size_;
   }
 
   /// Number of items in the current bucket.
   std::size_t front_size() const { return buckets_[current_].size() - next_; }
 
-  /// Goes on to the next bucket. The current one must be empty.
-  void advance() {
+  /// Number of buckets from the current one to the next one that holds items, >= 1 but where the current one does; the
+  /// ring's size where there is none. Cost: O(1) for every bucket between.
+  std::size_t steps_to_next() const {
+    if (empty()) return buckets_.size();
+    if (front_size() > 0) return 0;
+    std::size_t steps = 1;
+    while (buckets_[wrapped(current_ + steps)].empty()) ++steps;
+    return steps;
+  }
+  /// Goes on by so many buckets. The current one, and those that are passed, must be empty.
+  void advance(std::size_t steps = 1) {
     buckets_[current_].clear();
     next_ = 0;
-    current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
-    turn_ += 1;
+    current_ = wrapped(current_ + steps);
+    turn_ += static_cast<double>(steps);
   }
 
   /// The next item. The queue must not be empty.
@@ -51,6 +58,9 @@ class BucketQueue {
     return buckets_[current_][next_++];
   }
 
+  /// Number of buckets in the ring.
+  std::size_t bucket_count() const { return buckets_.size(); }
+
   /// Gives the buckets' memory back. The queue must be empty.
   void release() {
     for (std::vector<Item>& bucket : buckets_) bucket = std::vector<Item>();
@@ -58,6 +68,9 @@ class BucketQueue {
   }
 
  private:
+  /// `place` < twice the size of the ring.
+  std::size_t wrapped(std::size_t place) const { return place < buckets_.size() ? place : place - buckets_.size(); }
+
   double inverse_width_;
   double last_;  // number of the ring's last bucket, counted from the current one
   std::vector<std::vector<Item>> buckets_;

@@ -18,7 +18,9 @@
 namespace gvd {
 namespace {
 
-std::vector<double> check_offsets(const std::vector<double>& offsets, std::size_t generators) {
+const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t generators) {
+  const std::vector<double>& offsets = options.offsets;
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   if (!offsets.empty() && offsets.size() != generators) {
     throw Error(ErrorCode::precondition, "there are " + std::to_string(offsets.size()) + " offsets for " +
                                              std::to_string(generators) + " generators; give one for each or none");
@@ -28,7 +30,7 @@ std::vector<double> check_offsets(const std::vector<double>& offsets, std::size_
     throw Error(ErrorCode::invalid_option, "offset " + std::to_string(i) + " is negative or not finite",
                 static_cast<std::int64_t>(i));
   }
-  return offsets;
+  return options;
 }
 
 using Bary = std::array<double, 3>;
@@ -51,7 +53,7 @@ struct ExactField::State {
       : generators(points),
         working(mesh, points, options.progress),
         field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
-                                {KeepWindows::all, check_offsets(options.offsets, points.size())}, options.progress)),
+                                {KeepWindows::all, options.offsets, options.threads}, options.progress)),
         offsets(options.offsets) {
     for (std::int32_t f = 0; f < working.mesh().face_count(); ++f) {
       if (working.is_split(FaceId(f))) children.emplace_back(working.parent(FaceId(f)), FaceId(f));
@@ -92,7 +94,7 @@ struct ExactField::State {
 };
 
 ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
-    : state_(std::make_unique<State>(mesh, generators, options)) {}
+    : state_(std::make_unique<State>(mesh, generators, checked(options, generators.size()))) {}
 ExactField::~ExactField() = default;
 ExactField::ExactField(ExactField&&) noexcept = default;
 ExactField& ExactField::operator=(ExactField&&) noexcept = default;

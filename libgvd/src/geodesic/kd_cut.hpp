@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,18 +9,20 @@
 
 namespace gvd {
 
-/// Space cut into boxes with about as many points of a list in each: the longest side of a box is cut, and again.
+/// A list of points cut into boxes with about as many of them in each: the longest side of a box is cut, and again.
+/// Points with the same coordinate are told apart by their places in the list.
 class KdCut {
  public:
   /// `points` >= 1, of which some thousands are looked at; `boxes` in [1, points].
   KdCut(std::span<const Vec3> points, std::int32_t boxes);
 
-  /// Number of the box that p lies in, in [0, boxes).
-  std::int32_t box(const Vec3& p) const {
+  /// Number of the box of point p, the i-th of the list, in [0, boxes).
+  std::int32_t box(const Vec3& p, std::size_t i) const {
     std::int32_t node = root_;
     while (node >= 0) {
       const Node& n = nodes_[static_cast<std::size_t>(node)];
-      node = p[n.axis] < n.split ? n.below : n.above;
+      const double x = p[n.axis];
+      node = x < n.split || (x == n.split && i < n.split_place) ? n.below : n.above;
     }
     return ~node;
   }
@@ -28,10 +31,16 @@ class KdCut {
   struct Node {
     int axis;
     double split;
+    std::size_t split_place;    // of the point at the split
     std::int32_t below, above;  // nodes, or ~boxes
   };
 
-  std::int32_t cut(std::span<Vec3> points, std::int32_t first_box, std::int32_t boxes);
+  struct Sample {
+    Vec3 point;
+    std::size_t place;
+  };
+
+  std::int32_t cut(std::span<Sample> samples, std::int32_t first_box, std::int32_t boxes);
 
   std::vector<Node> nodes_;
   std::int32_t root_;

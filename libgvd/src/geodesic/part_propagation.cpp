@@ -45,7 +45,6 @@ class WindowCarrier final : public PartPropagation {
 
   void run_round(double settled) override {
     settled_ = settled;
-    has_run_ = true;
     mail_.for_each_received(part_, [&](WindowMail& mail) {
       for (const std::int32_t face : mail.mixed_faces) retention_.mark_own_face(face);
       for (const WindowMail::Path& path : mail.paths) receive_path(path);
@@ -64,14 +63,16 @@ class WindowCarrier final : public PartPropagation {
     }
   }
 
-  void end_bucket(double settled) override {
+  void end_bucket(double settled, std::size_t steps) override {
     retention_.review_border(settled);
-    // The front has passed: other parts need the memory now. What waits, is queued.
-    if (queue_.empty() && has_run_) release();
-    queue_.advance();
+    // The front has passed, and other parts can use the memory. What waits is queued, so nothing does. Only after much
+    // work, beside which looking at all buckets counts for nothing.
+    if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
+    queue_.advance(steps);
   }
   std::size_t waits_now() const override { return queue_.front_size(); }
   bool waits() const override { return !queue_.empty(); }
+  std::size_t steps_to_next() const override { return queue_.steps_to_next(); }
   double front() const override { return queue_.front(); }
   BlockList<KeptWindow> finish() override { return retention_.finish(); }
   std::int64_t carried() const override { return carried_; }
@@ -105,7 +106,7 @@ class WindowCarrier final : public PartPropagation {
     queue_.release();
     events_ = std::vector<VertexEvent>();
     free_events_ = std::vector<std::int32_t>();
-    has_run_ = false;
+    carried_before_ = carried_;
   }
 
   double& distance(std::int32_t v) { return field_.distance[VertexId(v)]; }
@@ -376,8 +377,8 @@ class WindowCarrier final : public PartPropagation {
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
   double settled_ = 0;
-  bool has_run_ = false;  // since the last `release`
   std::int64_t carried_ = 0, events_sent_ = 0;
+  std::int64_t carried_before_ = 0;  // carried_ at the last `release`
 };
 
 }  // namespace

@@ -21,13 +21,16 @@ class PartPropagation {
   /// Takes the mail, and then all that waits in the current bucket of the queue. `settled`: no window in the whole mesh
   /// that has still to be carried holds a distance below it.
   virtual void run_round(double settled) = 0;
-  /// No part runs, and no mail for the current bucket is left: goes on to the next one. `settled`: as above.
-  virtual void end_bucket(double settled) = 0;
+  /// No part runs, and no mail for the current bucket is left: goes on by `steps` buckets, of which none but the last
+  /// one holds anything. `settled`: as above.
+  virtual void end_bucket(double settled, std::size_t steps) = 0;
 
   /// Number of items in the current bucket; mail apart.
   virtual std::size_t waits_now() const = 0;
   /// Whether anything waits in the queue.
   virtual bool waits() const = 0;
+  /// Number of buckets to the next one that holds anything.
+  virtual std::size_t steps_to_next() const = 0;
   /// The least key of the current bucket.
   virtual double front() const = 0;
 

@@ -15,16 +15,17 @@ constexpr double kBucketWidth = 0.4;
 /// is taken out of its turn sends windows that are in vain. With a hundredth of the width they are an eighth.
 constexpr double kFineBucketWidth = 0.01;
 
-/// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
+/// Bound on the number of buckets in all parts: beyond it keys share the last one, which costs repeated events, not
+/// exactness.
 constexpr double kMaxBuckets = 1 << 16;
 
-std::size_t count_buckets(const Mesh& mesh, double width) {
+std::size_t count_buckets(const Mesh& mesh, double width, std::int32_t parts) {
   double longest = 0;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     for (const double length : mesh.shape(FaceId(f)).length) longest = std::max(longest, length);
   }
   // From a window to the one that it becomes, or to a vertex and its windows, the key rises by two edges at the most.
-  return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / width + 3));
+  return static_cast<std::size_t>(std::min(kMaxBuckets / parts, 3 * longest / width + 3));
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
       field(parts.place_count()),
       mail(parts.count()),
       bucket_width((frames.has_needles ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),
-      bucket_count(count_buckets(mesh, bucket_width)),
+      bucket_count(count_buckets(mesh, bucket_width, parts.count())),
       first_waiting(static_cast<std::size_t>(mesh.halfedge_count()), -1),
       apex_path(frames.has_needles ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
       face_state(keep == KeepWindows::near_bisectors ? frames.frame.size() : 0, FaceState::open),

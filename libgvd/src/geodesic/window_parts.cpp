@@ -12,7 +12,9 @@ std::vector<std::uint8_t> cut_vertices(const Mesh& mesh, std::int32_t parts) {
   const KdCut cut(mesh.positions(), parts);
   std::vector<std::uint8_t> part_of_vertex;
   part_of_vertex.reserve(mesh.positions().size());
-  for (const Vec3& p : mesh.positions()) part_of_vertex.push_back(static_cast<std::uint8_t>(cut.box(p)));
+  for (const Vec3& p : mesh.positions()) {
+    part_of_vertex.push_back(static_cast<std::uint8_t>(cut.box(p, part_of_vertex.size())));
+  }
   return part_of_vertex;
 }
 

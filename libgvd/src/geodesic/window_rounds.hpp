@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -40,7 +42,8 @@ class WindowRounds {
         run_round(settled);
         report();
       } while (mail_.least_key() < next_front);
-      for (const auto& part : parts_) part->end_bucket(settled);
+      const std::size_t steps = steps_to_next();
+      for (const auto& part : parts_) part->end_bucket(settled, steps);
     }
   }
 
@@ -55,6 +58,14 @@ class WindowRounds {
   bool waits() const {
     return mail_.has_come() ||
            std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->waits(); });
+  }
+
+  /// Number of buckets to the next one that anything is to be done in, >= 1: where there are needles, most are empty.
+  std::size_t steps_to_next() const {
+    const double to_mail = std::floor((mail_.least_key() - parts_.front()->front()) / bucket_width_);
+    std::size_t steps = std::numeric_limits<std::size_t>::max();
+    for (const auto& part : parts_) steps = std::min(steps, part->steps_to_next());
+    return to_mail < static_cast<double>(steps) ? static_cast<std::size_t>(std::max(to_mail, 1.0)) : steps;
   }
 
   void run_round(double settled) {
