@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -82,6 +83,11 @@ std::vector<FaceSource> hyperbola() {
   return {through_side(0, 2, {-0.3, 0.4}, k2, k0, 0.4), through_side(1, 1, {1.9, 0.7}, k1, k2, 0)};
 }
 
+/// The same, bent so that it leaves its chord by a tenth of its length.
+std::vector<FaceSource> strong_hyperbola() {
+  return {through_side(0, 2, {-0.356, 1.074}, k2, k0, 0), through_side(1, 0, {0.167, -0.0337}, k0, k1, 0.956)};
+}
+
 }  // namespace
 
 TEST_CASE("the inner points of a hyperbola lie on it") {
@@ -134,4 +140,24 @@ TEST_CASE("where another source of a generator comes first, the bisector has a c
   CHECK(rough.farthest() <= 1e-2);
   CHECK(fine.farthest() <= 1e-6);
   CHECK(!fine.inner.empty());
+}
+TEST_CASE("a source that sees nothing near the chord counts where the bisector comes by it") {
+  const auto points = BentArc(strong_hyperbola(), 2, 0, 1e-3).polyline();
+  const Vec2 chord = points.back() - points.front(), along = chord.normalized();
+  const auto height = [&](const Vec2& p) { return std::abs(cross(along, p - points.front())); };
+  const Vec2 apex = *std::max_element(points.begin(), points.end(),
+                                      [&](const Vec2& p, const Vec2& q) { return height(p) < height(q); });
+  REQUIRE(height(apex) > 0.1 * chord.norm());
+  // A second image of A, from which the apex is seen through a slit in side 1, and no point near the chord.
+  const Vec2 image = apex + 2 * along, side = k2 - k1;
+  const auto on_side = [&](double turn) {
+    const Vec2 ray = -along + turn * turned_left(-along);
+    return Vec2(k1 + cross(image - k1, ray) / cross(side, ray) * side);
+  };
+  auto sources = strong_hyperbola();
+  const double lead = 0.01, known = sources[0].distance(apex);
+  sources.push_back(through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - lead - (apex - image).norm()));
+  const BentArc arc(sources, 2, 0, 1e-4);
+  REQUIRE(arc.metric.nearest(kA, apex).distance < known - 0.9 * lead);
+  CHECK(arc.farthest() <= 1e-4);
 }
