@@ -217,6 +217,11 @@ class ConfusedMetric final : public FaceMetric {
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
     return forms_.equidistant(a, b, c, start);
   }
+  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override {
+    const auto p = equidistant(a, b, c, {});
+    return p ? std::vector{*p} : std::vector<Bary>{};
+  }
+  double place_error(const BoundaryCrossing&) const override { return random_.below(2) == 0 ? 0 : random_.real(0, 3); }
   std::optional<double> entry(GeneratorId, const Bary&) const override { return random_.real(0, 3); }
   bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 

@@ -34,9 +34,6 @@ constexpr double kTurnedByTie = 4.8e-12;
 /// coordinate.
 constexpr int kHalvings = 45;
 
-/// Branch points are looked for from the points of a lattice with this many steps a side, where that is needed.
-constexpr int kLattice = 4;
-
 /// A path this near to a crossing, as a part of the edge, may belong to either of its cells.
 constexpr double kNearCrossing = 1e-9;
 
@@ -255,14 +252,12 @@ class FaceAssembly {
       const Bary start = mix(middle(polygon, i), inside, 0.5);
       if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
     }
-    // Distances have ridges, where the search can get stuck: from all over the face, then.
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (!is_new_try(polygon, i, Search::everywhere)) continue;
-      for (int a = 0; a <= kLattice; ++a) {
-        for (int b = 0; a + b <= kLattice; ++b) {
-          const Bary start{(a + 0.0) / kLattice, (b + 0.0) / kLattice, (kLattice - a - b + 0.0) / kLattice};
-          if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
-        }
+    // Distances have ridges, where the search can get stuck: wherever three paths may meet, then.
+    for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+      const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
+      if (x == z || !is_new_try(polygon, i, Search::everywhere)) continue;
+      for (const Bary& start : metric_.meeting_points(x, y, z)) {
+        if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
       }
     }
     return std::nullopt;
@@ -290,12 +285,26 @@ class FaceAssembly {
   bool comes_by(const Corner& corner, const Bary& p) {
     const auto entry = metric_.entry(corner.next, p);
     if (!entry) return false;
-    // Near a crossing, rounding says which of its two runs the path comes by.
-    for (const double where : {*entry, *entry - kNearCrossing, *entry + kNearCrossing}) {
-      const double round = where < 0 ? where + 3 : where >= 3 ? where - 3 : where;
-      if (linked_.find(run_at(round)) == linked_.find(corner.run)) return true;
+    const auto belongs = [&](std::size_t run) {
+      return linked_.find(static_cast<int>(run)) == linked_.find(corner.run);
+    };
+    const auto n = boundary_.size(), run = static_cast<std::size_t>(run_at(*entry));
+    if (belongs(run)) return true;
+    // Where a crossing is as near as rounding, the path may as well come by the run beyond it.
+    for (std::size_t i = run; is_near_crossing(*entry, i); i = (i + n - 1) % n) {
+      if (belongs((i + n - 1) % n)) return true;
+      if (i == (run + 1) % n) break;
+    }
+    for (std::size_t i = (run + 1) % n; is_near_crossing(*entry, i); i = (i + 1) % n) {
+      if (belongs(i)) return true;
+      if (i == run) break;
     }
     return false;
+  }
+
+  bool is_near_crossing(double where, std::size_t i) const {
+    const double apart = std::abs(where - place(i));
+    return std::min(apart, 3 - apart) <= std::max(kNearCrossing, metric_.place_error(boundary_[i]));
   }
 
   static Bary middle(const Polygon& polygon, std::size_t i) {

@@ -23,8 +23,8 @@ struct ClosedFaces {
 /// Cost: O(points of the bisectors), and what the assembly takes where a face has many crossings.
 class FaceCloser {
  public:
-  FaceCloser(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tolerance)
-      : mesh_(mesh), crossings_(crossings), metric_(field), tolerance_(tolerance) {}
+  FaceCloser(const Mesh& mesh, const Crossings& crossings, const SourceMetric& metric, double tolerance)
+      : mesh_(mesh), crossings_(crossings), metric_(metric), tolerance_(tolerance) {}
 
   /// Appends face f to the result; faces come in ascending order.
   void close(FaceId f);

@@ -19,7 +19,9 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
 /// Distances inside one face, from the sources that a solver knows there: as good as the solver.
 class SourceMetric final : public FaceMetric {
  public:
-  explicit SourceMetric(const DistanceField& field) : field_(field) {}
+  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges, so
+  /// that the crossings there and what lies between them decide every tie alike.
+  explicit SourceMetric(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
 
   /// Makes this the metric of face f.
   void enter(const Mesh& mesh, FaceId f);
@@ -49,11 +51,14 @@ class SourceMetric final : public FaceMetric {
   double at(GeneratorId g, const Bary& p) const override;
   /// Newton's method on the differences of the distances. Nothing where it does not converge.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
+  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
+  double place_error(const BoundaryCrossing& crossing) const override;
   /// Inside the face, with no other generator nearer, and the three directions counter-clockwise.
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
  private:
   const DistanceField& field_;
+  double tie_step_;
   bool sure_ = true;
   std::optional<FaceLayout> layout_;
   struct Place {
