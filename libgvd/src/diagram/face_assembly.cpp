@@ -34,6 +34,10 @@ constexpr double kTurnedByTie = 4.8e-12;
 /// coordinate.
 constexpr int kHalvings = 45;
 
+/// And the last bit is not gone, as a part of the way: at the limit three points would lie on one line, and an arc pass
+/// through another's end.
+constexpr double kShort = 1e-12;
+
 /// A path this near to a crossing, as a part of the edge, may belong to either of its cells.
 constexpr double kNearCrossing = 1e-9;
 
@@ -340,7 +344,7 @@ class FaceAssembly {
       const double t = 0.5 * (from + to);
       (valid(mix(safe, *wanted, t)) ? from : to) = t;
     }
-    return mix(safe, *wanted, from);
+    return mix(safe, *wanted, from * (1 - kShort));
   }
 
   /// A point that is equally far from the three generators, looked for from `start` on. Distances have ridges, where
@@ -388,22 +392,27 @@ class FaceAssembly {
   void contract(const Polygon& polygon) {
     const std::size_t n = polygon.size();
     std::size_t chosen = n;
-    double best = -std::numeric_limits<double>::infinity();
+    double best = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
-      if (x == z) continue;
-      const auto p = metric_.equidistant(x, y, z, middle(polygon, i));
-      double lead = -1e300;  // a triple without a point of its own is the last choice
-      if (p) {
-        lead = std::numeric_limits<double>::infinity();
-        for (const Corner& c : polygon) {
-          if (c.next != x && c.next != y && c.next != z)
-            lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
-        }
-      }
-      if (chosen == n || lead > best) std::tie(chosen, best) = std::tuple(i, lead);
+      if (polygon[(i + n - 1) % n].next == polygon[(i + 1) % n].next) continue;
+      const double now = lead_of_triple(polygon, i);
+      if (chosen == n || now > best) std::tie(chosen, best) = std::tuple(i, now);
     }
     contract_run(polygon, chosen);
+  }
+
+  /// How much nearer run i and its neighbours are than all others, where they meet. A triple that meets outside of the
+  /// face, or nowhere, is the last choice.
+  double lead_of_triple(const Polygon& polygon, std::size_t i) const {
+    const std::size_t n = polygon.size();
+    const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
+    const auto p = branch_between(polygon, {x, y, z}, middle(polygon, i));
+    if (!is_in_face(p)) return -std::numeric_limits<double>::max();
+    double lead = std::numeric_limits<double>::infinity();
+    for (const Corner& c : polygon) {
+      if (c.next != x && c.next != y && c.next != z) lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
+    }
+    return lead;
   }
 
   /// Closes run i of the polygon with a branch point between its two neighbours.
