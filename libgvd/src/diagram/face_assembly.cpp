@@ -426,8 +426,10 @@ class FaceAssembly {
       rest[0] = p;
       return is_convex(rest, least_area()) && inside(polygon, p);
     };
-    const Bary safe = middle(polygon, i);
-    close_run(polygon, i, approach(safe, branch_between(polygon, {x, y, z}, safe), valid));
+    // What is valid is the quadrilateral of the run's ends and the corners next to them: all in all its middle is.
+    const Polygon around{polygon[(i + n - 1) % n], first, second, polygon[(i + 2) % n]};
+    const auto wanted = branch_between(polygon, {x, y, z}, middle(polygon, i));
+    close_run(polygon, i, approach(centre(around), wanted, valid));
   }
 
   /// Joins the two ends of run i to a branch point at p, and goes on with what is left.
