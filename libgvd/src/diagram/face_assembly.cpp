@@ -25,8 +25,8 @@ constexpr double kInside = 1e-6;
 /// rounding. A little below what such a metric puts its points inside by, so that these are taken as they are.
 constexpr double kInsideExactly = 0.6 * kInsideFace;
 
-/// What a triangle may have less than no area, as a part of the face's twofold one. A branch point at a vertex, by a
-/// tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
+/// How far beyond its opposite side a triangle's corner may lie, in barycentric coordinates. A branch point at a vertex,
+/// by a tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
 /// from which a piece counts as turned.
 constexpr double kTurnedByTie = 4.8e-12;
 
@@ -59,9 +59,16 @@ Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-bool is_convex(const std::vector<Bary>& polygon, double least) {
+/// Whether a, b, c go round counter-clockwise, but for c being up to `beyond` on the other side.
+bool turns_left(const Bary& a, const Bary& b, const Bary& c, double beyond) {
+  const auto apart = [](const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); };
+  const double area = signed_area(a, b, c);
+  return area >= 0 || area >= -beyond * std::max({apart(a, b), apart(b, c), apart(c, a)});
+}
+
+bool is_convex(const std::vector<Bary>& polygon, double beyond) {
   for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < least) return false;
+    if (!turns_left(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], beyond)) return false;
   }
   return true;
 }
@@ -326,13 +333,13 @@ class FaceAssembly {
   /// lie on that edge, and the pieces between them have no area either, but never a negative one.
   bool inside(const Polygon& polygon, const Bary& p) const {
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-      if (signed_area(polygon[i].bary, polygon[(i + 1) % n].bary, p) < least_area()) return false;
+      if (!turns_left(polygon[i].bary, polygon[(i + 1) % n].bary, p, beyond())) return false;
     }
-    return true;
+    return *std::min_element(p.begin(), p.end()) >= 0;
   }
 
-  /// Of a triangle that counts as one the right way round.
-  double least_area() const { return metric_.is_sure() ? -kTurnedByTie : 0; }
+  /// How far a triangle may be turned the wrong way round.
+  double beyond() const { return metric_.is_sure() ? kTurnedByTie : 0; }
 
   /// The point nearest to `wanted` on the way to it from `safe` that `valid` accepts.
   template <class Valid>
@@ -424,7 +431,7 @@ class FaceAssembly {
     for (std::size_t k = 2; k < n; ++k) rest.push_back(polygon[(i + k) % n].bary);
     const auto valid = [&](const Bary& p) {
       rest[0] = p;
-      return is_convex(rest, least_area()) && inside(polygon, p);
+      return is_convex(rest, beyond()) && inside(polygon, p);
     };
     // What is valid is the quadrilateral of the run's ends and the corners next to them: all in all its middle is.
     const Polygon around{polygon[(i + n - 1) % n], first, second, polygon[(i + 2) % n]};

@@ -15,6 +15,14 @@ namespace {
 /// A piece of less than no area, as a part of its face's, beyond rounding; and straight arcs that cross so far.
 constexpr double kTurned = 1e-11;
 
+/// In a thin face the coordinates of a point are rounded by far more than its place.
+void pull_into_face(FaceMetric::Bary& p) {
+  if (*std::min_element(p.begin(), p.end()) >= 0) return;
+  double sum = 0;
+  for (double& b : p) sum += b = std::max(b, 0.0);
+  for (double& b : p) b /= sum;
+}
+
 Vec2 in_plane(const FaceMetric::Bary& p) { return {p[1], p[2]}; }
 
 /// Whether two straight arcs cross, beyond rounding.
@@ -128,6 +136,7 @@ void FaceCloser::bend(FaceArc& arc) {
   std::vector<FaceMetric::Bary>& points = closed_.diagram.points;
   const std::size_t first = points.size();
   bend_arc(metric_, arc, place(arc.begin), place(arc.end), tolerance_, points);
+  std::for_each(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), pull_into_face);
   arc.first_point = static_cast<std::int32_t>(first);
   arc.point_count = static_cast<std::int32_t>(points.size() - first);
 }
