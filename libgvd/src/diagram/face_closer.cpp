@@ -42,8 +42,7 @@ void FaceCloser::close(FaceId f) {
   const Before before{faces.arcs.size(), faces.branches.size(), faces.points.size()};
   boundary_crossings(mesh_, crossings_, f, boundary_);
   metric_.enter(mesh_, f);
-  if (boundary_.size() > 2) tied_metric_.enter(mesh_, f);
-  assemble_face(f, boundary_, tied_metric_, faces);
+  assemble(f);
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) bend(faces.arcs[i]);
   bool straightened = false;
   while (FaceArc* arc = most_met(before)) {
@@ -54,22 +53,31 @@ void FaceCloser::close(FaceId f) {
     faces.arcs.resize(before.arcs);
     faces.branches.resize(before.branches);
     faces.points.resize(before.points);
-    tied_metric_.set_sure(false);
-    assemble_face(f, boundary_, tied_metric_, faces);
-    tied_metric_.set_sure(true);
+    metric_.set_sure(false);
+    assemble(f);
+    metric_.set_sure(true);
     straightened = true;
   }
   closed_.straightened += straightened;
   measure_branches(before);
 }
 
+/// Where crossings meet, ties are decided as on the edges; bisectors bend as they are.
+void FaceCloser::assemble(FaceId f) {
+  metric_.set_tied(boundary_.size() > 2);
+  assemble_face(f, boundary_, metric_, closed_.diagram);
+  metric_.set_tied(false);
+}
+
 /// Of the bent arcs that meet others or themselves the one that does most; null where none does.
 FaceArc* FaceCloser::most_met(const Before& before) {
   if (!may_meet(before)) return nullptr;
   outline(before);
+  const auto& meetings = meetings_.find(segments_);
+  if (meetings.empty()) return nullptr;
   std::vector<FaceArc>& arcs = closed_.diagram.arcs;
   std::vector<int> met(arcs.size() - before.arcs, 0);
-  for (const auto& [first, second] : meetings_.find(segments_)) {
+  for (const auto& [first, second] : meetings) {
     ++met[static_cast<std::size_t>(first)];
     ++met[static_cast<std::size_t>(second)];
   }

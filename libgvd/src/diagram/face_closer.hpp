@@ -31,7 +31,7 @@ class FaceCloser {
   /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units, as on the edges.
   FaceCloser(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tie_step,
              double tolerance)
-      : mesh_(mesh), crossings_(crossings), tied_metric_(field, tie_step), metric_(field), tolerance_(tolerance) {}
+      : mesh_(mesh), crossings_(crossings), metric_(field, tie_step), tolerance_(tolerance) {}
 
   /// Appends face f to the result; faces come in ascending order.
   void close(FaceId f);
@@ -44,6 +44,7 @@ class FaceCloser {
     std::size_t arcs, branches, points;
   };
 
+  void assemble(FaceId f);
   void bend(FaceArc& arc);
   FaceMetric::Bary place(const ArcEnd& end) const;
   bool may_meet(const Before& before) const;
@@ -54,8 +55,7 @@ class FaceCloser {
 
   const Mesh& mesh_;
   const Crossings& crossings_;
-  // Of the face at work. Where many crossings meet, ties are decided as on its edges; bisectors bend as they are.
-  SourceMetric tied_metric_, metric_;
+  SourceMetric metric_;  // of the face at work
   double tolerance_;
   std::vector<BoundaryCrossing> boundary_;
   std::vector<ArcSegment> segments_;

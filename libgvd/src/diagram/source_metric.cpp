@@ -45,12 +45,8 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, found_);
-  for (FaceSource& source : found_) {
-    const double tie = tie_step_ * static_cast<double>(source.generator.value());
-    source.offset += tie;
-    source.reach_begin += tie;
-    source.reach_end += tie;
-  }
+  others_.clear();
+  tied_ = false;
   // The most likely ones first: then the others are passed over without a square root.
   const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
   order_.clear();
@@ -62,6 +58,21 @@ void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   });
   sources_.clear();
   for (const Place& place : order_) sources_.push_back(found_[static_cast<std::size_t>(place.index)]);
+}
+
+void SourceMetric::set_tied(bool tied) {
+  if (tied == tied_) return;
+  if (others_.empty()) {
+    others_ = sources_;
+    for (FaceSource& source : others_) {
+      const double tie = tie_step_ * static_cast<double>(source.generator.value());
+      source.offset += tie;
+      source.reach_begin += tie;
+      source.reach_end += tie;
+    }
+  }
+  std::swap(sources_, others_);
+  tied_ = tied;
 }
 
 std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {

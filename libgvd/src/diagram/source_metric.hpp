@@ -19,8 +19,7 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
 /// Distances inside one face, from the sources that a solver knows there: as good as the solver.
 class SourceMetric final : public FaceMetric {
  public:
-  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges, so
-  /// that the crossings there and what lies between them decide every tie alike.
+  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges.
   explicit SourceMetric(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
 
   /// Makes this the metric of face f.
@@ -42,6 +41,9 @@ class SourceMetric final : public FaceMetric {
   double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).reach.distance; }
   Bary bary(const Vec2& p) const;
 
+  /// Whether each generator is behind by its symbolic offset, so that the crossings on the edges and what lies between
+  /// them decide every tie alike. Not so where a face has just been entered.
+  void set_tied(bool tied);
   /// False makes assembly take every point for a guess.
   void set_sure(bool sure) { sure_ = sure; }
   bool is_sure() const override { return sure_; }
@@ -59,7 +61,7 @@ class SourceMetric final : public FaceMetric {
  private:
   const DistanceField& field_;
   double tie_step_;
-  bool sure_ = true;
+  bool sure_ = true, tied_ = false;
   std::optional<FaceLayout> layout_;
   struct Place {
     GeneratorId generator;
@@ -67,6 +69,7 @@ class SourceMetric final : public FaceMetric {
     std::int32_t index;  // in sources_
   };
   std::vector<FaceSource> sources_;  // in the order of order_
+  std::vector<FaceSource> others_;   // the same, tied where these are not, and the other way round; or empty
   std::vector<FaceSource> found_;
   std::vector<Place> order_;  // of found_, ascending
 };
