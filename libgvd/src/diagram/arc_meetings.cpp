@@ -20,14 +20,19 @@ int side_of(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area > 0 ? 1 : -1;
 }
 
-/// Whether two segments whose boxes overlap meet, their ends included, but for an end that they have in common.
-bool meet(const ArcSegment& s, const ArcSegment& o) {
+bool overlap(const Vec2& low, const Vec2& high, const Vec2& other_low, const Vec2& other_high) {
+  return (low.array() <= other_high.array()).all() && (other_low.array() <= high.array()).all();
+}
+
+}  // namespace
+
+bool do_meet(const ArcSegment& s, const ArcSegment& o) {
+  if (!overlap(s.from.cwiseMin(s.to), s.from.cwiseMax(s.to), o.from.cwiseMin(o.to), o.from.cwiseMax(o.to)))
+    return false;
   if (s.from == o.from || s.from == o.to || s.to == o.from || s.to == o.to) return false;
   return side_of(s.from, s.to, o.from) * side_of(s.from, s.to, o.to) <= 0 &&
          side_of(o.from, o.to, s.from) * side_of(o.from, o.to, s.to) <= 0;
 }
-
-}  // namespace
 
 const std::vector<ArcMeetings::Pair>& ArcMeetings::find(const std::vector<ArcSegment>& segments) {
   found_.clear();
@@ -64,11 +69,10 @@ void ArcMeetings::look_within(std::size_t node) {
 /// Both nodes are of one level of the tree.
 void ArcMeetings::look_between(std::size_t node, std::size_t other) {
   const Box &box = boxes_[node], &second = boxes_[other];
-  const bool overlap = (box.low.array() <= second.high.array()).all() && (second.low.array() <= box.high.array()).all();
-  if (!overlap) return;
+  if (!overlap(box.low, box.high, second.low, second.high)) return;
   if (is_segment(node)) {
     const ArcSegment &s = (*segments_)[node - leaves_], &o = (*segments_)[other - leaves_];
-    if (meet(s, o)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
+    if (do_meet(s, o)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
     return;
   }
   for (const std::size_t child : {2 * node, 2 * node + 1}) {

@@ -14,6 +14,9 @@ struct ArcSegment {
   std::int32_t arc;
 };
 
+/// Whether two segments cross or touch elsewhere than where both end, or rounding leaves that open.
+bool do_meet(const ArcSegment& s, const ArcSegment& o);
+
 /// Which arcs of a face meet. A face after the other is looked at with the same object, which saves allocations.
 class ArcMeetings {
  public:

@@ -6,6 +6,7 @@
 
 #include "diagram/area_share.hpp"
 #include "diagram/bend_arcs.hpp"
+#include "diagram/erase_loops.hpp"
 #include "diagram/face_assembly.hpp"
 #include "mesh/plane.hpp"
 
@@ -46,7 +47,7 @@ void FaceCloser::close(FaceId f) {
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) bend(faces.arcs[i]);
   bool straightened = false;
   while (FaceArc* arc = most_met(before)) {
-    arc->point_count = 0;
+    keep_apart(*arc);
     straightened = true;
   }
   if (boundary_.size() > 2 && are_turned(before)) {
@@ -90,6 +91,18 @@ FaceArc* FaceCloser::most_met(const Before& before) {
     times = met[i];
   }
   return most;
+}
+
+/// Takes the loops out of an arc; one without loops becomes straight.
+void FaceCloser::keep_apart(FaceArc& arc) {
+  const auto inner = closed_.diagram.inner_points(arc);
+  std::vector<FaceMetric::Bary> polyline{place(arc.begin)};
+  polyline.insert(polyline.end(), inner.begin(), inner.end());
+  polyline.push_back(place(arc.end));
+  arc.point_count = 0;
+  if (!erase_loops(polyline)) return;
+  arc.point_count = static_cast<std::int32_t>(polyline.size()) - 2;
+  std::copy(polyline.begin() + 1, polyline.end() - 1, closed_.diagram.points.begin() + arc.first_point);
 }
 
 /// Straight arcs of an assembly don't meet; and a lone arc of two pieces has no room for it.

@@ -17,14 +17,15 @@ namespace gvd {
 /// Faces whose crossings are joined.
 struct ClosedFaces {
   FaceDiagram diagram;
-  std::int64_t straightened = 0;  ///< faces of which an arc is straight because it would have met another one
+  std::int64_t straightened = 0;  ///< faces with an arc that would have met itself or another one
 };
 
 /// Closes faces one after the other: assembles each from its crossings and the distances in it, bends the arcs to
 /// within `tolerance` (mesh units) of the bisectors and measures the branch points. What it reads has to outlive it.
 ///
-/// Arcs are bent only as far as they keep apart: of arcs that meet when they are bent, some stay straight; and where
-/// straight ones cross too, because the distances contradict each other, the face is assembled by convex steps alone.
+/// Arcs are bent only as far as they keep apart: one that meets itself loses its loops; of arcs that meet each other
+/// when they are bent, some stay straight; and where straight ones cross too, because the distances contradict each
+/// other, the face is assembled by convex steps alone.
 /// Cost: O(points of the bisectors), and what the assembly takes where a face has many crossings.
 class FaceCloser {
  public:
@@ -46,6 +47,7 @@ class FaceCloser {
 
   void assemble(FaceId f);
   void bend(FaceArc& arc);
+  void keep_apart(FaceArc& arc);
   FaceMetric::Bary place(const ArcEnd& end) const;
   bool may_meet(const Before& before) const;
   void outline(const Before& before);
