@@ -25,13 +25,10 @@ Bary meeting_point(const Bary& from, const Bary& to, const Bary& begin, const Ba
   return place;
 }
 
-}  // namespace
-
-bool erase_loops(std::vector<std::array<double, 3>>& polyline) {
+/// Takes out the loops that it meets on its way. False where there are none.
+bool erase_once(std::vector<Bary>& polyline) {
   const std::size_t n = polyline.size();
-  if (n > kMostPoints) return false;
   std::vector<Bary> kept{polyline.front()};
-  bool erased = false;
   for (std::size_t i = 1; i < n; ++i) {
     const Bary from = kept.back(), to = polyline[i];
     std::size_t last = n;  // the farthest segment that the one to point i meets begins at this point
@@ -43,11 +40,21 @@ bool erase_loops(std::vector<std::array<double, 3>>& polyline) {
     } else {
       kept.push_back(meeting_point(from, to, polyline[last], polyline[last + 1]));
       i = last;  // and on to the point after it
-      erased = true;
     }
   }
-  if (erased) polyline = std::move(kept);
+  const bool erased = kept.size() < n;
+  polyline = std::move(kept);
   return erased;
+}
+
+}  // namespace
+
+bool erase_loops(std::vector<Bary>& polyline) {
+  if (polyline.size() > kMostPoints || !erase_once(polyline)) return false;
+  while (erase_once(polyline)) {
+    // Rounding of the places where loops closed may leave others; there are fewer points each time.
+  }
+  return true;
 }
 
 }  // namespace gvd
