@@ -145,6 +145,15 @@ TEST_CASE("four, five and six crossings of as many cells make two, three and fou
   }
 }
 
+TEST_CASE("runs that meet nowhere get branch points amid the corners round them, and pieces with area") {
+  std::vector<DistanceForm> parallel;  // equally far nowhere
+  for (int g = 0; g < 5; ++g) parallel.push_back(test::form(g, g, g, g));
+  const AssembledFace face({{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.5, 3}, {2, 0.3, 4}, {2, 0.7, 0}}, parallel);
+  require_sound(face);
+  CHECK(face.diagram.branches.size() == 3);
+  for (const WorkingPiece& piece : face.pieces().pieces) CHECK(area_share(piece.corners) > 1e-3);
+}
+
 TEST_CASE("a run between two runs of one cell is closed off: a, b, a, c") {
   const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 2}, {1, 0.8, 0}};
   const std::vector<DistanceForm> near{test::form(0, 0, 0, 0), test::form(1, 1, 1, 1), test::form(2, 1, 1, 1)};
@@ -217,6 +226,11 @@ class ConfusedMetric final : public FaceMetric {
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
     return forms_.equidistant(a, b, c, start);
   }
+  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override {
+    const auto p = equidistant(a, b, c, {});
+    return p ? std::vector{*p} : std::vector<Bary>{};
+  }
+  double place_error(const BoundaryCrossing&) const override { return random_.below(2) == 0 ? 0 : random_.real(0, 3); }
   std::optional<double> entry(GeneratorId, const Bary&) const override { return random_.real(0, 3); }
   bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 

@@ -2,11 +2,14 @@
 #include <tuple>
 
 #include "diagram/nearest_labels.hpp"
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 
@@ -95,7 +98,24 @@ TEST_CASE("ties go to the least generator") {
   strip.table = GeneratorTable(strip.mesh.vertex_count(), strip.mesh.face_count());
   for (int v = 0; v < 10; ++v) strip.reach(v, 1, 1), strip.reach(v, 0, 1);
   const NearestLabels labels = compute_nearest_labels(strip.working, strip.table);
-  for (int v = 0; v < 10; ++v) CHECK(labels.label[VertexId(v)] == GeneratorId(0));
+  for (int v = 0; v < 10; ++v) CHECK(labels.label[VertexId(v)] == GeneratorId(v == 4 ? 1 : 0));
+}
+
+TEST_CASE("a generator owns its vertex, though another one is nearer than the symbolic offsets") {
+  const Mesh mesh = test::make_triangle();
+  const HalfedgeId h = Mesh::halfedge(FaceId(0), 0);
+  for (const double apart : {1e-8, 1e-9, 1e-10, 1e-11}) {
+    CAPTURE(apart);
+    const std::vector<SurfacePoint> generators{vertex_point(mesh, VertexId(0)), edge_point(h, apart),
+                                               edge_point(h, 2 * apart)};
+    const test::Stages stages(mesh, generators, Front::circle);
+    for (int g = 0; g < 3; ++g) CHECK(stages.labels.label[stages.working.vertex(GeneratorId(g))] == GeneratorId(g));
+    for (const Method& method : {Method::gbgvd, Method{Solver::fast_marching, Tracer::envelope}, Method::exact}) {
+      DiagramOptions options;
+      options.method = method;
+      CHECK(check_diagram(mesh, compute_diagram(mesh, generators, options)).violations.empty());
+    }
+  }
 }
 
 TEST_CASE("an island is listed as unsupported, and relabelled to a neighbour's generator") {

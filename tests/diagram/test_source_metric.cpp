@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "diagram/source_metric.hpp"
@@ -146,4 +147,45 @@ TEST_CASE("where three generators are never equally far, none is found") {
   metric.enter(test::make_triangle(), FaceId(0));
   const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
   CHECK_FALSE((p && metric.is_branch_point(kA, kB, kC, *p)));
+}
+
+TEST_CASE("a place where the three are equally far is named, and none where a generator has no source") {
+  const HandMadeField field(three_behind_sides(0, 0, 0));
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  REQUIRE(p);
+  const auto points = metric.meeting_points(kA, kB, kC);
+  CHECK(std::any_of(points.begin(), points.end(), [&](const auto& q) { return std::abs(q[0] - (*p)[0]) < 1e-9; }));
+  CHECK(metric.meeting_points(kA, kB, GeneratorId(7)).empty());
+}
+
+TEST_CASE("rounding moves a crossing far along its edge where its two generators nearly coincide") {
+  for (const double apart : {1e-2, 1e-5, 1e-8}) {
+    CAPTURE(apart);
+    const HandMadeField field(
+        {through_side(0, 0, {1 - apart / 2, -1}, k0, k1, 0), through_side(1, 0, {1 + apart / 2, -1}, k0, k1, 0)});
+    SourceMetric metric(field);
+    metric.enter(test::make_triangle(), FaceId(0));
+    const double error = metric.place_error({CrossingId(0), 0, 0.5, kA, kB});
+    // The difference of the distances changes by `apart` a unit of length, and the side is 2 long.
+    CHECK(error >= 1e-14 / (2 * apart));
+    CHECK(error <= 1e-13 / (2 * apart));
+  }
+}
+
+TEST_CASE("tied, each generator is behind by its symbolic offset; untied again, bit by bit as before") {
+  const HandMadeField field(three_behind_sides(0, 0.05, 0.1));
+  SourceMetric metric(field, 0.25);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const std::array<double, 3> centre{0.3, 0.3, 0.4};
+  const double a = metric.at(kA, centre), c = metric.at(kC, centre);
+  metric.set_tied(true);
+  CHECK(metric.at(kA, centre) == a);
+  CHECK(metric.at(kC, centre) == Approx(c + 0.5).epsilon(1e-15));
+  metric.set_tied(false);
+  CHECK(metric.at(kC, centre) == c);
+  metric.set_tied(true);
+  metric.enter(test::make_triangle(), FaceId(0));
+  CHECK(metric.at(kC, centre) == c);
 }

@@ -25,8 +25,8 @@ constexpr double kInside = 1e-6;
 /// rounding. A little below what such a metric puts its points inside by, so that these are taken as they are.
 constexpr double kInsideExactly = 0.6 * kInsideFace;
 
-/// What a triangle may have less than no area, as a part of the face's twofold one. A branch point at a vertex, by a
-/// tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
+/// How far beyond its opposite side a triangle's corner may lie, in barycentric coordinates. A branch point at a vertex,
+/// by a tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
 /// from which a piece counts as turned.
 constexpr double kTurnedByTie = 4.8e-12;
 
@@ -34,8 +34,9 @@ constexpr double kTurnedByTie = 4.8e-12;
 /// coordinate.
 constexpr int kHalvings = 45;
 
-/// Branch points are looked for from the points of a lattice with this many steps a side, where that is needed.
-constexpr int kLattice = 4;
+/// And the last bit is not gone, as a part of the way: at the limit three points would lie on one line, and an arc pass
+/// through another's end.
+constexpr double kShort = 1e-12;
 
 /// A path this near to a crossing, as a part of the edge, may belong to either of its cells.
 constexpr double kNearCrossing = 1e-9;
@@ -58,9 +59,16 @@ Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-bool is_convex(const std::vector<Bary>& polygon, double least) {
+/// Whether a, b, c go round counter-clockwise, but for c being up to `beyond` on the other side.
+bool turns_left(const Bary& a, const Bary& b, const Bary& c, double beyond) {
+  const auto apart = [](const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); };
+  const double area = signed_area(a, b, c);
+  return area >= 0 || area >= -beyond * std::max({apart(a, b), apart(b, c), apart(c, a)});
+}
+
+bool is_convex(const std::vector<Bary>& polygon, double beyond) {
   for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-    if (signed_area(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < least) return false;
+    if (!turns_left(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n], beyond)) return false;
   }
   return true;
 }
@@ -255,14 +263,12 @@ class FaceAssembly {
       const Bary start = mix(middle(polygon, i), inside, 0.5);
       if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
     }
-    // Distances have ridges, where the search can get stuck: from all over the face, then.
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (!is_new_try(polygon, i, Search::everywhere)) continue;
-      for (int a = 0; a <= kLattice; ++a) {
-        for (int b = 0; a + b <= kLattice; ++b) {
-          const Bary start{(a + 0.0) / kLattice, (b + 0.0) / kLattice, (kLattice - a - b + 0.0) / kLattice};
-          if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
-        }
+    // Distances have ridges, where the search can get stuck: wherever three paths may meet, then.
+    for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+      const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
+      if (x == z || !is_new_try(polygon, i, Search::everywhere)) continue;
+      for (const Bary& start : metric_.meeting_points(x, y, z)) {
+        if (const auto p = sure_point(polygon, i, start)) return Triple{i, *p};
       }
     }
     return std::nullopt;
@@ -290,12 +296,26 @@ class FaceAssembly {
   bool comes_by(const Corner& corner, const Bary& p) {
     const auto entry = metric_.entry(corner.next, p);
     if (!entry) return false;
-    // Near a crossing, rounding says which of its two runs the path comes by.
-    for (const double where : {*entry, *entry - kNearCrossing, *entry + kNearCrossing}) {
-      const double round = where < 0 ? where + 3 : where >= 3 ? where - 3 : where;
-      if (linked_.find(run_at(round)) == linked_.find(corner.run)) return true;
+    const auto belongs = [&](std::size_t run) {
+      return linked_.find(static_cast<int>(run)) == linked_.find(corner.run);
+    };
+    const auto n = boundary_.size(), run = static_cast<std::size_t>(run_at(*entry));
+    if (belongs(run)) return true;
+    // Where a crossing is as near as rounding, the path may as well come by the run beyond it.
+    for (std::size_t i = run; is_near_crossing(*entry, i); i = (i + n - 1) % n) {
+      if (belongs((i + n - 1) % n)) return true;
+      if (i == (run + 1) % n) break;
+    }
+    for (std::size_t i = (run + 1) % n; is_near_crossing(*entry, i); i = (i + 1) % n) {
+      if (belongs(i)) return true;
+      if (i == run) break;
     }
     return false;
+  }
+
+  bool is_near_crossing(double where, std::size_t i) const {
+    const double apart = std::abs(where - place(i));
+    return std::min(apart, 3 - apart) <= std::max(kNearCrossing, metric_.place_error(boundary_[i]));
   }
 
   static Bary middle(const Polygon& polygon, std::size_t i) {
@@ -313,13 +333,13 @@ class FaceAssembly {
   /// lie on that edge, and the pieces between them have no area either, but never a negative one.
   bool inside(const Polygon& polygon, const Bary& p) const {
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
-      if (signed_area(polygon[i].bary, polygon[(i + 1) % n].bary, p) < least_area()) return false;
+      if (!turns_left(polygon[i].bary, polygon[(i + 1) % n].bary, p, beyond())) return false;
     }
-    return true;
+    return *std::min_element(p.begin(), p.end()) >= 0;
   }
 
-  /// Of a triangle that counts as one the right way round.
-  double least_area() const { return metric_.is_sure() ? -kTurnedByTie : 0; }
+  /// How far a triangle may be turned the wrong way round.
+  double beyond() const { return metric_.is_sure() ? kTurnedByTie : 0; }
 
   /// The point nearest to `wanted` on the way to it from `safe` that `valid` accepts.
   template <class Valid>
@@ -331,7 +351,7 @@ class FaceAssembly {
       const double t = 0.5 * (from + to);
       (valid(mix(safe, *wanted, t)) ? from : to) = t;
     }
-    return mix(safe, *wanted, from);
+    return mix(safe, *wanted, from * (1 - kShort));
   }
 
   /// A point that is equally far from the three generators, looked for from `start` on. Distances have ridges, where
@@ -379,22 +399,27 @@ class FaceAssembly {
   void contract(const Polygon& polygon) {
     const std::size_t n = polygon.size();
     std::size_t chosen = n;
-    double best = -std::numeric_limits<double>::infinity();
+    double best = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
-      if (x == z) continue;
-      const auto p = metric_.equidistant(x, y, z, middle(polygon, i));
-      double lead = -1e300;  // a triple without a point of its own is the last choice
-      if (p) {
-        lead = std::numeric_limits<double>::infinity();
-        for (const Corner& c : polygon) {
-          if (c.next != x && c.next != y && c.next != z)
-            lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
-        }
-      }
-      if (chosen == n || lead > best) std::tie(chosen, best) = std::tuple(i, lead);
+      if (polygon[(i + n - 1) % n].next == polygon[(i + 1) % n].next) continue;
+      const double now = lead_of_triple(polygon, i);
+      if (chosen == n || now > best) std::tie(chosen, best) = std::tuple(i, now);
     }
     contract_run(polygon, chosen);
+  }
+
+  /// How much nearer run i and its neighbours are than all others, where they meet. A triple that meets outside of the
+  /// face, or nowhere, is the last choice.
+  double lead_of_triple(const Polygon& polygon, std::size_t i) const {
+    const std::size_t n = polygon.size();
+    const GeneratorId x = polygon[(i + n - 1) % n].next, y = polygon[i].next, z = polygon[(i + 1) % n].next;
+    const auto p = branch_between(polygon, {x, y, z}, middle(polygon, i));
+    if (!is_in_face(p)) return -std::numeric_limits<double>::max();
+    double lead = std::numeric_limits<double>::infinity();
+    for (const Corner& c : polygon) {
+      if (c.next != x && c.next != y && c.next != z) lead = std::min(lead, metric_.at(c.next, *p) - metric_.at(y, *p));
+    }
+    return lead;
   }
 
   /// Closes run i of the polygon with a branch point between its two neighbours.
@@ -406,10 +431,12 @@ class FaceAssembly {
     for (std::size_t k = 2; k < n; ++k) rest.push_back(polygon[(i + k) % n].bary);
     const auto valid = [&](const Bary& p) {
       rest[0] = p;
-      return is_convex(rest, least_area()) && inside(polygon, p);
+      return is_convex(rest, beyond()) && inside(polygon, p);
     };
-    const Bary safe = middle(polygon, i);
-    close_run(polygon, i, approach(safe, branch_between(polygon, {x, y, z}, safe), valid));
+    // What is valid is the quadrilateral of the run's ends and the corners next to them: all in all its middle is.
+    const Polygon around{polygon[(i + n - 1) % n], first, second, polygon[(i + 2) % n]};
+    const auto wanted = branch_between(polygon, {x, y, z}, middle(polygon, i));
+    close_run(polygon, i, approach(centre(around), wanted, valid));
   }
 
   /// Joins the two ends of run i to a branch point at p, and goes on with what is left.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagram/crossings.hpp"
 #include "diagram/distance_form.hpp"
 
 namespace gvd {
@@ -26,9 +27,14 @@ class FaceMetric {
   virtual double at(GeneratorId g, const Bary& p) const = 0;
   /// A point that is equally far from the three, looked for from `start` on; it may lie outside of the face.
   virtual std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const = 0;
+  /// Where the three may be equally far: a sure metric names every such point of the face, and others.
+  virtual std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const = 0;
   /// Where the shortest path from g to p comes into the face: at corner + t on the halfedge of that corner; nothing
   /// where the metric does not know. A path of g stays in g's cell, so the boundary there and p belong to one piece.
   virtual std::optional<double> entry(GeneratorId g, const Bary& p) const = 0;
+  /// How far rounding may have moved a crossing along its edge, as a part of the edge: far where the two generators
+  /// nearly coincide.
+  virtual double place_error(const BoundaryCrossing& crossing) const = 0;
   /// Whether p is known to be a branch point of the diagram, with the three cells counter-clockwise round it: then it
   /// is taken as it is.
   virtual bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const = 0;
@@ -59,7 +65,9 @@ class FormMetric final : public FaceMetric {
     return p;
   }
 
+  std::vector<Bary> meeting_points(GeneratorId, GeneratorId, GeneratorId) const override { return {}; }
   std::optional<double> entry(GeneratorId, const Bary&) const override { return std::nullopt; }
+  double place_error(const BoundaryCrossing&) const override { return 0; }
   bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 
  private:

@@ -88,7 +88,8 @@ class Labeller {
   NearestLabels& result_;
 };
 
-void take_nearest(const Mesh& mesh, const GeneratorTable& table, NearestLabels& result) {
+void take_nearest(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& result) {
+  const Mesh& mesh = working.mesh();
   const auto n = static_cast<std::size_t>(mesh.vertex_count());
   result.label.resize(n);
   result.distance.assign(n, kInfinity);
@@ -102,6 +103,13 @@ void take_nearest(const Mesh& mesh, const GeneratorTable& table, NearestLabels& 
       }
     });
   }
+  // A generator owns its vertex, though its symbolic offset may be larger than the way to the next generator.
+  for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    const VertexId v = working.vertex(g);
+    result.label[v] = g;
+    result.distance[v] = table.distance(table.find(v, g)).distance;
+  }
 }
 
 }  // namespace
@@ -109,7 +117,7 @@ void take_nearest(const Mesh& mesh, const GeneratorTable& table, NearestLabels& 
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
   const Mesh& mesh = working.mesh();
   NearestLabels labels;
-  take_nearest(mesh, table, labels);
+  take_nearest(working, table, labels);
   const Labeller labeller(working, labels);
   const Chunk all{0, static_cast<std::size_t>(mesh.vertex_count())};
   labels.unsupported = labeller.find_unsupported(all, [&](VertexId v) {

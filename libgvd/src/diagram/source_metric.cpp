@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "diagram/meeting_points.hpp"
+
 namespace gvd {
 namespace {
 
@@ -18,6 +20,13 @@ constexpr double kResidual = 1e-12;
 /// Another generator this much nearer, as a part of the distance, is as near as the three: a branch point of degree
 /// four.
 constexpr double kTie = 1e-12;
+
+/// Two distances to a crossing differ by up to this part of themselves: they are taken for equal within a quarter of
+/// it, and are rounded sums.
+constexpr double kCrossingError = 4e-14;
+
+/// Where three distances differ by less than this part of themselves, Newton's method finds the place where they don't.
+constexpr double kNearMeeting = 1e-6;
 
 constexpr int kNewtonSteps = 40, kHalvings = 6;
 
@@ -36,6 +45,8 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 void SourceMetric::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, *layout_, found_);
+  others_.clear();
+  tied_ = false;
   order_.clear();
   for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
   std::sort(order_.begin(), order_.end());
@@ -55,6 +66,21 @@ void SourceMetric::bring_nearest_forward() {
     }
     if (take_nearer(sources_[i], centre, best)) std::swap(sources_[i], sources_[first]);
   }
+}
+
+void SourceMetric::set_tied(bool tied) {
+  if (tied == tied_) return;
+  if (others_.empty()) {
+    others_ = sources_;
+    for (FaceSource& source : others_) {
+      const double tie = tie_step_ * static_cast<double>(source.generator.value());
+      source.offset += tie;
+      source.reach_begin += tie;
+      source.reach_end += tie;
+    }
+  }
+  std::swap(sources_, others_);
+  tied_ = tied;
 }
 
 std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
@@ -125,6 +151,27 @@ std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, Generat
   // Infinite where the face knows nothing of a generator.
   if (std::isinf(now.a.distance) || !(now.size() <= kResidual * now.a.distance)) return std::nullopt;
   return moved_inside(bary(now.p));
+}
+
+std::vector<FaceMetric::Bary> SourceMetric::meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const {
+  std::vector<Bary> found;
+  for (const Vec2& p : gvd::meeting_points(sources(a), sources(b), sources(c))) {
+    const Bary at = bary(p);
+    if (!(*std::min_element(at.begin(), at.end()) > -kBeyondFace)) continue;
+    const auto [least, most] = std::minmax({this->at(a, at), this->at(b, at), this->at(c, at)});
+    if (most - least <= kNearMeeting * least) found.push_back(at);
+  }
+  return found;
+}
+
+double SourceMetric::place_error(const BoundaryCrossing& crossing) const {
+  const Vec2 p = layout_->at(crossing.bary());
+  const auto before = nearest(crossing.previous, p), after = nearest(crossing.next, p);
+  const double rate =
+      std::abs((direction(p, before.from) - direction(p, after.from)).dot(layout_->side(crossing.corner)));
+  const auto corner = static_cast<std::size_t>(crossing.corner);
+  const double length = (layout_->corner[(corner + 1) % 3] - layout_->corner[corner]).norm();
+  return kCrossingError * before.distance / (rate * length);
 }
 
 bool SourceMetric::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {

@@ -31,7 +31,8 @@ inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Rea
 /// Distances inside one face, from the sources that a solver knows there: as good as the solver.
 class SourceMetric final : public FaceMetric {
  public:
-  explicit SourceMetric(const DistanceField& field) : field_(field) {}
+  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges.
+  explicit SourceMetric(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
 
   /// Makes this the metric of face f.
   void enter(const Mesh& mesh, FaceId f);
@@ -52,6 +53,9 @@ class SourceMetric final : public FaceMetric {
   double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).reach.distance; }
   Bary bary(const Vec2& p) const;
 
+  /// Whether each generator is behind by its symbolic offset, so that the crossings on the edges and what lies between
+  /// them decide every tie alike. Not so where a face has just been entered.
+  void set_tied(bool tied);
   /// False makes assembly take every point for a guess.
   void set_sure(bool sure) { sure_ = sure; }
   bool is_sure() const override { return sure_; }
@@ -61,6 +65,8 @@ class SourceMetric final : public FaceMetric {
   double at(GeneratorId g, const Bary& p) const override;
   /// Newton's method on the differences of the distances. Nothing where it does not converge.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
+  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
+  double place_error(const BoundaryCrossing& crossing) const override;
   /// Inside the face, with no other generator nearer, and the three directions counter-clockwise.
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
@@ -68,9 +74,11 @@ class SourceMetric final : public FaceMetric {
   void bring_nearest_forward();
 
   const DistanceField& field_;
-  bool sure_ = true;
+  double tie_step_;
+  bool sure_ = true, tied_ = false;
   std::optional<FaceLayout> layout_;
   std::vector<FaceSource> sources_;  // by generator
+  std::vector<FaceSource> others_;   // the same, tied where these are not, and the other way round; or empty
   std::vector<FaceSource> found_;
   std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
 };

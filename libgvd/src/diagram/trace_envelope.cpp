@@ -94,7 +94,7 @@ class EnvelopeTracer final : public ConnectedTracer {
       return count * count;
     };
     const auto close = [&](const Chunk& chunk) {
-      FaceCloser closer(mesh_, traced.crossings, field_, tolerance_);
+      FaceCloser closer(mesh_, traced.crossings, field_, tie_step_, tolerance_);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) closer.close(faces[i]);
       return closer.take_result();
     };

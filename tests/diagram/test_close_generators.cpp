@@ -1,0 +1,158 @@
+// Regressions of exact diagrams, most of them with generators that nearly coincide: each with the smallest mesh on
+// which pieces of a face overlapped, or a point lay outside of its face.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "diagram/arc_meetings.hpp"
+#include "gvd/check.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/exact_field.hpp"
+#include "support/catch.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// Far above rounding, and far below what any of these bugs did.
+constexpr double kOff = 1e-9;
+
+/// An exact diagram that has passed its check.
+Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
+  DiagramOptions options;
+  options.chord_tolerance = chord_tolerance;
+  Diagram diagram = compute_diagram(mesh, generators, options);
+  for (const std::string& violation : check_diagram(mesh, diagram).violations) FAIL_CHECK(violation);
+  return diagram;
+}
+
+/// No piece's outline meets itself.
+void check_outlines(const Diagram& diagram) {
+  for (const FacePiece& piece : diagram.pieces) {
+    std::vector<ArcSegment> outline;
+    for (std::size_t i = 0, n = piece.corners.size(); i < n; ++i) {
+      const auto &from = piece.corners[i], &to = piece.corners[(i + 1) % n];
+      outline.push_back({{from[1], from[2]}, {to[1], to[2]}, 0});
+    }
+    ArcMeetings meetings;
+    INFO("generator " << piece.generator.value() << " in face " << piece.face.value());
+    CHECK(meetings.find(outline).empty());
+  }
+}
+
+/// The branch points are equally far from their generators, by one run a generator.
+void check_branch_points(const Mesh& mesh, const Diagram& diagram) {
+  for (const BranchPoint& branch : diagram.branch_points) {
+    for (const GeneratorId g : branch.generators) {
+      const ExactField alone(mesh, {diagram.generators[g.index()]});
+      CHECK(std::abs(alone.nearest(branch.point).distance - branch.distance) <= kOff * mesh.bbox_diagonal());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a branch point between ridges of the distances is found") {
+  // Three generators 1e-3 apart, seen round both sides of a cube: Newton's method finds the point from 1e-4 around
+  // only.
+  const Mesh mesh = test::make_mesh(
+      {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}},
+      {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {0, 4, 7}, {0, 7, 1}, {3, 2, 6}, {3, 6, 5}, {0, 3, 5}});
+  const std::vector<SurfacePoint> generators{
+      {FaceId(3), {0.5721193993114423, 0.37712226792781545, 0.050758332760742264}},
+      {FaceId(3), {0.5722177358479882, 0.37625171361468546, 0.05153055053732636}},
+      {FaceId(3), {0.5724583381699135, 0.3769785442910708, 0.050563117539015656}}};
+  const Diagram diagram = compute_sound(mesh, generators);
+  check_outlines(diagram);
+  check_branch_points(mesh, diagram);
+}
+
+TEST_CASE("a branch point whose path runs along the bisector of two generators that nearly coincide is taken") {
+  // 1e-8 apart: rounding moves the crossing of that bisector by 1e-6, the path comes in beyond it.
+  const Mesh mesh = test::make_mesh(
+      {{1000000, 1000000, -1000000},
+       {1000000, 1000000, -999999},
+       {999999.4, 1000000.8, -1000000},
+       {999999.4, 1000000.8, -999999},
+       {1000000.8, 1000000.6, -1000000},
+       {1000000.2, 1000001.4, -1000000},
+       {1000000.8, 1000000.6, -999999},
+       {1000000.2, 1000001.4, -999999}},
+      {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {5, 7, 6}, {0, 4, 1}, {4, 6, 1}, {2, 3, 5}, {3, 7, 5}, {6, 7, 3}});
+  const std::vector<SurfacePoint> generators{
+      {FaceId(7), {0.7790915475442288, 0.1542803819654349, 0.06662807049033628}},
+      {FaceId(2), {0.7904689384998862, 0.20598377592730016, 0.003547285572813641}},
+      {FaceId(2), {0.7904689540683125, 0.20598377905660772, 0.003547266875079752}},
+      {FaceId(2), {0.7904689425613217, 0.2059837633799411, 0.003547294058737188}}};
+  const Diagram diagram = compute_sound(mesh, generators);
+  check_outlines(diagram);
+  check_branch_points(mesh, diagram);
+}
+
+TEST_CASE("a triple of runs that meets in the face is contracted before one that meets outside of it") {
+  // Three pairs of generators that mirror each other, and a face on whose side all is a tie.
+  const Mesh mesh = test::make_mesh({{3.2e-08, 2.4e-08, 0},
+                                     {-3.6784609690826525e-08, 1.571281292110205e-08, 0},
+                                     {2.6472135954999582e-08, 1.9854101966249684e-08, 9.510565162951535e-09},
+                                     {-3.043022464959859e-08, 1.2998491246340234e-08, 9.510565162951535e-09},
+                                     {1.752786404500042e-08, 1.3145898033750315e-08, 5.877852522924732e-09},
+                                     {-2.014861367528788e-08, 8.606626520175078e-09, 5.877852522924732e-09},
+                                     {1.752786404500042e-08, 1.3145898033750315e-08, -5.877852522924731e-09},
+                                     {-2.014861367528788e-08, 8.606626520175078e-09, -5.877852522924731e-09},
+                                     {2.6472135954999582e-08, 1.9854101966249684e-08, -9.510565162951537e-09},
+                                     {-3.043022464959859e-08, 1.2998491246340234e-08, -9.510565162951537e-09},
+                                     {4.784609690826507e-09, -3.971281292110204e-08, 0},
+                                     {3.958088694598992e-09, -3.2852593212589906e-08, 9.510565162951535e-09}},
+                                    {{0, 1, 2},
+                                     {1, 3, 2},
+                                     {2, 3, 4},
+                                     {3, 5, 4},
+                                     {4, 5, 6},
+                                     {5, 7, 6},
+                                     {6, 7, 8},
+                                     {7, 9, 8},
+                                     {8, 9, 0},
+                                     {9, 1, 0},
+                                     {1, 10, 3},
+                                     {10, 11, 3},
+                                     {10, 0, 11},
+                                     {0, 2, 11}});
+  const std::vector<SurfacePoint> generators{{FaceId(0), {0, 0, 1}}, {FaceId(2), {0, 0, 1}}, {FaceId(4), {0, 0, 1}},
+                                             {FaceId(6), {0, 0, 1}}, {FaceId(3), {0, 1, 0}}, {FaceId(5), {0, 1, 0}}};
+  check_branch_points(mesh, compute_sound(mesh, generators));
+}
+
+TEST_CASE("arcs that would cross when they are bent keep apart") {
+  // No branch point in the face; a generator 1e-11 from a vertex.
+  const Mesh mesh = test::make_mesh({{-0.16048672133459363, -0.12010143974368086, -0.1641401707111253},
+                                     {0.7571880193076502, 0.5678996436247411, -0.15319297908646823},
+                                     {0.13938238561981137, 0.10453471016518553, 0.38785488051079553},
+                                     {0.6062831263100479, 0.4548870756847025, -0.0005621572492090499}},
+                                    {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
+  const std::vector<SurfacePoint> generators{
+      {FaceId(2), {0.8193634360172279, 0.1805690859571426, 6.747802562946094e-05}},
+      {FaceId(1), {0.9999999999849025, 7.54874251457493e-12, 7.54874251457493e-12}},
+      {FaceId(2), {0.5, 0.5, 0}},
+      {FaceId(1), {0.10749348911050415, 0.8787287254535427, 0.013777785435953111}},
+      {FaceId(1), {0.3333333333333333, 0.3333333333333333, 0.3333333333333333}}};
+  check_outlines(compute_sound(mesh, generators, 2.4e-4));
+}
+
+TEST_CASE("in a face without width points of bisectors lie within it") {
+  const Mesh mesh =
+      test::make_mesh({{10000.138918542134, 0.10418890660015824, 0},
+                       {9999.6, -0.2999999999999999, 0},
+                       {10000, 0, 0},
+                       {10000, 0, 0},
+                       {9999.24824590337, -0.563815572471545, 0},
+                       {9999.6, -0.30000000000000027, 0},
+                       {10000.138918542134, 0.10418890660015798, 0}},
+                      {{0, 1, 2}, {1, 0, 3}, {1, 4, 2}, {4, 1, 3}, {4, 5, 2}, {5, 4, 3}, {5, 6, 2}, {6, 5, 3}});
+  const std::vector<SurfacePoint> generators{{FaceId(0), {0, 1, 0}},
+                                             {FaceId(0), {0, 0.9997409794867326, 0.00025902051326747187}},
+                                             {FaceId(1), {0.9997409794867326, 0.00025902051326747187, 0}},
+                                             {FaceId(3), {0, 0.9997409794867326, 0.00025902051326747187}}};
+  check_outlines(compute_sound(mesh, generators, 1.3e-4));
+}
