@@ -117,3 +117,18 @@ TEST_CASE("what one angle, one split drops is beaten by the path that it is drop
   }
   CHECK(dropped > 5000);
 }
+
+TEST_CASE("paths to a vertex come in the order of length and generator, and rounding decides no tie") {
+  const double inf = std::numeric_limits<double>::infinity();
+  constexpr double kRounded = 1e-14, kShorter = 1e-13;
+  CHECK(is_before(1, 5, inf, -1));
+  CHECK(is_before(1, 5, inf, 3));  // a label for the time being
+  CHECK(is_before(1 - kShorter, 5, 1, 3));
+  CHECK_FALSE(is_before(1 - kRounded, 5, 1, 3));
+  CHECK(is_before(1 + kRounded, 3, 1, 5));
+  CHECK_FALSE(is_before(1 + kShorter, 3, 1, 5));
+  CHECK(is_before(1 - kRounded, 3, 1, 3));
+  CHECK_FALSE(is_before(1, 3, 1, 3));
+  CHECK_FALSE(is_before(1 + kRounded, 3, 1, 3));
+  CHECK_FALSE(is_before(inf, 3, inf, 5));
+}

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string_view>
 #include <vector>
 
@@ -142,6 +143,39 @@ TEST_CASE("parts change no distance") {
         }
         // What comes a round late costs some windows where nearly every vertex is shared.
         if (part_faces >= 20) CHECK(static_cast<double>(field.carried) <= 1.25 * static_cast<double>(whole.carried));
+      }
+    }
+  }
+}
+
+TEST_CASE("parts change no label, and of generators that tie the first one wins") {
+  std::vector<test::NamedMesh> meshes = test::small_family();
+  meshes.push_back({"grid", test::make_grid(24, 24)});
+  meshes.push_back({"sphere", test::make_sphere(3)});
+  for (const auto& [name, mesh] : meshes) {
+    std::mt19937 random(5);
+    for (const int count : {2, 4, 9, 30}) {
+      std::vector<VertexId> generators;
+      while (static_cast<int>(generators.size()) < std::min(count, mesh.vertex_count())) {
+        const VertexId v(random() % static_cast<unsigned>(mesh.vertex_count()));
+        if (std::find(generators.begin(), generators.end(), v) == generators.end()) generators.push_back(v);
+      }
+      PropagationOptions options;
+      options.part_faces = 1 << 20;
+      const WindowField whole = propagate_windows(mesh, generators, options, {});
+      for (const std::int32_t part_faces : {1, 10, 60, 150}) {
+        INFO(name << " with " << count << " in parts of " << part_faces);
+        options.part_faces = part_faces;
+        CHECK(propagate_windows(mesh, generators, options, {}).label == whole.label);
+      }
+      if (name != "grid") continue;
+      for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+        // Whole numbers are compared: of straight lines on a plane, no rounding hides which are equally long.
+        const VertexId v(i);
+        const auto squared = [&](VertexId g) { return (mesh.position(g) - mesh.position(v)).squaredNorm(); };
+        const auto nearest = std::min_element(generators.begin(), generators.end(),
+                                              [&](VertexId a, VertexId b) { return squared(a) < squared(b); });
+        CHECK(whole.label[v] == GeneratorId(nearest - generators.begin()));
       }
     }
   }

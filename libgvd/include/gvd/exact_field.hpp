@@ -35,8 +35,9 @@ struct GeodesicPath {
 /// unfolded faces, round saddles and round corners of the boundary. Source: window propagation after Mitchell, Mount
 /// and Papadimitriou (1987), Chen and Han (1990), Xin and Wang (2009). Properties: (1) distances are right to 1e-13 of
 /// themselves, and a little less where slivers abound; (2) what no generator reaches is infinitely far, and has no
-/// label; (3) where two generators are equally near, either may be the label. Memory: 50 bytes a window, about 10
-/// windows a face on curved meshes and 2 on refined flat ones, and 10 bytes a face; 130 a face while it is made.
+/// label; (3) of generators that are equally near to a vertex, to 2e-14 of the distance, the first one is its label.
+/// Memory: 50 bytes a window, about 10 windows a face on curved meshes and 2 on refined flat ones, and 10 bytes a face;
+/// 130 a face while it is made.
 class ExactField {
  public:
   /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face

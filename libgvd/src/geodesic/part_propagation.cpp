@@ -40,7 +40,7 @@ class WindowCarrier final : public PartPropagation {
     if (!(d < distance(place))) return;
     distance(place) = d;
     field_.label[VertexId(place)] = g;
-    push_event({place, true, d, {}});
+    push_event({place, g.value(), true, d, {}});
   }
 
   void run_round(double settled) override {
@@ -82,6 +82,7 @@ class WindowCarrier final : public PartPropagation {
   /// A pseudo-source that was reached, or a generator: it will send windows.
   struct VertexEvent {
     std::int32_t vertex;
+    std::int32_t generator;
     bool all_round;  // a generator, or a blurred vertex
     double distance;
     FanRay back;  // towards where the path came from
@@ -127,7 +128,7 @@ class WindowCarrier final : public PartPropagation {
 
   /// A path to vertex v. Where it is news and paths can bend at v, v will send windows.
   void reach_vertex(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
-    if (!is_news(d, distance(v))) return;
+    if (!is_before(d, generator, distance(v), label(v))) return;
     take_path(v, d, generator, back);
     const std::int32_t shared = parts_.shared(v);
     if (shared >= 0) [[unlikely]]
@@ -143,26 +144,23 @@ class WindowCarrier final : public PartPropagation {
     }
   }
 
-  /// A path to vertex v that another part found. All places of a vertex take the least distance and, of those, the
-  /// least label of all paths that were ever news in one of them, so in the end they agree to the last bit.
+  /// A path to vertex v that another part found. All places of a vertex take the first one, in that order, of all paths
+  /// that ever came first in one of them, and of one generator's the shortest: in the end they agree to the last bit.
   void receive_path(const WindowMail::Path& path) {
     const std::int32_t v = path.vertex;
-    if (path.distance < distance(v)) {
+    const bool is_shorter_by_rounding = path.generator == label(v) && path.distance < distance(v);
+    if (is_shorter_by_rounding || is_before(path.distance, path.generator, distance(v), label(v))) {
       take_path(v, path.distance, path.generator, path.back);
-    } else if (path.distance == distance(v) && path.generator < label(v)) {
-      take_label(v, path.generator, path.back.halfedge);
     }
   }
 
   void take_path(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
     distance(v) = d;
-    if (label(v) != generator) take_label(v, generator, back.halfedge);
-    if (kind(v) >= VertexKind::saddle) push_event({v, kind(v) == VertexKind::blurred, d, back});
-  }
-
-  void take_label(std::int32_t v, std::int32_t generator, std::int32_t outgoing) {
-    if (label(v) >= 0) retention_.mark_vertex(fan_, outgoing);
-    field_.label[VertexId(v)] = GeneratorId(generator);
+    if (label(v) != generator) {
+      if (label(v) >= 0) retention_.mark_vertex(fan_, back.halfedge);
+      field_.label[VertexId(v)] = GeneratorId(generator);
+    }
+    if (kind(v) >= VertexKind::saddle) push_event({v, generator, kind(v) == VertexKind::blurred, d, back});
   }
 
   void receive_window(const WindowMail::Window& window) {
@@ -175,12 +173,13 @@ class WindowCarrier final : public PartPropagation {
   void send_from_vertex(std::int32_t place) {
     const VertexEvent event = events_[static_cast<std::size_t>(place)];
     free_events_.push_back(place);
-    if (event.distance > distance(event.vertex)) return;  // a shorter path came since
+    if (event.distance > distance(event.vertex) || event.generator != label(event.vertex))
+      return;  // another came since
     if (const std::int32_t shared = parts_.shared(event.vertex); shared >= 0) {
       // What another part found may be shorter by rounding alone, and no news.
-      double& sent = sent_[static_cast<std::size_t>(shared)];
-      if (!is_news(event.distance, sent)) return;
-      sent = event.distance;
+      SentPath& sent = sent_[static_cast<std::size_t>(shared)];
+      if (!is_news(event.distance, sent.distance) && event.generator == sent.generator) return;
+      sent = {event.distance, event.generator};
     }
     events_sent_ += static_cast<std::int64_t>(event.vertex < mesh_.vertex_count());  // once for all places of a vertex
     if (event.all_round) {
@@ -230,7 +229,7 @@ class WindowCarrier final : public PartPropagation {
     if (parts_.of_halfedge(outgoing) != part_) return;
     const FaceFrame& f = fan_.face(outgoing);
     const auto c = static_cast<std::size_t>(outgoing % 3), p = (c + 1) % 3, q = (c + 2) % 3;
-    const std::int32_t generator = label(event.vertex), base = outgoing - static_cast<std::int32_t>(c);
+    const std::int32_t generator = event.generator, base = outgoing - static_cast<std::int32_t>(c);
     if (!first || first->is_grazing()) {
       reach_vertex(f.vertex[p], event.distance + f.length[c], generator,
                    {base + static_cast<std::int32_t>(p), {f.cosine[p], f.sine[p]}});
@@ -344,7 +343,7 @@ class WindowCarrier final : public PartPropagation {
                   const ApexView& apex, double reach) {
     const std::size_t top = (i + 2) % 3;
     const double d = origin.offset + reach;
-    if (!(d < distance(f.vertex[top]))) return;
+    if (!is_before(d, origin.generator, distance(f.vertex[top]), label(f.vertex[top]))) return;
     // The way back, turned from the side towards the edge's start.
     const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
     const Rotation angle{-f.cosine[i] * back_x - f.sine[i] * back_y, -f.cosine[i] * back_y + f.sine[i] * back_x};
@@ -366,7 +365,7 @@ class WindowCarrier final : public PartPropagation {
   const WindowParts& parts_;
   std::int32_t part_;
   Mailboxes& mail_;
-  std::vector<double>& sent_;
+  std::vector<SentPath>& sent_;
   VertexFan fan_;
   bool has_needles_;                 // so that meshes without needles look no kinds up
   bool has_thin_faces_;              // so that other meshes count no faces

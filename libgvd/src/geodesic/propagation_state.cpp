@@ -1,7 +1,6 @@
 #include "geodesic/propagation_state.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace gvd {
 namespace {
@@ -43,6 +42,6 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
       first_waiting(static_cast<std::size_t>(mesh.halfedge_count()), -1),
       apex_path(frames.has_needles ? static_cast<std::size_t>(mesh.halfedge_count()) : 0),
       face_state(keep == KeepWindows::near_bisectors ? frames.frame.size() : 0, FaceState::open),
-      sent(parts.shared_count(), std::numeric_limits<double>::infinity()) {}
+      sent(parts.shared_count()) {}
 
 }  // namespace gvd

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geodesic/face_frames.hpp"
@@ -22,6 +23,12 @@ enum class FaceState : std::uint8_t {
   mixed,  ///< they have several labels, or had so at some time
 };
 
+/// The path with which a vertex last sent windows.
+struct SentPath {
+  double distance = std::numeric_limits<double>::infinity();
+  std::int32_t generator = -1;
+};
+
 /// What the parts of the mesh have in common. While they work, each one touches only what belongs to its faces and to
 /// its places of vertices.
 struct PropagationState {
@@ -38,7 +45,7 @@ struct PropagationState {
   std::vector<std::int32_t> first_waiting;  // [halfedge] of WaitingWindows
   std::vector<ApexPath> apex_path;          // [halfedge that windows cross into the face]; where there are needles
   std::vector<FaceState> face_state;
-  std::vector<double> sent;  // [place of a shared vertex] distance with which it last sent windows
+  std::vector<SentPath> sent;  // [place of a shared vertex]
 };
 
 }  // namespace gvd

@@ -22,6 +22,23 @@ inline constexpr double kNews = 4e-15;
 /// Whether a path of length `d` is news where one of length `known` is known.
 inline bool is_news(double d, double known) { return d < known * (1 - kNews); }
 
+/// Paths whose lengths differ by less than this part of themselves are equally long: more than what two equal paths
+/// differ by that come from different generators, through other faces each. Below half of kTie, so that no window is
+/// dropped before it has brought a path that is equally long.
+inline constexpr double kSameLength = 2e-14;
+
+/// The order of paths to one vertex, which decides ties: (length, generator), lengths that differ by less than
+/// kSameLength being equal. Whether a path of length `d` from `generator` comes before the known one, which comes from
+/// `label`; of one generator's paths, only what is news does.
+///
+/// Where paths from several generators tie, as on symmetric meshes, the one that rounding or the order in which windows
+/// are taken happens to prefer must not win: the labels of neighbouring vertices would not agree on it.
+inline bool is_before(double d, std::int32_t generator, double known, std::int32_t label) {
+  if (!(d * (1 - kSameLength) < known)) return false;  // most of them
+  if (d < known * (1 - kSameLength)) return true;
+  return is_news(d, known) ? generator <= label : generator < label;
+}
+
 /// Whether a window has no width, or its rays run along the edge.
 inline bool is_empty(const Rays& w) { return !(w.begin < w.end) | !(w.depth > 0); }
 

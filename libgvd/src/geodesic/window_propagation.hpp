@@ -38,11 +38,11 @@ struct PropagationOptions {
 /// Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
 /// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance on ordinary meshes, 1e-13 with slivers.
 /// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
-/// taken changes no distance, but for rounding, and it is the same for any number of threads (window_rounds.hpp); where
-/// two generators tie at a vertex, other parts may give it another label. Cost: O(windows); about 5 to 16 a face on
-/// curved meshes, 2 where flat parts are refined. Memory: 130 to 400 bytes a face on such meshes, 740 and more with a
-/// single generator (docs/performance.md). Where all faces are needles, paths tie all over: up to O(faces) windows a
-/// face were seen.
+/// taken changes no distance, but for rounding, and it is the same for any number of threads (window_rounds.hpp); (4)
+/// of generators that tie at a vertex, to 2e-14 of the distance, the first one is its label, in whatever parts the mesh
+/// is cut. Cost: O(windows); about 5 to 16 a face on curved meshes, 2 where flat parts are refined. Memory: 130 to 350
+/// bytes a face on such meshes, 460 and more with a single generator (docs/performance.md). Where all faces are
+/// needles, paths tie all over: up to O(faces) windows a face were seen.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
 
