@@ -13,17 +13,21 @@ bool same_place(const std::array<double, 3>& a, const std::array<double, 3>& b) 
   return std::abs(a[0] - b[0]) <= kCutWeld && std::abs(a[1] - b[1]) <= kCutWeld && std::abs(a[2] - b[2]) <= kCutWeld;
 }
 
-/// Simple loops out of a closed walk that meets corners again; loops of two corners are nothing.
-std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::size_t>& walk) {
+/// Simple loops out of a closed walk over some of `corners` corners that meets corners again; loops of two corners are
+/// nothing.
+std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::size_t>& walk, std::size_t corners) {
   std::vector<std::vector<std::size_t>> loops;
   std::vector<std::size_t> stack;
+  std::vector<char> is_on_stack(corners, 0);
   for (const std::size_t corner : walk) {
-    const auto again = std::find(stack.begin(), stack.end(), corner);
-    if (again != stack.end()) {
+    if (is_on_stack[corner]) {
+      const auto again = std::find(stack.begin(), stack.end(), corner);
       if (stack.end() - again >= 3) loops.emplace_back(again, stack.end());
+      for (auto left = again; left != stack.end(); ++left) is_on_stack[*left] = 0;
       stack.erase(again, stack.end());
     }
     stack.push_back(corner);
+    is_on_stack[corner] = 1;
   }
   if (stack.size() >= 3) loops.push_back(std::move(stack));
   return loops;
@@ -37,27 +41,65 @@ double place_reach(const std::vector<Vec3>& positions) {
   return kPlaceSteps * std::numeric_limits<double>::epsilon() * largest;
 }
 
+void FaceTiling::Order::insert(double coordinate, std::size_t corner) {
+  const std::pair item(coordinate, corner);
+  corners_.insert(std::lower_bound(corners_.begin(), corners_.end(), item), item);
+}
+
+template <class Test>
+std::size_t FaceTiling::Order::find(double coordinate, double reach, std::size_t otherwise, const Test& passes) const {
+  const auto begin = std::lower_bound(corners_.begin(), corners_.end(), std::pair(coordinate - reach, std::size_t{0}));
+  for (auto near = begin; near != corners_.end() && near->first <= coordinate + reach; ++near) {
+    if (near->second < otherwise && passes(near->second)) otherwise = near->second;
+  }
+  return otherwise;
+}
+
 FaceTiling::FaceTiling(std::vector<Corner> border, double reach)
-    : corners_(std::move(border)), border_(corners_.size()), reach_(reach) {}
+    : corners_(std::move(border)), border_(corners_.size()), reach_(reach) {
+  Vec3 low = corners_[0].position, high = low;
+  for (const Corner& corner : corners_) {
+    low = low.cwiseMin(corner.position);
+    high = high.cwiseMax(corner.position);
+  }
+  (high - low).maxCoeff(&axis_);
+  for (std::size_t i = 0; i < border_; ++i) enter(i);
+}
+
+void FaceTiling::enter(std::size_t corner) {
+  by_bary_.insert(corners_[corner].bary[1], corner);
+  by_position_.insert(corners_[corner].position[axis_], corner);
+}
 
 std::size_t FaceTiling::find_or_add(const Corner& corner) {
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const bool same = corner.vertex.valid() ? corners_[i].vertex == corner.vertex
-                                            : same_place(corners_[i].bary, corner.bary) ||
-                                                  same_place(corners_[i].position, corner.position, reach_);
-    if (same) return i;
+  std::size_t found = corners_.size();
+  if (corner.vertex.valid()) {
+    const auto same = [&corner](const Corner& known) { return known.vertex == corner.vertex; };
+    found = static_cast<std::size_t>(std::find_if(corners_.begin(), corners_.end(), same) - corners_.begin());
+  } else {
+    // Twice the reach: rounding in the ends of the range loses nothing.
+    found = by_bary_.find(corner.bary[1], 2 * kCutWeld, found,
+                          [&](std::size_t i) { return same_place(corners_[i].bary, corner.bary); });
+    found = by_position_.find(corner.position[axis_], 2 * reach_, found,
+                              [&](std::size_t i) { return same_place(corners_[i].position, corner.position, reach_); });
   }
+  if (found < corners_.size()) return found;
   corners_.push_back(corner);
-  return corners_.size() - 1;
+  enter(found);
+  return found;
 }
 
 bool FaceTiling::fit() {
   // Pieces mostly share their corners already. Splitting at every corner near a segment comes second: in a sliver
   // thinner than kCutWeld it would fold one side onto the other.
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < corners_.size(); ++i) places.push_back(place(i));
+  const CornerBoxes boxes(places);
   for (const double reach : {0.0, kCutWeld}) {
     std::vector<Polygon> fitted;
     for (const Polygon& polygon : polygons_) {
-      for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners, reach))) {
+      for (std::vector<std::size_t>& loop :
+           split_at_repeats(split_segments(polygon.corners, boxes, reach), corners_.size())) {
         fitted.push_back({polygon.generator, std::move(loop)});
       }
     }
@@ -75,23 +117,30 @@ void FaceTiling::leave_whole(GeneratorId generator) {
   polygons_.assign(1, whole);
 }
 
-std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, double reach) const {
+std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, const CornerBoxes& boxes,
+                                                    double reach) const {
   std::vector<std::size_t> split;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
     if (from == to) continue;
     split.push_back(from);
-    append_corners_between(from, to, reach, split);
+    append_corners_between(from, to, boxes, reach, split);
   }
   return split;
 }
 
-void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double reach,
+void FaceTiling::append_corners_between(std::size_t from, std::size_t to, const CornerBoxes& boxes, double reach,
                                         std::vector<std::size_t>& out) const {
   const Vec2 start = place(from), along = place(to) - start;
   const double length = along.norm();
+  // What lies on an edge of the face is as far from it as rounding: less than kCutWeld.
+  const Vec2 low = place(from).cwiseMin(place(to)).array() - 2 * kCutWeld;
+  const Vec2 high = place(from).cwiseMax(place(to)).array() + 2 * kCutWeld;
+  const auto meets = [&](const CornerBoxes::Box& box) {
+    return (box.high.array() >= low.array()).all() && (box.low.array() <= high.array()).all();
+  };
   std::vector<std::pair<double, std::size_t>> between;
-  for (std::size_t k = 0; k < corners_.size(); ++k) {
+  for (std::size_t k = boxes.find(0, meets); k != CornerBoxes::kNone; k = boxes.find(k + 1, meets)) {
     if (k == from || k == to) continue;
     const Vec2 offset = place(k) - start;
     const double t = along.dot(offset) / (length * length);

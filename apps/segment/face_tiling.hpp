@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <utility>
 #include <vector>
 
+#include "corner_boxes.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
@@ -42,7 +43,7 @@ class FaceTiling {
   FaceTiling(std::vector<Corner> border, double reach);
 
   /// The corner on the border with this vertex, or one inside within kCutWeld or at the same place; a new one
-  /// otherwise.
+  /// otherwise. Cost: O(log n) and those that are nearly as far along one axis, and O(n) at most.
   std::size_t find_or_add(const Corner& corner);
 
   /// Adds a polygon of the face, counter-clockwise.
@@ -50,6 +51,7 @@ class FaceTiling {
 
   /// Makes the polygons share whole segments: a corner that lies on another's segment splits it. Then checks that they
   /// tile the face, each segment between two of them or once on the border. False where they don't.
+  /// Cost: O(n log n), as long as only a few segments are long.
   bool fit();
 
   /// Forgets all polygons and corners inside: the face is one polygon.
@@ -61,9 +63,25 @@ class FaceTiling {
   Vec2 place(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
 
  private:
-  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double reach) const;
+  /// Corners in the order of one of their coordinates.
+  class Order {
+   public:
+    void insert(double coordinate, std::size_t corner);
+    /// The first corner with a coordinate within `reach` that passes the test, `otherwise` where none does or where all
+    /// that do come after it.
+    template <class Test>
+    std::size_t find(double coordinate, double reach, std::size_t otherwise, const Test& passes) const;
+
+   private:
+    std::vector<std::pair<double, std::size_t>> corners_;
+  };
+
+  void enter(std::size_t corner);
+  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, const CornerBoxes& boxes,
+                                          double reach) const;
   /// The corners on the segment: those on the same edge of the face, and those within `reach`.
-  void append_corners_between(std::size_t from, std::size_t to, double reach, std::vector<std::size_t>& out) const;
+  void append_corners_between(std::size_t from, std::size_t to, const CornerBoxes& boxes, double reach,
+                              std::vector<std::size_t>& out) const;
   bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
   bool tiles(const std::vector<Polygon>& polygons) const;
   double twice_area(const std::vector<std::size_t>& polygon) const;
@@ -71,6 +89,8 @@ class FaceTiling {
   std::vector<Corner> corners_;  ///< the border first
   std::size_t border_;
   double reach_;
+  int axis_ = 0;  ///< along which the face is longest
+  Order by_bary_, by_position_;
   std::vector<Polygon> polygons_;
 };
 

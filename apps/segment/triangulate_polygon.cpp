@@ -1,8 +1,9 @@
 #include "triangulate_polygon.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
+#include <queue>
+
+#include "corner_boxes.hpp"
 
 namespace gvd {
 namespace {
@@ -19,61 +20,135 @@ double longest_square(const Vec2& a, const Vec2& b, const Vec2& c) {
   return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
 }
 
-/// Inside the triangle or on its border.
-bool contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const double slack = -kOnLine * longest_square(a, b, c);
-  return twice_area(a, b, p) >= slack && twice_area(b, c, p) >= slack && twice_area(c, a, p) >= slack;
-}
+/// A triangle, its border and what is within rounding of it.
+struct Reach {
+  std::array<Vec2, 3> corners;
+  double slack;
 
+  Reach(const Vec2& a, const Vec2& b, const Vec2& c) : corners{a, b, c}, slack(-kOnLine * longest_square(a, b, c)) {}
+
+  /// Whether a point of the box is on the inner side of each side of the triangle. Exact for a point. Never false of
+  /// a box with such a point in it: the corner of the box that is tried lies farther inside, and rounding keeps order.
+  bool meets(const CornerBoxes::Box& box) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2 &from = corners[i], &to = corners[(i + 1) % 3];
+      const Vec2 inmost(to.y() > from.y() ? box.low.x() : box.high.x(), to.x() > from.x() ? box.high.y() : box.low.y());
+      if (twice_area(from, to, inmost) < slack) return false;
+    }
+    return true;
+  }
+};
+
+/// Each corner waits in a queue with the shape that it would have as an ear. The best is tried; where another corner
+/// lies in its triangle, it waits for that one to be cut off, since till then it can't be an ear. So the search for
+/// what lies in a corner's triangle goes round the polygon once, however often it is interrupted, and a corner has a
+/// new triangle only where a neighbour is cut off.
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<Vec2>& corners) : corners_(corners), left_(corners.size()) {
-    std::iota(left_.begin(), left_.end(), std::size_t{0});
+  explicit EarClipper(const std::vector<Vec2>& corners)
+      : corners_(corners), ring_(corners.size()), boxes_(corners), waiting_(corners.size()) {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) ring_[i] = {(i + n - 1) % n, (i + 1) % n};
+    for (std::size_t i = 0; i < n; ++i) enqueue(i);
   }
 
   std::vector<std::array<std::size_t, 3>> run() {
     std::vector<std::array<std::size_t, 3>> triangles;
-    while (left_.size() >= 3) {
-      const std::size_t ear = left_.size() == 3 ? 1 : best_ear();
-      triangles.push_back({left_[before(ear)], left_[ear], left_[after(ear)]});
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+    for (std::size_t left = corners_.size(); left > 3; --left) {
+      const std::size_t ear = take_ear();
+      triangles.push_back(around(ear));
+      cut_off(ear);
     }
+    if (corners_.size() >= 3) triangles.push_back(around(ring_[first_left()].after));
     return triangles;
   }
 
  private:
-  std::size_t before(std::size_t i) const { return i == 0 ? left_.size() - 1 : i - 1; }
-  std::size_t after(std::size_t i) const { return i + 1 == left_.size() ? 0 : i + 1; }
-  const Vec2& corner(std::size_t i) const { return corners_[left_[i]]; }
+  struct Place {
+    std::size_t before;
+    std::size_t after;
+    bool is_left = true;
+    int version = 0;           ///< of its triangle
+    std::size_t searched = 0;  ///< no corner before this one lies in its triangle
+  };
 
-  bool is_ear(std::size_t i) const {
-    const std::size_t a = before(i), c = after(i);
-    for (std::size_t k = 0; k < left_.size(); ++k) {
-      if (k != a && k != i && k != c && contains(corner(a), corner(i), corner(c), corner(k))) return false;
+  struct Candidate {
+    double shape;
+    std::size_t corner;
+    int version;
+    bool operator<(const Candidate& other) const {
+      return shape != other.shape ? shape < other.shape : corner > other.corner;
     }
-    return true;
+  };
+
+  std::array<std::size_t, 3> around(std::size_t i) const { return {ring_[i].before, i, ring_[i].after}; }
+  std::size_t first_left() const {
+    const auto found = std::find_if(ring_.begin(), ring_.end(), [](const Place& place) { return place.is_left; });
+    return static_cast<std::size_t>(found - ring_.begin());
+  }
+  double twice_area_at(std::size_t i) const {
+    return twice_area(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]);
   }
 
-  /// The ear that leaves the roundest triangle: area over the square of its longest side.
-  std::size_t best_ear() const {
-    std::size_t best = 0;
-    double best_shape = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      const Vec2 &a = corner(before(i)), &b = corner(i), &c = corner(after(i));
-      const double area = twice_area(a, b, c);
-      const double longest = longest_square(a, b, c);
-      // Corners that are no ear come behind every ear, for the polygons that rounding has folded.
-      const double shape = area > kOnLine * longest && is_ear(i) ? area / longest : area - 4;
-      if (shape > best_shape) {
-        best_shape = shape;
-        best = i;
-      }
+  /// As an ear: twice the area over the square of the longest side, which is positive.
+  void enqueue(std::size_t i) {
+    const double area = twice_area_at(i);
+    const double longest = longest_square(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]);
+    if (area > kOnLine * longest) {
+      queue_.push({area / longest, i, ring_[i].version});
+    } else {
+      enqueue_last(i);
     }
-    return best;
+  }
+
+  /// As a corner that is no ear: it comes behind every ear, for the polygons that rounding has folded.
+  void enqueue_last(std::size_t i) { queue_.push({twice_area_at(i) - 4, i, ring_[i].version}); }
+
+  /// The ear that leaves the roundest triangle.
+  std::size_t take_ear() {
+    while (true) {
+      const Candidate best = queue_.top();
+      queue_.pop();
+      Place& place = ring_[best.corner];
+      if (!place.is_left || place.version != best.version) continue;
+      if (best.shape < 0) return best.corner;
+      place.searched = find_inside(best.corner, place.searched);
+      if (place.searched == CornerBoxes::kNone) return best.corner;
+      waiting_[place.searched].push_back({best.shape, best.corner, best.version});
+      enqueue_last(best.corner);
+    }
+  }
+
+  /// The first corner from `from` on in the triangle of corner i, its own three apart.
+  std::size_t find_inside(std::size_t i, std::size_t from) const {
+    const auto own = around(i);
+    const Reach triangle(corners_[own[0]], corners_[own[1]], corners_[own[2]]);
+    const auto meets = [&triangle](const CornerBoxes::Box& box) { return triangle.meets(box); };
+    std::size_t found = boxes_.find(from, meets);
+    while (found == own[0] || found == own[1] || found == own[2]) found = boxes_.find(found + 1, meets);
+    return found;
+  }
+
+  void cut_off(std::size_t ear) {
+    const auto [before, after] = std::pair(ring_[ear].before, ring_[ear].after);
+    ring_[ear].is_left = false;
+    boxes_.remove(ear);
+    ring_[before].after = after;
+    ring_[after].before = before;
+    for (const std::size_t i : {before, after}) {
+      ++ring_[i].version;
+      ring_[i].searched = 0;
+      enqueue(i);
+    }
+    for (const Candidate& candidate : waiting_[ear]) queue_.push(candidate);
+    waiting_[ear].clear();
   }
 
   const std::vector<Vec2>& corners_;
-  std::vector<std::size_t> left_;
+  std::vector<Place> ring_;
+  CornerBoxes boxes_;                            ///< of the corners that are left
+  std::vector<std::vector<Candidate>> waiting_;  ///< for this corner to be cut off
+  std::priority_queue<Candidate> queue_;
 };
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST_CASE("cut: a piece that is not convex and one with collinear corners") {
 TEST_CASE("cut: along bisectors that bend inside of faces") {
   for (const auto& [name, mesh] : test::small_family()) {
     std::int32_t fewest = 0;
-    for (const double tolerance : {1e-2, 1e-4, 1e-5}) {
+    for (const double tolerance : {1e-2, 1e-4, 1e-7}) {
       CAPTURE(name, tolerance);
       DiagramOptions options;
       options.method = Method::exact;
