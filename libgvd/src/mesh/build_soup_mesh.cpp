@@ -36,11 +36,14 @@ void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
           fmt::format("{} in no face, first vertex {}", counted(count, "vertex is", "vertices are"), first), "removed");
 }
 
-CheckedMesh assemble(const WorkFaces& work, const std::vector<std::int32_t>& weld) {
+CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
   CheckedMesh checked;
   const std::vector<char> used = find_used_vertices(work);
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   std::vector<VertexId> renumbered(work.positions.size());
   std::vector<Vec3> positions;
+  positions.reserve(count);
+  checked.input_vertex.reserve(count);
   for (std::size_t v = 0; v < work.positions.size(); ++v) {
     if (!used[v]) continue;
     renumbered[v] = checked.input_vertex.push_back(work.source[v]);
@@ -54,7 +57,8 @@ CheckedMesh assemble(const WorkFaces& work, const std::vector<std::int32_t>& wel
   }
   checked.mesh_vertex.reserve(weld.size());
   for (const std::int32_t v : weld) checked.mesh_vertex.push_back(renumbered[static_cast<std::size_t>(v)]);
-  checked.input_polygon = IdVector<FaceId, std::int32_t>(work.origin);
+  checked.input_polygon = IdVector<FaceId, std::int32_t>(std::move(work.origin));
+  work = {};  // its memory
   checked.mesh = Mesh(std::move(positions), std::move(faces));
   return checked;
 }
@@ -139,15 +143,15 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   const std::vector<std::int32_t> weld = weld_vertices(soup, log);
   WorkPolygons polygons = remove_degenerate_faces(soup, weld, log);
   remove_duplicate_faces(polygons, soup.positions.size(), log);
-  WorkFaces work = triangulate_polygons(polygons, soup.positions);
-  EdgeTable edges = group_edges(work, soup.positions.size());
-  const std::vector<char> one_sided = orient_faces(work, edges, log);
-  const std::vector<char> on_cut_edge = cut_edges(work, edges, soup.positions, one_sided, log);
+  WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions);
+  EdgeTable crowded = pair_halfedges(work, soup.positions.size());
+  const std::vector<char> one_sided = orient_faces(work, crowded, log);
+  const std::vector<char> on_cut_edge = cut_edges(work, crowded, soup.positions, one_sided, log);
   keep_largest_component(work, soup.positions, one_sided, log);
   cut_vertices(work, soup.positions, on_cut_edge, log);
   split_touching_edges(work, log);
   log_unused_vertices(soup, log);
-  CheckedMesh checked = assemble(work, weld);
+  CheckedMesh checked = assemble(std::move(work), weld);
   checked.defects = std::move(log.report());
   add_remarks(checked);
   return checked;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "gvd/error.hpp"
+#include "mesh/visit_edges.hpp"
 
 namespace gvd {
 namespace {
@@ -38,6 +38,10 @@ void check_positions(const std::vector<Vec3>& positions) {
   }
 }
 
+std::string edge_name(const Mesh& mesh, HalfedgeId h) {
+  return std::to_string(mesh.from(h).value()) + "-" + std::to_string(mesh.to(h).value());
+}
+
 }  // namespace
 
 Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces) {
@@ -51,46 +55,26 @@ Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> fac
   measure();
 }
 
-// Pairs the halfedges by a counting sort on their smaller vertex, then a short sort within each bucket: O(n) memory,
-// and O(n) time where degrees are bounded.
 void Mesh::link_twins() {
-  const std::int32_t n = halfedge_count();
-  std::vector<std::int32_t> first(positions_.size() + 1, 0);
-  const auto low = [&](HalfedgeId h) { return std::min(from(h), to(h)); };
-  const auto high = [&](HalfedgeId h) { return std::max(from(h), to(h)); };
-  for (std::int32_t i = 0; i < n; ++i) ++first[low(HalfedgeId(i)).index() + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<HalfedgeId> bucketed(static_cast<std::size_t>(n));
-  std::vector<std::int32_t> cursor(first.begin(), first.end() - 1);
-  for (std::int32_t i = 0; i < n; ++i) {
-    const HalfedgeId h(i);
-    bucketed[static_cast<std::size_t>(cursor[low(h).index()]++)] = h;
-  }
-  twin_.assign(static_cast<std::size_t>(n), HalfedgeId());
-  for (std::size_t v = 0; v < positions_.size(); ++v) {
-    const auto begin = bucketed.begin() + first[v];
-    const auto end = bucketed.begin() + first[v + 1];
-    std::sort(begin, end, [&](HalfedgeId a, HalfedgeId b) { return std::pair(high(a), a) < std::pair(high(b), b); });
-    for (auto it = begin; it != end;) {
-      const auto group_end = std::find_if(it, end, [&](HalfedgeId h) { return high(h) != high(*it); });
-      const std::string name = std::to_string(from(*it).value()) + "-" + std::to_string(to(*it).value());
-      if (group_end - it > 2) {
-        refuse("edge " + name + " has " + std::to_string(group_end - it) + " faces, first face " +
-                   std::to_string(face(*it).value()),
-               face(*it).value());
-      }
-      if (group_end - it == 2) {
-        if (from(it[0]) == from(it[1])) {
-          refuse("faces " + std::to_string(face(it[0]).value()) + " and " + std::to_string(face(it[1]).value()) +
-                     " run through edge " + name + " in the same direction",
-                 face(it[0]).value());
-        }
-        twin_[it[0]] = it[1];
-        twin_[it[1]] = it[0];
-      }
-      it = group_end;
+  twin_.assign(static_cast<std::size_t>(halfedge_count()), HalfedgeId());
+  const auto number = [](VertexId v) { return static_cast<std::uint64_t>(v.value()); };
+  visit_edges(faces_, positions_.size(), number, [this](const EdgeHalfedges& edge) {
+    const HalfedgeId h(edge[0]);
+    if (edge.size() > 2) {
+      refuse("edge " + edge_name(*this, h) + " has " + std::to_string(edge.size()) + " faces, first face " +
+                 std::to_string(face(h).value()),
+             face(h).value());
     }
-  }
+    if (edge.size() == 1) return;
+    const HalfedgeId twin(edge[1]);
+    if (from(h) == from(twin)) {
+      refuse("faces " + std::to_string(face(h).value()) + " and " + std::to_string(face(twin).value()) +
+                 " run through edge " + edge_name(*this, h) + " in the same direction",
+             face(h).value());
+    }
+    twin_[h] = twin;
+    twin_[twin] = h;
+  });
 }
 
 void Mesh::number_edges() {
@@ -139,8 +123,8 @@ void Mesh::measure() {
     const HalfedgeId h = halfedge(e);
     const double length = this->length(e);
     if (!(length > 0) || !std::isfinite(length)) {
-      refuse("edge " + std::to_string(from(h).value()) + "-" + std::to_string(to(h).value()) + " of face " +
-                 std::to_string(face(h).value()) + " has length " + (length > 0 ? "infinity" : "0"),
+      refuse("edge " + edge_name(*this, h) + " of face " + std::to_string(face(h).value()) + " has length " +
+                 (length > 0 ? "infinity" : "0"),
              face(h).value());
     }
     sum += length;

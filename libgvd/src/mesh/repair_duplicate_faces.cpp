@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -32,16 +33,30 @@ struct Keyed {
   bool operator<(const Keyed& other) const { return std::tie(key, polygon) < std::tie(other.key, other.polygon); }
 };
 
-std::vector<Keyed> sort_by_key(const WorkPolygons& polygons) {
-  std::vector<Keyed> keyed;
-  keyed.reserve(polygons.count());
+std::uint64_t key_of(std::span<const std::int32_t> polygon) {
+  std::uint64_t key = polygon.size();
+  for (const std::int32_t v : polygon) key += mix(v);
+  return key;
+}
+
+// Calls visit(polygons with one smallest corner, ascending), where there are several.
+template <class Visit>
+void visit_buckets(const WorkPolygons& polygons, std::size_t vertex_count, const Visit& visit) {
+  const auto smallest_corner = [&](std::size_t p) {
+    const auto polygon = polygons.polygon(p);
+    return static_cast<std::size_t>(*std::min_element(polygon.begin(), polygon.end()));
+  };
+  std::vector<std::size_t> first(vertex_count + 1, 0);
+  for (std::size_t p = 0; p < polygons.count(); ++p) ++first[smallest_corner(p) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::int32_t> sorted(polygons.count());
   for (std::size_t p = 0; p < polygons.count(); ++p) {
-    std::uint64_t key = polygons.polygon(p).size();
-    for (const std::int32_t v : polygons.polygon(p)) key += mix(v);
-    keyed.push_back({key, static_cast<std::int32_t>(p)});
+    sorted[first[smallest_corner(p)]++] = static_cast<std::int32_t>(p);
   }
-  std::sort(keyed.begin(), keyed.end());
-  return keyed;
+  // Now first[v] is where the bucket of v ends.
+  for (std::size_t v = 0, begin = 0; v < vertex_count; begin = first[v++]) {
+    if (first[v] - begin > 1) visit(std::span(sorted.data() + begin, first[v] - begin));
+  }
 }
 
 // Two faces back to back that no other face touches are a closed surface, flat as it is, and stay.
@@ -79,19 +94,30 @@ void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, cons
   }
 }
 
+// A one for each polygon that is a duplicate.
+std::vector<char> find_duplicates(const WorkPolygons& polygons, std::size_t vertex_count) {
+  std::vector<std::int32_t> degree(vertex_count, 0);
+  for (const std::int32_t v : polygons.corners) ++degree[static_cast<std::size_t>(v)];
+  std::vector<char> drop(polygons.count(), 0);
+  std::vector<Keyed> keyed;
+  visit_buckets(polygons, vertex_count, [&](std::span<const std::int32_t> bucket) {
+    keyed.clear();
+    for (const std::int32_t p : bucket) keyed.push_back({key_of(polygons.polygon(static_cast<std::size_t>(p))), p});
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t begin = 0; begin < keyed.size();) {
+      std::size_t end = begin + 1;
+      while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
+      if (end - begin > 1) mark_group(polygons, {keyed.data() + begin, end - begin}, degree, drop);
+      begin = end;
+    }
+  });
+  return drop;
+}
+
 }  // namespace
 
 void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, DefectLog& log) {
-  std::vector<std::int32_t> degree(vertex_count, 0);
-  for (const std::int32_t v : polygons.corners) ++degree[static_cast<std::size_t>(v)];
-  const std::vector<Keyed> keyed = sort_by_key(polygons);
-  std::vector<char> drop(polygons.count(), 0);
-  for (std::size_t begin = 0; begin < keyed.size();) {
-    std::size_t end = begin + 1;
-    while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
-    if (end - begin > 1) mark_group(polygons, {keyed.data() + begin, end - begin}, degree, drop);
-    begin = end;
-  }
+  const std::vector<char> drop = find_duplicates(polygons, vertex_count);
   const auto first_dropped = std::find(drop.begin(), drop.end(), 1);
   if (first_dropped == drop.end()) return;
   const std::int64_t first = polygons.origin[static_cast<std::size_t>(first_dropped - drop.begin())];

@@ -12,7 +12,7 @@ namespace {
 class FanCutter {
  public:
   FanCutter(WorkFaces& work, const std::vector<Vec3>& positions)
-      : work_(work), fan_(static_cast<std::size_t>(work.halfedge_count()), -1), fans_(positions.size(), 0) {
+      : work_(work), is_named_(static_cast<std::size_t>(work.halfedge_count()), 0), fans_(positions.size(), 0) {
     work_.positions = positions;
     work_.source.resize(positions.size());
     for (std::size_t v = 0; v < positions.size(); ++v) work_.source[v] = static_cast<std::int32_t>(v);
@@ -21,7 +21,7 @@ class FanCutter {
   // The first fan of a vertex keeps it; the others get copies, in the order of their first corners.
   void cut(const std::vector<char>& on_cut_edge) {
     for (std::int32_t h = 0; h < work_.halfedge_count(); ++h) {
-      if (fan_[static_cast<std::size_t>(h)] >= 0) continue;
+      if (is_named_[static_cast<std::size_t>(h)]) continue;
       const std::int32_t v = work_.from(h);
       std::int32_t name = v;
       char& fans = fans_[static_cast<std::size_t>(v)];
@@ -30,7 +30,6 @@ class FanCutter {
       if (fans < 2) ++fans;
       mark_fan(h, name);
     }
-    for (std::size_t h = 0; h < fan_.size(); ++h) work_.faces[h / 3][h % 3] = fan_[h];
   }
 
   std::int64_t vertices() const { return vertices_; }
@@ -53,20 +52,25 @@ class FanCutter {
   void mark_fan(std::int32_t h, std::int32_t name) {
     std::int32_t corner = h;
     do {
-      fan_[static_cast<std::size_t>(corner)] = name;
+      set_name(corner, name);
       corner = work_.twin[static_cast<std::size_t>(WorkFaces::previous(corner))];
     } while (corner >= 0 && corner != h);
     if (corner == h) return;
     corner = h;
     while (work_.twin[static_cast<std::size_t>(corner)] >= 0) {
       corner = WorkFaces::next(work_.twin[static_cast<std::size_t>(corner)]);
-      fan_[static_cast<std::size_t>(corner)] = name;
+      set_name(corner, name);
     }
   }
 
+  void set_name(std::int32_t corner, std::int32_t name) {
+    work_.faces[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)] = name;
+    is_named_[static_cast<std::size_t>(corner)] = 1;
+  }
+
   WorkFaces& work_;
-  std::vector<std::int32_t> fan_;  // per corner its vertex; the faces keep the input vertices meanwhile
-  std::vector<char> fans_;         // per input vertex: none, one, or several so far
+  std::vector<char> is_named_;  // per corner whether it has its vertex; the others keep the input's meanwhile
+  std::vector<char> fans_;      // per input vertex: none, one, or several so far
   std::int64_t vertices_ = 0;
   std::int32_t first_ = -1;
 };

@@ -8,19 +8,6 @@
 namespace gvd {
 namespace {
 
-// Pairs the halfedges of edges with two faces, whatever their direction.
-void pair_halfedges(WorkFaces& work, const EdgeTable& edges) {
-  work.twin.assign(static_cast<std::size_t>(work.halfedge_count()), -1);
-  for (const EdgeGroup& edge : edges.edges) {
-    if (edge.size() != 2) continue;
-    const std::int32_t a = edges.halfedges[edge.begin];
-    const std::int32_t b = edges.halfedges[edge.begin + 1];
-    if (a / 3 == b / 3) continue;
-    work.twin[static_cast<std::size_t>(a)] = b;
-    work.twin[static_cast<std::size_t>(b)] = a;
-  }
-}
-
 // Faces that are connected through edges of two faces, in the order in which a walk from the first one meets them.
 struct Component {
   std::vector<std::int32_t> faces;
@@ -75,8 +62,7 @@ void refuse_one_sided(const WorkFaces& work, const Component& component) {
 
 }  // namespace
 
-std::vector<char> orient_faces(WorkFaces& work, EdgeTable& edges, DefectLog& log) {
-  pair_halfedges(work, edges);
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& crowded, DefectLog& log) {
   std::vector<signed char> side(work.faces.size(), -1);
   std::vector<char> one_sided(work.faces.size(), 0);
   std::vector<char> to_flip(work.faces.size(), 0);
@@ -103,7 +89,7 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& edges, DefectLog& log
     count += work.origin[f] != last;  // several triangles of one polygon count once
     last = work.origin[f];
   }
-  for (std::int32_t& h : edges.halfedges) {
+  for (std::int32_t& h : crowded.halfedges) {
     if (to_flip[static_cast<std::size_t>(h / 3)]) h = 3 * (h / 3) + 2 - h % 3;
   }
   log.add(DefectKind::inconsistent_orientation, count, first,

@@ -8,6 +8,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/soup.hpp"
+#include "mesh/visit_edges.hpp"
 
 namespace gvd {
 
@@ -66,19 +67,28 @@ struct WorkFaces {
   std::int32_t halfedge_count() const { return static_cast<std::int32_t>(3 * faces.size()); }
 };
 
+template <class Visit>
+void visit_edges(const WorkFaces& work, std::size_t vertex_count, const Visit& visit) {
+  visit_edges(
+      work.faces, vertex_count, [](std::int32_t v) { return static_cast<std::uint64_t>(v); }, visit);
+}
+
 /// The halfedges of one edge: `halfedges[begin, end)` of an EdgeTable, ascending.
 struct EdgeGroup {
   std::size_t begin, end;
   std::size_t size() const { return end - begin; }
 };
 
-/// All halfedges grouped by edge (whatever their direction), in the order of the edges' smaller vertex. Cost: O(n log
-/// n).
+/// Edges with their halfedges, whatever their direction.
 struct EdgeTable {
   std::vector<std::int32_t> halfedges;
   std::vector<EdgeGroup> edges;
+
+  void add(const EdgeHalfedges& edge) {
+    edges.push_back({halfedges.size(), halfedges.size() + edge.size()});
+    for (std::size_t i = 0; i < edge.size(); ++i) halfedges.push_back(edge[i]);
+  }
 };
-EdgeTable group_edges(const WorkFaces& work, std::size_t vertex_count);
 
 // The steps of `build_mesh`, in the order in which it takes them; each in a file of its own.
 
@@ -90,13 +100,16 @@ std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log)
 WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, DefectLog& log);
 void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, DefectLog& log);
 /// Throws Error{precondition} for a polygon that crosses itself.
-WorkFaces triangulate_polygons(const WorkPolygons& polygons, const std::vector<Vec3>& positions);
-/// Pairs the two halfedges of every edge of two faces and flips faces; `edges` follows the flips. Returns per face 1
-/// where its component has one side only; under `error` and `repair` that is refused.
-std::vector<char> orient_faces(WorkFaces& work, EdgeTable& edges, DefectLog& log);
+WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions);
+/// Pairs the two halfedges of every edge of two faces, whatever their direction. Returns the edges of three or more, in
+/// the order of visit_edges.
+EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count);
+/// Flips faces; `crowded`, the edges of three or more faces, follows the flips. Returns per face 1 where its component
+/// has one side only; under `error` and `repair` that is refused.
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& crowded, DefectLog& log);
 /// Pairs halfedges at edges of three or more faces; what it leaves alone is cut. Faces of a component with one side
 /// only are left out. Returns per vertex whether it is on such an edge.
-std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& edges, const std::vector<Vec3>& positions,
+std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& crowded, const std::vector<Vec3>& positions,
                             const std::vector<char>& one_sided, DefectLog& log);
 /// Under `largest`: drops the faces of all other components. `one_sided` as from `orient_faces`.
 void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions, const std::vector<char>& one_sided,

@@ -98,23 +98,16 @@ class EdgeSplitter {
   std::vector<std::int32_t> moved_;
 };
 
-// Two halfedges against each other are an ordinary edge.
-bool fits_mesh(const WorkFaces& work, const std::vector<std::int32_t>& halfedges) {
-  return halfedges.size() == 1 || (halfedges.size() == 2 && work.from(halfedges[0]) != work.from(halfedges[1]));
-}
-
 }  // namespace
 
 void split_touching_edges(WorkFaces& work, DefectLog& log) {
   if (log.report().count(DefectKind::nonmanifold_edges) == 0) return;
-  const EdgeTable table = group_edges(work, work.positions.size());
   std::vector<std::vector<std::int32_t>> touching;
-  for (const EdgeGroup& edge : table.edges) {
-    if (edge.size() == 1) continue;
-    const std::vector<std::int32_t> halfedges(table.halfedges.begin() + static_cast<std::ptrdiff_t>(edge.begin),
-                                              table.halfedges.begin() + static_cast<std::ptrdiff_t>(edge.end));
-    if (!fits_mesh(work, halfedges)) touching.push_back(halfedges);
-  }
+  visit_edges(work, work.positions.size(), [&](const EdgeHalfedges& edge) {
+    if (edge.size() == 1 || (edge.size() == 2 && work.from(edge[0]) != work.from(edge[1]))) return;  // an ordinary edge
+    touching.emplace_back();
+    for (std::size_t i = 0; i < edge.size(); ++i) touching.back().push_back(edge[i]);
+  });
   EdgeSplitter splitter(work);
   for (const auto& halfedges : touching) splitter.split(halfedges);
   log.report().split_edges = static_cast<std::int64_t>(touching.size());

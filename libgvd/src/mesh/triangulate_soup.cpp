@@ -111,22 +111,22 @@ class Triangulator {
 
 }  // namespace
 
-WorkFaces triangulate_polygons(const WorkPolygons& polygons, const std::vector<Vec3>& positions) {
+WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions) {
   WorkFaces work;
   const std::size_t triangles = polygons.corners.size() - 2 * polygons.count();
   if (triangles > 0x7fffffff / 3) {
     refuse_soup(fmt::format("{} triangles are more than 32-bit ids can count", triangles), -1);
   }
   work.faces.reserve(triangles);
-  work.origin.reserve(triangles);
   if (polygons.corners.size() == 3 * polygons.count()) {
     for (std::size_t p = 0; p < polygons.count(); ++p) {
       const auto triangle = polygons.polygon(p);
       work.faces.push_back({triangle[0], triangle[1], triangle[2]});
     }
-    work.origin = polygons.origin;
+    work.origin = std::move(polygons.origin);
     return work;
   }
+  work.origin.reserve(triangles);
   Triangulator triangulator(polygons, positions);
   for (std::size_t p = 0; p < polygons.count(); ++p) {
     triangulator.add(polygons.polygon(p), polygons.origin[p], work);
