@@ -18,7 +18,7 @@ namespace {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), shares_(diagram), reach_(place_reach(mesh.positions())) {
+      : mesh_(mesh), diagram_(diagram), shares_(diagram), reach_(place_reach(mesh)) {
     triangles_.positions = mesh.positions();
   }
 

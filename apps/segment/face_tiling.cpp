@@ -35,10 +35,8 @@ std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::si
 
 }  // namespace
 
-double place_reach(const std::vector<Vec3>& positions) {
-  double largest = 0;
-  for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return kPlaceSteps * std::numeric_limits<double>::epsilon() * largest;
+double place_reach(const Mesh& mesh) {
+  return kPlaceSteps * std::numeric_limits<double>::epsilon() * mesh.largest_coordinate();
 }
 
 void FaceTiling::Order::insert(double coordinate, std::size_t corner) {

@@ -20,8 +20,8 @@ inline constexpr double kCutWeld = 1e-12;
 /// other: a point between two others is rounded by one step in each of the three terms, and once for their sum.
 inline constexpr double kPlaceSteps = 4;
 
-/// kPlaceSteps for the coordinates of a mesh, mesh units. Cost: O(n).
-double place_reach(const std::vector<Vec3>& positions);
+/// kPlaceSteps for the coordinates of a mesh, mesh units.
+double place_reach(const Mesh& mesh);
 
 inline bool same_place(const Vec3& p, const Vec3& q, double reach) { return (p - q).cwiseAbs().maxCoeff() <= reach; }
 

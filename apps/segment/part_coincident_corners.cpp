@@ -1,7 +1,6 @@
 #include "part_coincident_corners.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace gvd {
 namespace {
@@ -28,8 +27,10 @@ bool part_corners(CutTriangles& cut, std::size_t t, std::size_t first_added, con
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexId later = std::max(corners[i], corners[(i + 1) % 3]);
     if (later.index() < first_added || !have_one_place(cut, corners[i], corners[(i + 1) % 3])) continue;
-    cut.positions[later.index()] += shift;
-    return true;
+    Vec3& place = cut.positions[later.index()];
+    const Vec3 before = place;
+    place += shift;
+    return place != before;  // the shift is 0 where all of the parent is in one place
   }
   return false;
 }
@@ -44,16 +45,17 @@ bool part_within(CutTriangles& cut, std::size_t first, std::size_t last, std::si
 
 }  // namespace
 
-void part_coincident_corners(CutTriangles& cut, std::size_t first_added, double reach) {
-  bool moved = true;
-  for (int round = 0; round < kPartingRounds && moved; ++round, reach *= 2) {
-    moved = false;
+int part_coincident_corners(CutTriangles& cut, std::size_t first_added, double reach) {
+  for (int round = 0; round < kPartingRounds; ++round, reach *= 2) {
+    bool moved = false;
     for (std::size_t first = 0, last = 0; first < cut.faces.size(); first = last) {
       last = end_of_parent(cut, first);
       const bool is_cut = last - first > 1;
       if (is_cut) moved |= part_within(cut, first, last, first_added, reach);
     }
+    if (!moved) return round;
   }
+  return kPartingRounds;
 }
 
 }  // namespace gvd

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 #include "support/catch.hpp"
@@ -40,6 +42,28 @@ TEST_CASE("a mesh that breaks a property can't be built") {
 TEST_CASE("zero-length edges and coordinates that are not finite are refused") {
   CHECK_THROWS_AS(Mesh({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, triangles({{0, 1, 2}})), Error);
   CHECK_THROWS_AS(Mesh({{0, 0, 0}, {0, NAN, 0}, {1, 0, 0}}, triangles({{0, 1, 2}})), Error);
+}
+
+TEST_CASE("the largest coordinate is one by absolute value, in any direction") {
+  CHECK(Mesh().largest_coordinate() == 0);
+  CHECK(Mesh({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, triangles({{0, 1, 2}})).largest_coordinate() == 2);
+  CHECK(Mesh({{-1, 0, -5}, {1, 0, -3}, {0, 2, -4}}, triangles({{0, 1, 2}})).largest_coordinate() == 5);
+  CHECK(Mesh({{-3, -1, -1}, {-4, -1, -1}, {-3, -2, -1}}, triangles({{0, 1, 2}})).largest_coordinate() == 4);
+}
+
+TEST_CASE("a vertex with many faces is as good as any other") {
+  std::vector<Vec3> positions{{0, 0, 0}};
+  std::vector<std::array<VertexId, 3>> faces;
+  constexpr int kFaces = 3000;
+  for (int i = 0; i < kFaces; ++i) {
+    const double angle = 6.283185307179586 * i / kFaces;
+    positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    faces.push_back({VertexId(0), VertexId(1 + i), VertexId(1 + (i + 1) % kFaces)});
+  }
+  const Mesh mesh(positions, faces);
+  CHECK(mesh.edge_count() == 2 * kFaces);
+  CHECK(compute_mesh_summary(mesh).boundary_loops == 1);
+  CHECK_FALSE(mesh.is_boundary(VertexId(0)));
 }
 
 TEST_CASE("connectivity is consistent on every family") {

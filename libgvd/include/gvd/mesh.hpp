@@ -76,6 +76,8 @@ class Mesh {
   double mean_edge_length() const { return mean_edge_length_; }
   /// Diagonal of the axis-aligned bounding box, in mesh units.
   double bbox_diagonal() const { return bbox_diagonal_; }
+  /// The largest absolute value of a coordinate, in mesh units: what positions are rounded to is a part of it.
+  double largest_coordinate() const { return largest_coordinate_; }
 
  private:
   friend class MeshEditor;  // splits and flips in the library's own working copy
@@ -95,6 +97,7 @@ class Mesh {
   IdVector<FaceId, FaceShape> shape_;
   double mean_edge_length_ = 0;
   double bbox_diagonal_ = 0;
+  double largest_coordinate_ = 0;
 };
 
 /// Topology and size of a mesh as a whole.

@@ -122,15 +122,14 @@ class Checker {
 
   /// Of all faces and pieces: these have corners of their own, generators and what parts them.
   double area_rounding() const {
-    double largest = 0, edges = 0;
-    for (const Vec3& p : mesh_.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    double edges = 0;
     const auto longest = [&](FaceId f) {
       const auto& length = mesh_.shape(f).length;
       return *std::max_element(length.begin(), length.end());
     };
     for (std::int32_t f = 0; f < mesh_.face_count(); ++f) edges += longest(FaceId(f));
     for (const FacePiece& piece : diagram_.pieces) edges += longest(piece.face);
-    return kCornerRounding * largest * edges;
+    return kCornerRounding * mesh_.largest_coordinate() * edges;
   }
 
   void check_vertex_labels() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <span>
 
@@ -24,36 +25,51 @@ struct CellShare {
   double area = 0;
 };
 
-/// The shares of one part of the mesh, each generator once.
+/// The shares of one part of the mesh, each generator once, in the order in which they are met. Memory and time go with
+/// what the part meets, not with the number of generators.
 class ShareList {
  public:
-  explicit ShareList(std::size_t generators) : place_(generators, kNone) {}
-
+  /// Valid until the next call.
   CellShare& operator[](GeneratorId g) {
-    std::int32_t& place = place_[g];
-    if (place == kNone) {
-      place = static_cast<std::int32_t>(shares_.size());
+    if (last_ < shares_.size() && shares_[last_].generator == g) return shares_[last_];
+    std::size_t slot = find(g);
+    if (slots_[slot] == kNone) {
+      if (2 * shares_.size() >= slots_.size()) slot = grow_and_find(g);
+      slots_[slot] = static_cast<std::uint32_t>(shares_.size());
       shares_.push_back({g, 0, 0});
     }
-    return shares_[static_cast<std::size_t>(place)];
+    last_ = slots_[slot];
+    return shares_[last_];
   }
   std::vector<CellShare> take() { return std::move(shares_); }
 
  private:
-  static constexpr std::int32_t kNone = -1;
-  IdVector<GeneratorId, std::int32_t> place_;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  /// The slot of g, or the free one that it gets: the first from a scattered place on.
+  std::size_t find(GeneratorId g) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = (static_cast<std::uint32_t>(g.value()) * std::uint64_t{0x9e3779b97f4a7c15} >> 32) & mask;
+    while (slots_[slot] != kNone && shares_[slots_[slot]].generator != g) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  std::size_t grow_and_find(GeneratorId g) {
+    slots_.assign(2 * slots_.size(), kNone);
+    for (std::uint32_t i = 0; i < shares_.size(); ++i) slots_[find(shares_[i].generator)] = i;
+    return find(g);
+  }
+
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kNone);  ///< a power of two, at most half full
   std::vector<CellShare> shares_;
+  std::size_t last_ = 0;  ///< met last, and mostly again
 };
 
 /// Labels a chunk of faces, and cuts those that bisectors run through into pieces.
 class FaceCollector {
  public:
   FaceCollector(const WorkingMesh& working, const TracedDiagram& traced, IdVector<FaceId, GeneratorId>& face_label)
-      : working_(working),
-        mesh_(working.mesh()),
-        traced_(traced),
-        face_label_(face_label),
-        shares_(working.generator_vertices().size()) {}
+      : working_(working), mesh_(working.mesh()), traced_(traced), face_label_(face_label) {}
 
   void collect(const Chunk& faces) {
     const std::vector<FaceArc>& arcs = traced_.faces.arcs;
@@ -168,7 +184,7 @@ class CellCollector {
   void count(std::int32_t items, std::int32_t sign, const Owner& owner) {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
     for (const auto& shares : parallel_.map(chunks, kBegin, [&](const Chunk& chunk) {
-           ShareList list(diagram_.cells.size());
+           ShareList list;
            for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
              const GeneratorId g = owner(i);
              if (g.valid()) list[g].euler_characteristic += sign;

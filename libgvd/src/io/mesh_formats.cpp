@@ -64,8 +64,7 @@ std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
 }
 
 void check_single_precision(const Mesh& mesh, const char* format) {
-  double largest = 0;
-  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const double largest = mesh.largest_coordinate();
   using Float = std::numeric_limits<float>;
   const auto refuse = [&](const std::string& why) {
     throw Error(ErrorCode::unwritable_output,

@@ -138,6 +138,7 @@ void Mesh::measure() {
     high = high.cwiseMax(p);
   }
   bbox_diagonal_ = (high - low).stableNorm();
+  largest_coordinate_ = std::max(high.maxCoeff(), -low.minCoeff());
 }
 
 // stableNorm: the squares of very large or very small coordinates neither overflow nor vanish.
