@@ -5,11 +5,13 @@
 #include <numeric>
 #include <string>
 
-#include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/verify.hpp"
+#include "oracle/equidistance.hpp"
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
+#include "support/exact_fields.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/reference.hpp"
@@ -20,17 +22,6 @@ using namespace gvd;
 namespace {
 
 constexpr double kRelative = 1e-12;
-
-Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
-  DiagramOptions options;
-  options.method = Method::exact;
-  options.chord_tolerance = chord_tolerance;
-  Diagram diagram = compute_diagram(mesh, generators, options);
-  const DiagramCheck check = check_diagram(mesh, diagram);
-  for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
-  REQUIRE(check.ok());
-  return diagram;
-}
 
 std::vector<SurfacePoint> vertex_points(const test::Reference& reference) {
   std::vector<SurfacePoint> points;
@@ -82,7 +73,7 @@ TEST_CASE("an exact diagram has the reference's nearest distance at every vertex
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    const Diagram diagram = compute_exact(reference.mesh, vertex_points(reference));
+    const Diagram diagram = test::compute_sound_exact(reference.mesh, vertex_points(reference));
     const auto nearest = nearest_distances(reference);
     CHECK(worst_of(diagram.vertex_distance.raw(), nearest) <= kRelative);
     std::vector<double> of_label;
@@ -100,46 +91,32 @@ TEST_CASE("on the reference meshes the bisectors are off by less than 1e-5 of th
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    const Diagram diagram = compute_exact(reference.mesh, vertex_points(reference));
+    const Diagram diagram = test::compute_sound_exact(reference.mesh, vertex_points(reference));
     CHECK(verify_diagram(reference.mesh, diagram).error_mean < 1e-5 * mean(nearest_distances(reference)));
   }
 }
 
 TEST_CASE("crossings and branch points are equally far by CGAL's shortest paths") {
-  // The verifier's own error is 1e-9 of the distance at worst; on these meshes it is much less.
-  constexpr double kEquidistant = 1e-12;
   for (const auto& [name, mesh] : test::small_family()) {
-    if (mesh.face_count() > 700) continue;
-    INFO(name);
-    const Diagram diagram = compute_exact(mesh, test::random_generators(mesh, 8, 31));
-    std::vector<DistanceQuery> queries;
-    for (const SurfacePoint& g : diagram.generators) queries.push_back({g, {}});
-    for (const BranchPoint& b : diagram.branch_points) {
-      for (DistanceQuery& query : queries) query.points.push_back(b.point);
-    }
-    std::vector<std::array<GeneratorId, 2>> pairs;
-    for (const Bisector& b : diagram.bisectors) {
-      for (const SurfacePoint& p : b.points) {
-        if (p.kind() == SurfacePoint::Kind::face) continue;
-        pairs.push_back({b.left, b.right});
-        for (DistanceQuery& query : queries) query.points.push_back(p);
+    for (const int count : {2, 8, 25}) {
+      for (const unsigned seed : {31U, 32U}) {
+        INFO(name << ", " << count << " generators, seed " << seed);
+        test::require_equidistant(mesh, test::compute_sound_exact(mesh, test::random_generators(mesh, count, seed)));
       }
     }
-    const auto distances = compute_exact_distances(mesh, queries);
-    const double least = kEquidistant * mesh.bbox_diagonal();
-    double worst = 0;
-    for (std::size_t i = 0; i < diagram.branch_points.size(); ++i) {
-      const auto& cells = diagram.branch_points[BranchPointId(std::int64_t(i))].generators;
-      for (const GeneratorId g : cells)
-        worst = std::max(worst, distances[g.index()][i] - distances[cells[0].index()][i]);
-      for (const auto& row : distances) CHECK(row[i] >= distances[cells[0].index()][i] - least);
+  }
+}
+
+TEST_CASE("labels and distances at vertices are those of CGAL's shortest paths from each generator alone") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const int count : {3, 20}) {
+      INFO(name << ", " << count << " generators");
+      const Diagram diagram = test::compute_sound_exact(mesh, test::random_generators(mesh, count, 41));
+      const auto fields = test::exact_vertex_fields(mesh, diagram.generators);
+      CHECK(test::find_wrong_labels(fields, diagram.vertex_label).empty());
+      const auto nearest = test::compute_nearest(fields).distance.raw();
+      CHECK(worst_of(diagram.vertex_distance.raw(), nearest) <= kRelative);
     }
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto& [left, right] = pairs[i];
-      const std::size_t at = diagram.branch_points.size() + i;
-      worst = std::max(worst, std::abs(distances[left.index()][at] - distances[right.index()][at]));
-    }
-    CHECK(worst <= least);
   }
 }
 
@@ -149,7 +126,7 @@ TEST_CASE("E of exact diagrams falls with the chord tolerance") {
   double before = std::numeric_limits<double>::infinity();
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
     INFO(tolerance);
-    const double error = verify_diagram(mesh, compute_exact(mesh, generators, tolerance)).error_mean;
+    const double error = verify_diagram(mesh, test::compute_sound_exact(mesh, generators, tolerance)).error_mean;
     CHECK(error <= tolerance * mesh.mean_edge_length());
     CHECK(error < 0.3 * before);
     before = error;
