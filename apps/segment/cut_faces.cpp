@@ -8,9 +8,9 @@
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
+#include "mesh/triangulate_plane_polygon.hpp"
 #include "part_coincident_corners.hpp"
 #include "split_doubled_edges.hpp"
-#include "triangulate_polygon.hpp"
 
 namespace gvd {
 namespace {
@@ -161,7 +161,7 @@ class Cutter {
         if (!corner.vertex.valid()) corner.vertex = add_vertex(corner.position);
         places.push_back(tiling.place(number));
       }
-      for (const auto& triangle : triangulate_polygon(places)) {
+      for (const auto& triangle : triangulate_plane_polygon(places)) {
         std::array<VertexId, 3> vertices;
         for (std::size_t i = 0; i < 3; ++i) vertices[i] = tiling.corners()[polygon.corners[triangle[i]]].vertex;
         add_triangle(vertices, f, polygon.generator);

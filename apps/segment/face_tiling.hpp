@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "corner_boxes.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/corner_boxes.hpp"
 
 namespace gvd {
 

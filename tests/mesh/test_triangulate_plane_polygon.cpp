@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "segment/triangulate_polygon.hpp"
+#include "mesh/triangulate_plane_polygon.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -49,7 +49,7 @@ void check_triangles(const std::vector<Vec2>& polygon, const std::vector<Triangl
   CHECK(sum == Approx(twice_area(polygon)));
 }
 
-/// What triangulate_polygon does, by a look at all corners for each of all corners: n times n squared.
+/// What triangulate_plane_polygon does, by a look at all corners for each of all corners: n times n squared.
 class SlowEarClipper {
  public:
   explicit SlowEarClipper(const std::vector<Vec2>& corners) : corners_(corners), left_(corners.size()) {
@@ -76,7 +76,7 @@ class SlowEarClipper {
     const double slack = kOnLine * longest;
     const bool is_ear = std::none_of(left_.begin(), left_.end(), [&](std::size_t k) {
       const Vec2& p = corners_[k];
-      const bool is_own = k == t[0] || k == t[1] || k == t[2];
+      const bool is_own = p == a || p == b || p == c;
       return !is_own && twice_area(a, b, p) >= -slack && twice_area(b, c, p) >= -slack && twice_area(c, a, p) >= -slack;
     });
     const double area = twice_area(a, b, c);
@@ -121,15 +121,15 @@ std::array<std::vector<Vec2>, 2> make_parts_at_arc(int corners, double height) {
 }  // namespace
 
 TEST_CASE("polygons: fewer than three corners have no triangle, three one") {
-  CHECK(triangulate_polygon({}).empty());
-  CHECK(triangulate_polygon({{0, 0}}).empty());
-  CHECK(triangulate_polygon({{0, 0}, {1, 0}}).empty());
-  CHECK(triangulate_polygon({{0, 0}, {1, 0}, {0, 1}}) == std::vector<Triangle>{{0, 1, 2}});
+  CHECK(triangulate_plane_polygon({}).empty());
+  CHECK(triangulate_plane_polygon({{0, 0}}).empty());
+  CHECK(triangulate_plane_polygon({{0, 0}, {1, 0}}).empty());
+  CHECK(triangulate_plane_polygon({{0, 0}, {1, 0}, {0, 1}}) == std::vector<Triangle>{{0, 1, 2}});
 }
 
 TEST_CASE("polygons: corners on a line become corners of triangles with an area") {
   const std::vector<Vec2> square{{0, 0}, {0.25, 0}, {0.5, 0}, {1, 0}, {1, 0.5}, {1, 1}, {0, 1}, {0, 0.5}};
-  check_triangles(square, triangulate_polygon(square));
+  check_triangles(square, triangulate_plane_polygon(square));
 }
 
 TEST_CASE("polygons: the ears are those that a look at all corners finds") {
@@ -138,10 +138,10 @@ TEST_CASE("polygons: the ears are those that a look at all corners finds") {
       for (const double least : {0.01, 0.3, 0.5}) {
         CAPTURE(seed, corners, least);
         std::vector<Vec2> polygon = make_star(corners, least, seed);
-        CHECK(triangulate_polygon(polygon) == SlowEarClipper(polygon).run());
+        CHECK(triangulate_plane_polygon(polygon) == SlowEarClipper(polygon).run());
         // Folded, as rounding may leave one.
         std::swap(polygon[1], polygon[2]);
-        CHECK(triangulate_polygon(polygon) == SlowEarClipper(polygon).run());
+        CHECK(triangulate_plane_polygon(polygon) == SlowEarClipper(polygon).run());
       }
     }
   }
@@ -151,13 +151,13 @@ TEST_CASE("polygons: thousands of corners on an arc, round and hollow, bent much
   for (const double height : {0.4, -0.4, 1e-3, -1e-3}) {
     for (const std::vector<Vec2>& polygon : make_parts_at_arc(5000, height)) {
       CAPTURE(height, polygon.size());
-      check_triangles(polygon, triangulate_polygon(polygon));
+      check_triangles(polygon, triangulate_plane_polygon(polygon));
     }
   }
 }
 
 TEST_CASE("polygons: thousands of corners, in a star, in the teeth of a comb, in a spiral") {
-  check_triangles(make_star(5001, 0.2, 1), triangulate_polygon(make_star(5001, 0.2, 1)));
+  check_triangles(make_star(5001, 0.2, 1), triangulate_plane_polygon(make_star(5001, 0.2, 1)));
 
   std::vector<Vec2> comb{{1, 0}, {1, 1}};
   for (int i = 2000; i > 0; --i) {
@@ -165,7 +165,7 @@ TEST_CASE("polygons: thousands of corners, in a star, in the teeth of a comb, in
     comb.emplace_back((i - 1.0) / 2000, 0.9);
   }
   comb.emplace_back(0, 0);
-  check_triangles(comb, triangulate_polygon(comb));
+  check_triangles(comb, triangulate_plane_polygon(comb));
 
   std::vector<Vec2> spiral;
   for (const double width : {0.0, 0.02}) {
@@ -177,5 +177,5 @@ TEST_CASE("polygons: thousands of corners, in a star, in the teeth of a comb, in
     if (width == 0) std::reverse(side.begin(), side.end());
     spiral.insert(spiral.end(), side.begin(), side.end());
   }
-  check_triangles(spiral, triangulate_polygon(spiral));
+  check_triangles(spiral, triangulate_plane_polygon(spiral));
 }

@@ -1,9 +1,9 @@
-#include "triangulate_polygon.hpp"
+#include "mesh/triangulate_plane_polygon.hpp"
 
 #include <algorithm>
 #include <queue>
 
-#include "corner_boxes.hpp"
+#include "mesh/corner_boxes.hpp"
 
 namespace gvd {
 namespace {
@@ -119,13 +119,17 @@ class EarClipper {
     }
   }
 
-  /// The first corner from `from` on in the triangle of corner i, its own three apart.
+  /// The first corner from `from` on in the triangle of corner i. One at the place of a corner of the triangle is the
+  /// same point met again, where the polygon touches itself, and does no harm.
   std::size_t find_inside(std::size_t i, std::size_t from) const {
     const auto own = around(i);
     const Reach triangle(corners_[own[0]], corners_[own[1]], corners_[own[2]]);
     const auto meets = [&triangle](const CornerBoxes::Box& box) { return triangle.meets(box); };
+    const auto is_corner = [&](std::size_t k) {
+      return std::any_of(own.begin(), own.end(), [&](std::size_t o) { return corners_[k] == corners_[o]; });
+    };
     std::size_t found = boxes_.find(from, meets);
-    while (found == own[0] || found == own[1] || found == own[2]) found = boxes_.find(found + 1, meets);
+    while (found != CornerBoxes::kNone && is_corner(found)) found = boxes_.find(found + 1, meets);
     return found;
   }
 
@@ -153,7 +157,7 @@ class EarClipper {
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {
+std::vector<std::array<std::size_t, 3>> triangulate_plane_polygon(const std::vector<Vec2>& corners) {
   return EarClipper(corners).run();
 }
 

@@ -1,4 +1,4 @@
-#include "corner_boxes.hpp"
+#include "mesh/corner_boxes.hpp"
 
 #include <bit>
 #include <limits>
