@@ -44,13 +44,21 @@ void FaceTiling::Order::insert(double coordinate, std::size_t corner) {
   corners_.insert(std::lower_bound(corners_.begin(), corners_.end(), item), item);
 }
 
+std::span<const std::pair<double, std::size_t>> FaceTiling::Order::between(double low, double high) const {
+  const auto below = [](const auto& item, double value) { return item.first < value; };
+  const auto above = [](double value, const auto& item) { return value < item.first; };
+  return {std::lower_bound(corners_.begin(), corners_.end(), low, below),
+          std::upper_bound(corners_.begin(), corners_.end(), high, above)};
+}
+
 template <class Test>
-std::size_t FaceTiling::Order::find(double coordinate, double reach, std::size_t otherwise, const Test& passes) const {
-  const auto begin = std::lower_bound(corners_.begin(), corners_.end(), std::pair(coordinate - reach, std::size_t{0}));
-  for (auto near = begin; near != corners_.end() && near->first <= coordinate + reach; ++near) {
-    if (near->second < otherwise && passes(near->second)) otherwise = near->second;
+std::size_t FaceTiling::find_near(const Order& order, double coordinate, double reach, std::size_t found,
+                                  const Test& passes) {
+  // Twice the reach: rounding in the ends of the range loses nothing.
+  for (const auto& [at, corner] : order.between(coordinate - 2 * reach, coordinate + 2 * reach)) {
+    if (corner < found && passes(corner)) found = corner;
   }
-  return otherwise;
+  return found;
 }
 
 FaceTiling::FaceTiling(std::vector<Corner> border, double reach)
@@ -75,11 +83,10 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
     const auto same = [&corner](const Corner& known) { return known.vertex == corner.vertex; };
     found = static_cast<std::size_t>(std::find_if(corners_.begin(), corners_.end(), same) - corners_.begin());
   } else {
-    // Twice the reach: rounding in the ends of the range loses nothing.
-    found = by_bary_.find(corner.bary[1], 2 * kCutWeld, found,
-                          [&](std::size_t i) { return same_place(corners_[i].bary, corner.bary); });
-    found = by_position_.find(corner.position[axis_], 2 * reach_, found,
-                              [&](std::size_t i) { return same_place(corners_[i].position, corner.position, reach_); });
+    found = find_near(by_bary_, corner.bary[1], kCutWeld, found,
+                      [&](std::size_t i) { return same_place(corners_[i].bary, corner.bary); });
+    found = find_near(by_position_, corner.position[axis_], reach_, found,
+                      [&](std::size_t i) { return same_place(corners_[i].position, corner.position, reach_); });
   }
   if (found < corners_.size()) return found;
   corners_.push_back(corner);
@@ -90,14 +97,10 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
 bool FaceTiling::fit() {
   // Pieces mostly share their corners already. Splitting at every corner near a segment comes second: in a sliver
   // thinner than kCutWeld it would fold one side onto the other.
-  std::vector<Vec2> places;
-  for (std::size_t i = 0; i < corners_.size(); ++i) places.push_back(place(i));
-  const CornerBoxes boxes(places);
   for (const double reach : {0.0, kCutWeld}) {
     std::vector<Polygon> fitted;
     for (const Polygon& polygon : polygons_) {
-      for (std::vector<std::size_t>& loop :
-           split_at_repeats(split_segments(polygon.corners, boxes, reach), corners_.size())) {
+      for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners, reach), corners_.size())) {
         fitted.push_back({polygon.generator, std::move(loop)});
       }
     }
@@ -115,30 +118,25 @@ void FaceTiling::leave_whole(GeneratorId generator) {
   polygons_.assign(1, whole);
 }
 
-std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, const CornerBoxes& boxes,
-                                                    double reach) const {
+std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, double reach) const {
   std::vector<std::size_t> split;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
     if (from == to) continue;
     split.push_back(from);
-    append_corners_between(from, to, boxes, reach, split);
+    append_corners_between(from, to, reach, split);
   }
   return split;
 }
 
-void FaceTiling::append_corners_between(std::size_t from, std::size_t to, const CornerBoxes& boxes, double reach,
+void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double reach,
                                         std::vector<std::size_t>& out) const {
   const Vec2 start = place(from), along = place(to) - start;
   const double length = along.norm();
-  // What lies on an edge of the face is as far from it as rounding: less than kCutWeld.
-  const Vec2 low = place(from).cwiseMin(place(to)).array() - 2 * kCutWeld;
-  const Vec2 high = place(from).cwiseMax(place(to)).array() + 2 * kCutWeld;
-  const auto meets = [&](const CornerBoxes::Box& box) {
-    return (box.high.array() >= low.array()).all() && (box.low.array() <= high.array()).all();
-  };
+  const double low = std::min(start.x(), start.x() + along.x()), high = std::max(start.x(), start.x() + along.x());
   std::vector<std::pair<double, std::size_t>> between;
-  for (std::size_t k = boxes.find(0, meets); k != CornerBoxes::kNone; k = boxes.find(k + 1, meets)) {
+  // What lies on an edge of the face is as far from it as rounding: less than kCutWeld.
+  for (const auto& [x, k] : by_bary_.between(low - 2 * kCutWeld, high + 2 * kCutWeld)) {
     if (k == from || k == to) continue;
     const Vec2 offset = place(k) - start;
     const double t = along.dot(offset) / (length * length);

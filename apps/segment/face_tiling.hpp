@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
-#include "mesh/corner_boxes.hpp"
 
 namespace gvd {
 
@@ -67,21 +67,21 @@ class FaceTiling {
   class Order {
    public:
     void insert(double coordinate, std::size_t corner);
-    /// The first corner with a coordinate within `reach` that passes the test, `otherwise` where none does or where all
-    /// that do come after it.
-    template <class Test>
-    std::size_t find(double coordinate, double reach, std::size_t otherwise, const Test& passes) const;
+    /// The corners with a coordinate from `low` to `high`.
+    std::span<const std::pair<double, std::size_t>> between(double low, double high) const;
 
    private:
     std::vector<std::pair<double, std::size_t>> corners_;
   };
 
   void enter(std::size_t corner);
-  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, const CornerBoxes& boxes,
-                                          double reach) const;
+  /// The least of the corners near one coordinate of theirs that passes the test, and is less than `found`.
+  template <class Test>
+  static std::size_t find_near(const Order& order, double coordinate, double reach, std::size_t found,
+                               const Test& passes);
+  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double reach) const;
   /// The corners on the segment: those on the same edge of the face, and those within `reach`.
-  void append_corners_between(std::size_t from, std::size_t to, const CornerBoxes& boxes, double reach,
-                              std::vector<std::size_t>& out) const;
+  void append_corners_between(std::size_t from, std::size_t to, double reach, std::vector<std::size_t>& out) const;
   bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
   bool tiles(const std::vector<Polygon>& polygons) const;
   double twice_area(const std::vector<std::size_t>& polygon) const;

@@ -45,8 +45,7 @@ struct Reach {
 /// new triangle only where a neighbour is cut off.
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<Vec2>& corners)
-      : corners_(corners), ring_(corners.size()), boxes_(corners), waiting_(corners.size()) {
+  explicit EarClipper(const std::vector<Vec2>& corners) : corners_(corners), ring_(corners.size()), boxes_(corners) {
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) ring_[i] = {(i + n - 1) % n, (i + 1) % n};
     for (std::size_t i = 0; i < n; ++i) enqueue(i);
@@ -64,12 +63,15 @@ class EarClipper {
   }
 
  private:
+  static constexpr std::size_t kNone = CornerBoxes::kNone;
+
   struct Place {
     std::size_t before;
     std::size_t after;
     bool is_left = true;
-    int version = 0;           ///< of its triangle
-    std::size_t searched = 0;  ///< no corner before this one lies in its triangle
+    int version = 0;              ///< of its triangle
+    std::size_t searched = 0;     ///< no corner before this one lies in its triangle
+    std::size_t waiting = kNone;  ///< the first in the list of those that wait for this corner to be cut off
   };
 
   struct Candidate {
@@ -79,6 +81,11 @@ class EarClipper {
     bool operator<(const Candidate& other) const {
       return shape != other.shape ? shape < other.shape : corner > other.corner;
     }
+  };
+
+  struct Waiting {
+    Candidate candidate;
+    std::size_t next;
   };
 
   std::array<std::size_t, 3> around(std::size_t i) const { return {ring_[i].before, i, ring_[i].after}; }
@@ -113,8 +120,9 @@ class EarClipper {
       if (!place.is_left || place.version != best.version) continue;
       if (best.shape < 0) return best.corner;
       place.searched = find_inside(best.corner, place.searched);
-      if (place.searched == CornerBoxes::kNone) return best.corner;
-      waiting_[place.searched].push_back({best.shape, best.corner, best.version});
+      if (place.searched == kNone) return best.corner;
+      waiting_.push_back({best, ring_[place.searched].waiting});
+      ring_[place.searched].waiting = waiting_.size() - 1;
       enqueue_last(best.corner);
     }
   }
@@ -129,7 +137,7 @@ class EarClipper {
       return std::any_of(own.begin(), own.end(), [&](std::size_t o) { return corners_[k] == corners_[o]; });
     };
     std::size_t found = boxes_.find(from, meets);
-    while (found != CornerBoxes::kNone && is_corner(found)) found = boxes_.find(found + 1, meets);
+    while (found != kNone && is_corner(found)) found = boxes_.find(found + 1, meets);
     return found;
   }
 
@@ -144,20 +152,20 @@ class EarClipper {
       ring_[i].searched = 0;
       enqueue(i);
     }
-    for (const Candidate& candidate : waiting_[ear]) queue_.push(candidate);
-    waiting_[ear].clear();
+    for (std::size_t i = ring_[ear].waiting; i != kNone; i = waiting_[i].next) queue_.push(waiting_[i].candidate);
   }
 
   const std::vector<Vec2>& corners_;
   std::vector<Place> ring_;
-  CornerBoxes boxes_;                            ///< of the corners that are left
-  std::vector<std::vector<Candidate>> waiting_;  ///< for this corner to be cut off
+  CornerBoxes boxes_;  ///< of the corners that are left
+  std::vector<Waiting> waiting_;
   std::priority_queue<Candidate> queue_;
 };
 
 }  // namespace
 
 std::vector<std::array<std::size_t, 3>> triangulate_plane_polygon(const std::vector<Vec2>& corners) {
+  if (corners.size() == 3) return {{0, 1, 2}};
   return EarClipper(corners).run();
 }
 
