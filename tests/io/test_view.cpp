@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -6,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "io/view_blobs.hpp"
@@ -13,6 +15,7 @@
 #include "io/view_template.hpp"
 #include "io/view_triangulate.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
 #include "support/meshes.hpp"
 
 namespace gvd::test {
@@ -110,6 +113,28 @@ TEST_CASE("random star-shaped polygons are covered by their triangles") {
       polygon.emplace_back(0.3 + r * std::cos(angle), 0.3 + r * std::sin(angle));
     }
     check_triangles(polygon);
+  }
+}
+
+TEST_CASE("the pieces of diagrams are covered by their triangles") {
+  for (const auto& [name, mesh] : small_family()) {
+    for (const Method method : {Method::exact, Method::gbgvd}) {
+      for (const int count : {3, 50, 800}) {
+        INFO(name << ", " << count << " generators, exact: " << (method == Method::exact));
+        DiagramOptions options;
+        options.method = method;
+        double worst = 0;
+        for (const FacePiece& piece : compute_diagram(mesh, random_generators(mesh, count, 6), options).pieces) {
+          std::vector<Vec2> polygon;
+          for (const auto& corner : piece.corners) polygon.emplace_back(corner[1], corner[2]);
+          double sum = 0;
+          for (const auto& [i, j, k] : io::triangulate_polygon(polygon))
+            sum += area(polygon[i], polygon[j], polygon[k]);
+          worst = std::max(worst, std::abs(sum - area(polygon)));
+        }
+        CHECK(worst < 1e-12);
+      }
+    }
   }
 }
 
