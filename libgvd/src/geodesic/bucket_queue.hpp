@@ -34,6 +34,11 @@ class BucketQueue {
   /// Number of items in the current bucket.
   std::size_t front_size() const { return buckets_[current_].size() - next_; }
 
+  /// The item that pop() will return after `count` others; null where the current bucket holds fewer.
+  const Item* ahead(std::size_t count) const {
+    return count < front_size() ? &buckets_[current_][next_ + count] : nullptr;
+  }
+
   /// Number of buckets from the current one to the next one that holds items, >= 1 but where the current one does; the
   /// ring's size where there is none. Cost: O(1) for every bucket between.
   std::size_t steps_to_next() const {

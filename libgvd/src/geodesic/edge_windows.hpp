@@ -81,17 +81,26 @@ class BlockQueue {
     blocks_.back()[end_++] = value;
     return full;
   }
-  /// Calls visit(const T&) for the items of the oldest block and removes them; `visit` may add items.
-  template <class Visit>
-  void take_block(Visit visit) {
+  /// Calls visit(const T&) for the items of the oldest block and removes them; `visit` may add items. Some items
+  /// before, look_ahead(const T&) is called, which may get what visit will read into the cache.
+  template <class Visit, class LookAhead>
+  void take_block(Visit visit, LookAhead look_ahead) {
     std::unique_ptr<T[]> block = std::move(blocks_.front());
     const std::size_t count = blocks_.size() == 1 ? end_ : kBlock;
     blocks_.pop_front();
-    for (std::size_t i = 0; i < count; ++i) visit(block[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i + kAhead < count) look_ahead(block[i + kAhead]);
+      visit(block[i]);
+    }
     if (spare_.size() < kSpare) spare_.push_back(std::move(block));
+  }
+  template <class Visit>
+  void take_block(Visit visit) {
+    take_block(visit, [](const T&) {});
   }
 
  private:
+  static constexpr std::size_t kAhead = 8;
   /// Blocks that are kept for use again. More would stay with a queue that needs them no more while others do.
   static constexpr std::size_t kSpare = 2;
 

@@ -13,6 +13,7 @@
 #include "geodesic/window_mail.hpp"
 #include "geodesic/window_parts.hpp"
 #include "geodesic/window_retention.hpp"
+#include "prefetch.hpp"
 
 namespace gvd {
 namespace {
@@ -55,6 +56,7 @@ class WindowCarrier final : public PartPropagation {
     });
     while (queue_.front_size() > 0) {
       const std::int32_t item = queue_.pop();
+      look_ahead();
       if (item >= 0) {
         cross_halfedge(item);
       } else {
@@ -79,6 +81,25 @@ class WindowCarrier final : public PartPropagation {
   std::int64_t events() const override { return events_sent_; }
 
  private:
+  /// Half of the time would go by waiting for memory: gets what the next items in the queue will need into the cache,
+  /// first where it lies and then what lies there.
+  void look_ahead() const {
+    constexpr std::size_t kFar = 6, kNear = 3;
+    if (const std::int32_t* far = queue_.ahead(kFar); far != nullptr && *far >= 0) {
+      waiting_.prefetch_list(*far);
+      prefetch(fan_.face(*far).length.data());
+      prefetch(fan_.face(*far).vertex.data());
+    }
+    if (const std::int32_t* near = queue_.ahead(kNear); near != nullptr && *near >= 0) {
+      waiting_.prefetch_windows(*near);
+      const FaceFrame& f = fan_.face(*near);
+      for (std::size_t i = 0; i < 3; ++i) {
+        prefetch(&field_.distance[VertexId(f.vertex[i])]);
+        if (f.twin[i] >= 0) waiting_.prefetch_list(f.twin[i]);
+      }
+    }
+  }
+
   /// A pseudo-source that was reached, or a generator: it will send windows.
   struct VertexEvent {
     std::int32_t vertex;

@@ -9,6 +9,7 @@
 
 #include "geodesic/window.hpp"
 #include "geodesic/window_limit.hpp"
+#include "prefetch.hpp"
 
 namespace gvd {
 
@@ -54,6 +55,12 @@ class WaitingWindows {
     return lower_key(head, key);
   }
 
+  /// Get the list of halfedge h, and the first window in it, into the cache.
+  void prefetch_list(std::int32_t h) const { prefetch(first_ + h); }
+  void prefetch_windows(std::int32_t h) const {
+    if (first_[h] >= 0) prefetch(&at(first_[h]));
+  }
+
   /// Removes the windows of halfedge h and calls visit(const Rays&, const Origin&) for each; `visit` may add windows to
   /// other halfedges.
   template <class Visit>
@@ -65,6 +72,7 @@ class WaitingWindows {
       const Rays rays = w.rays;
       const Origin origin{w.offset, w.generator, w.crossed, w.milestone, w.joins};
       const std::int32_t next = w.next;
+      if (next >= 0) prefetch(&at(next));
       w.next = free_;
       free_ = place;
       visit(rays, origin);
@@ -97,6 +105,7 @@ class WaitingWindows {
   /// Ends that lie within this part of the edge are one.
   static constexpr double kSameEnd = 1e-9;
 
+  const Window& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
   Window& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
   std::int32_t take_place() {

@@ -6,6 +6,7 @@
 #include "geodesic/propagation_state.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "geodesic/window_field.hpp"
+#include "prefetch.hpp"
 
 namespace gvd {
 
@@ -113,7 +114,7 @@ class WindowRetention {
     std::size_t undecided = 0;
     std::int32_t last = -1;
     FaceState state = FaceState::open;
-    windows.take_block([&](const KeptWindow& w) {
+    const auto decide = [&](const KeptWindow& w) {
       if (w.halfedge != last) state = look_at_edge(last = w.halfedge, settled);
       if (state == FaceState::open) {
         windows.push_back(w);
@@ -121,6 +122,12 @@ class WindowRetention {
       } else if (state == FaceState::mixed) {
         kept_.push_back(w);
       }
+    };
+    windows.take_block(decide, [&](const KeptWindow& w) {
+      const std::int32_t face = w.halfedge / 3;
+      prefetch(&state_[face]);
+      prefetch(frames_.frame[FaceId(face)].length.data());
+      prefetch(frames_.frame[FaceId(face)].vertex.data());
     });
     return undecided;
   }
