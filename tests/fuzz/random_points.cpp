@@ -190,13 +190,4 @@ bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   return false;
 }
 
-bool has_thin_faces(const Mesh& mesh) {
-  for (int f = 0; f < mesh.face_count(); ++f) {
-    const FaceShape& shape = mesh.shape(FaceId(f));
-    const double longest = *std::max_element(shape.length.begin(), shape.length.end());
-    if (shape.twice_area < kThin * longest * longest) return true;
-  }
-  return false;
-}
-
 }  // namespace gvd::test

@@ -22,11 +22,9 @@ RandomPoints make_random_points(const Mesh& mesh, Random& random);
 /// the working mesh are thin.
 bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
-/// What is close, as a part of the mean edge or of a triangle's height; and what is thin, as a part of the square of
-/// the longest edge. Any numbers that part the ordinary from the extreme.
-inline constexpr double kClose = 1e-3, kThin = 1e-3;
-
-/// Whether a face is a needle or has no area.
-bool has_thin_faces(const Mesh& mesh);
+/// What is close, as a part of the mean edge or of a triangle's height. Closer than this, a point's coordinates in the
+/// thin triangles between generators are rounded by more than distances are compared to, and runs on edges by less than
+/// the shortest one that is kept cut cells off.
+inline constexpr double kClose = 1e-5;
 
 }  // namespace gvd::test
