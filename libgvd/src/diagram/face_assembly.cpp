@@ -25,18 +25,19 @@ constexpr double kInside = 1e-6;
 /// rounding. A little below what such a metric puts its points inside by, so that these are taken as they are.
 constexpr double kInsideExactly = 0.6 * kInsideFace;
 
-/// How far beyond its opposite side a triangle's corner may lie, in barycentric coordinates. A branch point at a vertex,
-/// by a tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below the 1e-11
-/// from which a piece counts as turned.
+/// How far beyond its opposite side a triangle's corner may lie, in barycentric coordinates. A branch point at a
+/// vertex, by a tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below
+/// the 1e-11 from which a piece counts as turned.
 constexpr double kTurnedByTie = 4.8e-12;
 
 /// The way to a branch point that can't lie where it is wanted is halved this often: to the last digits of a
 /// coordinate.
 constexpr int kHalvings = 45;
 
-/// And the last bit is not gone, as a part of the way: at the limit three points would lie on one line, and an arc pass
-/// through another's end.
-constexpr double kShort = 1e-12;
+/// And a last part of the way is not gone: at the limit three points lie on one line, and an arc would pass through
+/// another's end. What is wanted up to kByTie beyond the limit, in barycentric coordinates, lies there by rounding;
+/// what is wanted farther out is a guess, and no guess needs to be cut close.
+constexpr double kShort = 1e-12, kShortOfGuess = 0.125, kByTie = 1e-9;
 
 /// A path this near to a crossing, as a part of the edge, may belong to either of its cells.
 constexpr double kNearCrossing = 1e-9;
@@ -59,9 +60,10 @@ Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
+double apart(const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); }
+
 /// Whether a, b, c go round counter-clockwise, but for c being up to `beyond` on the other side.
 bool turns_left(const Bary& a, const Bary& b, const Bary& c, double beyond) {
-  const auto apart = [](const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); };
   const double area = signed_area(a, b, c);
   return area >= 0 || area >= -beyond * std::max({apart(a, b), apart(b, c), apart(c, a)});
 }
@@ -351,7 +353,8 @@ class FaceAssembly {
       const double t = 0.5 * (from + to);
       (valid(mix(safe, *wanted, t)) ? from : to) = t;
     }
-    return mix(safe, *wanted, from * (1 - kShort));
+    const double rest = (1 - from) * apart(safe, *wanted);
+    return mix(safe, *wanted, from * (1 - (rest > kByTie ? kShortOfGuess : kShort)));
   }
 
   /// A point that is equally far from the three generators, looked for from `start` on. Distances have ridges, where

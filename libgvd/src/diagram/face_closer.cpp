@@ -16,11 +16,12 @@ namespace {
 /// A piece of less than no area, as a part of its face's, beyond rounding; and straight arcs that cross so far.
 constexpr double kTurned = 1e-11;
 
-/// In a thin face the coordinates of a point are rounded by far more than its place.
+/// Arcs touch the sides of their face at crossings only. In a thin face the coordinates of a point are rounded by far
+/// more than its place, and by a tie a bisector may run along a side.
 void pull_into_face(FaceMetric::Bary& p) {
-  if (*std::min_element(p.begin(), p.end()) >= 0) return;
+  if (*std::min_element(p.begin(), p.end()) >= kInsideFace) return;
   double sum = 0;
-  for (double& b : p) sum += b = std::max(b, 0.0);
+  for (double& b : p) sum += b = std::max(b, kInsideFace);
   for (double& b : p) b /= sum;
 }
 
