@@ -16,14 +16,9 @@ namespace {
 /// A piece of less than no area, as a part of its face's, beyond rounding; and straight arcs that cross so far.
 constexpr double kTurned = 1e-11;
 
-/// Arcs touch the sides of their face at crossings only. In a thin face the coordinates of a point are rounded by far
-/// more than its place, and by a tie a bisector may run along a side.
-void pull_into_face(FaceMetric::Bary& p) {
-  if (*std::min_element(p.begin(), p.end()) >= kInsideFace) return;
-  double sum = 0;
-  for (double& b : p) sum += b = std::max(b, kInsideFace);
-  for (double& b : p) b /= sum;
-}
+/// Whether an inner point of an arc lies within the face. Where a bisector runs along a side, by a tie, or beyond it by
+/// rounding, points that are looked for in the face come to lie on the side, and not on the bisector.
+bool lies_inside(const FaceMetric::Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
 
 Vec2 in_plane(const FaceMetric::Bary& p) { return {p[1], p[2]}; }
 
@@ -168,7 +163,9 @@ void FaceCloser::bend(FaceArc& arc) {
   std::vector<FaceMetric::Bary>& points = closed_.diagram.points;
   const std::size_t first = points.size();
   bender_.bend(arc, place(arc.begin), place(arc.end), points);
-  std::for_each(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(), pull_into_face);
+  points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
+                              [](const FaceMetric::Bary& p) { return !lies_inside(p); }),
+               points.end());
   arc.first_point = static_cast<std::int32_t>(first);
   arc.point_count = static_cast<std::int32_t>(points.size() - first);
 }
