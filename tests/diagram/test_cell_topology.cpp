@@ -55,7 +55,7 @@ struct HandMade {
 
   CellParts parts() {
     traced.faces = {};
-    assemble_faces(stages.working, stages.table(), traced.labels, traced.crossings, Front::circle, {}, traced.faces);
+    assemble_faces({stages.mesh(), stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
     return CellParts(stages.working, traced);
   }
 };

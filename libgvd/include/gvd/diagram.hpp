@@ -104,8 +104,8 @@ struct DiagramReport {
   std::int64_t gaps = 0;                 ///< groups of faces with three or more generators
   std::int64_t gaps_grown = 0;           ///< of these, closed by growth
   std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings instead
-  std::int64_t straightened_faces =
-      0;  ///< faces whose exact arcs would have crossed by rounding, and are straight instead
+  /// Faces with an exact arc that would have met itself or another one, and has lost its loops or is straight.
+  std::int64_t straightened_faces = 0;
   std::int64_t unresolved_ends = 0;  ///< bisector ends that meet nothing; zero in a complete diagram
 };
 

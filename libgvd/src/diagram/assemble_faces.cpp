@@ -15,21 +15,28 @@ constexpr std::size_t kProgressStride = 1 << 10;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Distance of a form's generator at a point of face f.
-double distance_at(const Mesh& mesh, FaceId f, const DistanceForm& form, const std::array<double, 3>& bary,
-                   Front front) {
-  if (front == Front::planar) return form.at(bary);
-  double squared = form.at(bary);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double length = mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
-    squared -= bary[i] * bary[(i + 1) % 3] * length * length;
-  }
-  return std::sqrt(std::max(0.0, squared));
-}
+/// A face and the forms of the generators round it.
+struct FaceForms {
+  const Mesh& mesh;
+  FaceId face;
+  Front front;
+  std::vector<DistanceForm> forms;
 
-/// Mean distance of the branch points from `first` on to the generators that meet there.
-void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm>& forms, Front front,
-                      std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
+  /// Distance of generator g at a point of the face.
+  double distance(GeneratorId g, const std::array<double, 3>& bary) const {
+    const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == g; });
+    if (front == Front::planar) return form->at(bary);
+    double squared = form->at(bary);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(face, static_cast<int>(i)));
+      squared -= bary[i] * bary[(i + 1) % 3] * length * length;
+    }
+    return std::sqrt(std::max(0.0, squared));
+  }
+};
+
+/// Mean distance of the branch points from `first_branch` on to the generators that meet there.
+void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
   for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
     const BranchPointId id(static_cast<std::int64_t>(b));
     FaceBranch& branch = diagram.branches[id];
@@ -38,9 +45,7 @@ void measure_branches(const Mesh& mesh, FaceId f, const std::vector<DistanceForm
     for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
       const FaceArc& arc = diagram.arcs[a];
       if (arc.begin != at(id) && arc.end != at(id)) continue;
-      const GeneratorId own = arc.begin == at(id) ? arc.left : arc.right;
-      const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == own; });
-      sum += distance_at(mesh, f, *form, branch.bary, front);
+      sum += forms.distance(arc.begin == at(id) ? arc.left : arc.right, branch.bary);
       ++arcs;
     }
     branch.distance = sum / arcs;
@@ -67,39 +72,37 @@ std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& t
   return d;
 }
 
-std::vector<DistanceForm> face_forms(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
-                                     FaceId f, const std::vector<BoundaryCrossing>& boundary, Front front) {
+std::vector<DistanceForm> face_forms(const MarchedLabels& marched, FaceId f,
+                                     const std::vector<BoundaryCrossing>& boundary) {
   std::set<GeneratorId> met;
   for (const BoundaryCrossing& c : boundary) met.insert(c.next);
   std::vector<DistanceForm> forms;
   for (const GeneratorId g : met) {
-    DistanceForm form{g, corner_distances(mesh, table, labels, f, g)};
-    for (double& value : form.corner) value = form_value(front, value);
+    DistanceForm form{g, corner_distances(marched.mesh, marched.table, marched.labels, f, g)};
+    for (double& value : form.corner) value = form_value(marched.front, value);
     forms.push_back(form);
   }
   return forms;
 }
 
-void assemble_faces(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                    const Crossings& crossings, Front front, const std::vector<FaceId>& skipped, FaceDiagram& diagram,
-                    const Progress& progress) {
-  const Mesh& mesh = working.mesh();
+void assemble_faces(const MarchedLabels& marched, const Crossings& crossings, const std::vector<FaceId>& skipped,
+                    FaceDiagram& diagram, const Progress& progress) {
   std::vector<BoundaryCrossing> boundary;
-  const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
+  const std::vector<FaceId> faces = crossed_faces(marched.mesh, crossings);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const FaceId f = faces[i];
     if (i % kProgressStride == 0)
       report_progress(progress, "bisectors", 0.75 + 0.25 * double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
-    boundary_crossings(mesh, crossings, f, boundary);
+    boundary_crossings(marched.mesh, crossings, f, boundary);
     if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for
       diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
       continue;
     }
-    const auto forms = face_forms(mesh, table, labels, f, boundary, front);
+    const FaceForms forms{marched.mesh, f, marched.front, face_forms(marched, f, boundary)};
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
-    assemble_face(f, boundary, FormMetric(forms), diagram);
-    measure_branches(mesh, f, forms, front, first_arc, first_branch, diagram);
+    assemble_face(f, boundary, FormMetric(forms.forms), diagram);
+    measure_branches(forms, first_arc, first_branch, diagram);
   }
 }
 

@@ -77,7 +77,7 @@ class GrowthTracer final : public ConnectedTracer {
       if (may_grow_[i]) grown.insert(grown.end(), gaps_[i].faces.begin(), gaps_[i].faces.end());
     }
     std::sort(grown.begin(), grown.end());
-    assemble_faces(working_, table_, traced.labels, traced.crossings, front_, grown, traced.faces, progress_);
+    assemble_faces({mesh_, table_, traced.labels, front_}, traced.crossings, grown, traced.faces, progress_);
     std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
                      [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
   }
