@@ -224,6 +224,39 @@ TEST_CASE("paths go round a boundary vertex whose corners are folded flat") {
       {{1, 4, 0}, {0, 8, 1}, {4, 5, 0}, {5, 6, 0}, {2, 7, 6}, {7, 0, 6}, {8, 9, 1}, {3, 10, 9}, {10, 1, 9}}));
 }
 
+namespace {
+
+/// The surface of a box, n by n squares a side, `height` thick and turned by an angle with the sine 0.6.
+Mesh make_turned_box(int n, double height) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  std::map<std::array<int, 3>, int> ids;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [found, fresh] = ids.try_emplace(at, int(positions.size()));
+    const Vec3 p = Vec3(at[0], height * at[1], at[2]) / n;
+    if (fresh) positions.emplace_back(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
+    return found->second;
+  };
+  for (std::size_t side = 0; side < 6; ++side) {
+    for (int cell = 0; cell < n * n; ++cell) {
+      const auto corner = [&](int i, int j) {
+        std::array<int, 3> at{};
+        at[side / 2] = side % 2 == 0 ? 0 : n;
+        at[(side / 2 + 1) % 3] = cell / n + i;
+        at[(side / 2 + 2) % 3] = cell % n + j;
+        return vertex(at);
+      };
+      std::array<int, 4> square{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+      if (side % 2 == 0) std::swap(square[1], square[3]);
+      faces.push_back({square[0], square[1], square[2]});
+      faces.push_back({square[0], square[2], square[3]});
+    }
+  }
+  return test::make_mesh(std::move(positions), faces);
+}
+
+}  // namespace
+
 TEST_CASE("a box that is pressed flat has the distances of one that is nearly flat") {
   const auto make_box = [](double height) {
     // Two by two squares a side.
@@ -260,6 +293,21 @@ TEST_CASE("a box that is pressed flat has the distances of one that is nearly fl
         CHECK(flat.distance[VertexId(v)] == Approx(thick.distance[VertexId(v)]).margin(3e-6));
       }
     }
+  }
+}
+
+TEST_CASE("paths through the gap that thin faces open behind a vertex") {
+  // Boxes that are pressed flat, turned so that their corners are rounded: distances there and back.
+  for (const double height : {1.135e-5, 4.871e-5, 2.4897e-4}) {
+    CAPTURE(height);
+    const Mesh box = make_turned_box(4, height);
+    std::vector<std::vector<double>> distances;
+    for (int g = 0; g < box.vertex_count(); ++g) distances.push_back(propagate(box, {VertexId(g)}).distance.raw());
+    double worst = 0;
+    for (std::size_t a = 0; a < distances.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) worst = std::max(worst, std::abs(distances[a][b] - distances[b][a]));
+    }
+    CHECK(worst < 1e-12);
   }
 }
 

@@ -121,3 +121,28 @@ TEST_CASE("a lone triangle and a pillow of two faces take generators on every ed
     }
   }
 }
+
+TEST_CASE("a generator on an edge that a corner without an angle lies on takes that corner") {
+  // Corner 2 lies in the middle of the edge 0 1.
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh mesh({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {ids(0, 1, 3), ids(1, 0, 2)});
+  for (const FaceId f : {FaceId(0), FaceId(1)}) {
+    CHECK(WorkingMesh(mesh, {edge_point(Mesh::halfedge(f, 0), 0.5)}).vertex(GeneratorId(0)) == VertexId(2));
+  }
+  // The face's other edges are split first, so that the corner is opposite no more.
+  const WorkingMesh working(
+      mesh, {edge_point(Mesh::halfedge(FaceId(1), 1), 0.5), edge_point(Mesh::halfedge(FaceId(1), 2), 0.5),
+             edge_point(Mesh::halfedge(FaceId(0), 0), 0.5)});
+  CHECK(working.vertex(GeneratorId(2)) == VertexId(2));
+  CHECK_THROWS_WITH(WorkingMesh(mesh, {vertex_point(mesh, VertexId(2)), edge_point(Mesh::halfedge(FaceId(0), 0), 0.5)}),
+                    Catch::Matchers::Contains("generators 0 and 1 coincide"));
+}
+
+TEST_CASE("far from the origin generators coincide where their positions are the same but for rounding") {
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh mesh({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6, 1, 0}}, {ids(0, 1, 2)});
+  const auto at = [](double t) { return make_surface_point(FaceId(0), {t, 0.5 - t, 0.5}); };
+  CHECK_THROWS_WITH(WorkingMesh(mesh, {at(0.25), at(0.25 + 1e-11)}),
+                    Catch::Matchers::Contains("generators 0 and 1 coincide"));
+  CHECK_NOTHROW(WorkingMesh(mesh, {at(0.25), at(0.25 + 1e-8)}));
+}

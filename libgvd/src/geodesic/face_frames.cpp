@@ -109,13 +109,14 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
   });
   std::vector<Turning> total(kind.size());
   for (const FaceFrame& f : frame) {
-    const double least_sine = std::min({f.sine[0], f.sine[1], f.sine[2]});
-    has_needles |= least_sine < kNeedleSine;
-    has_thin_faces |= least_sine < kThinSine;
+    const double least_of_face = std::min({f.sine[0], f.sine[1], f.sine[2]});
+    least_sine = std::min(least_sine, least_of_face);
     for (std::size_t i = 0; i < 3; ++i) {
-      total[static_cast<std::size_t>(f.vertex[i])].add(f.cosine[i], f.sine[i], least_sine);
+      total[static_cast<std::size_t>(f.vertex[i])].add(f.cosine[i], f.sine[i], least_of_face);
     }
   }
+  has_needles = least_sine < kNeedleSine;
+  has_thin_faces = least_sine < kThinSine;
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
     kind[VertexId(i)] = kind_of(total[static_cast<std::size_t>(i)], mesh.is_boundary(VertexId(i)));
   }

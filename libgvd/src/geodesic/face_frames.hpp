@@ -50,6 +50,8 @@ struct FaceFrames {
   /// Whether a face is so thin that windows might wind round it often: a path that meets faces again is then looked
   /// for.
   bool has_thin_faces = false;
+  /// Of all corners; what rounding does to the directions of paths is kRounding over it.
+  double least_sine = 1;
 
   /// Cost: O(n), no trigonometry.
   FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);

@@ -32,6 +32,7 @@ class WindowCarrier final : public PartPropagation {
         fan_(frames_),
         has_needles_(frames_.has_needles),
         has_thin_faces_(frames_.has_thin_faces),
+        drift_(kRounding / frames_.least_sine),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         apex_path_(state.apex_path),
@@ -329,7 +330,7 @@ class WindowCarrier final : public PartPropagation {
     const std::size_t right = (i + 1) % 3, top = (i + 2) % 3;
     const ApexView apex(w, f.length[top] * f.cosine[i], f.length[top] * f.sine[i]);
     Exits exits{!apex.all_right(), !apex.all_left()};
-    if (apex.covered() || is_grazed(w, apex, f.length[i])) {
+    if (apex.covered() || is_grazed(w, apex, f.length[i]) || (has_thin_faces_ && is_in_gap(w, apex, drift_))) {
       const double reach = std::sqrt(apex.squared_reach(w));
       reach_apex(w, origin, f, base, i, apex, reach);
       if (has_needles_ && apex.covered())
@@ -390,6 +391,7 @@ class WindowCarrier final : public PartPropagation {
   VertexFan fan_;
   bool has_needles_;                 // so that meshes without needles look no kinds up
   bool has_thin_faces_;              // so that other meshes count no faces
+  double drift_;                     // of the directions of paths, by rounding, in radians
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
   std::vector<ApexPath>& apex_path_;  // [halfedge that windows cross into the face]

@@ -101,6 +101,23 @@ inline bool is_grazed(const Rays& w, const ApexView& apex, double length) {
   return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
 
+/// Whether the apex, not covered, is missed by no more than `drift`, an angle at the image, and the way to it over the
+/// end of the interval is as long as the straight one but for rounding.
+///
+/// Between two windows that pass a vertex on both sides, thin faces open a gap: the rounding of a long side, seen over
+/// a short one, is an angle of kRounding over the least sine. The gap grows with the way; where an apex lies in it that
+/// is a short side away from the window, the path bends by far more than kGrazingAngle, and yet is no longer: with the
+/// miss m, the reach r and the step s, by m^2 / 2 (1 / r + 1 / s).
+inline bool is_in_gap(const Rays& w, const ApexView& apex, double drift) {
+  const double t = apex.all_right() ? w.begin : w.end;
+  const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
+  const double squared_reach = w.squared_reach(t), squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
+  const double squared_miss = beyond * beyond / squared_reach;
+  if (!(squared_miss <= drift * drift * squared_reach)) return false;
+  const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
+  return squared_miss <= 2 * kRounding * std::sqrt(squared_reach * squared_step) && forwards > 0;
+}
+
 /// The part of a window that leaves the face by the left side, from the edge's start to the apex.
 inline Rays cross_left(const Rays& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
   const SideView view(f.cosine[i], f.sine[i], w.x, w.depth);

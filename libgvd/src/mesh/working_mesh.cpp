@@ -20,6 +20,15 @@ using Bary = std::array<double, 3>;
 /// a coordinate, so that an edge between two generators still has a length with three good digits.
 constexpr double kCoincidence = 1e-12;
 
+/// Or closer than this fraction of the largest coordinate, which far from the origin is more: a few roundings of it.
+constexpr double kPositionRounding = 1e-15;
+
+double coincidence(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return std::max(kCoincidence * mesh.bbox_diagonal(), kPositionRounding * largest);
+}
+
 /// A new point with a barycentric coordinate below this in its triangle splits the edge instead: the triangle that a
 /// face split would leave there would have an angle of about this many radians.
 constexpr double kOnEdge = 1e-9;
@@ -85,7 +94,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
     : input_(&input),
       generator_vertex_(generators.size()),
       vertex_generator_(static_cast<std::size_t>(input.vertex_count())),
-      coincidence_(kCoincidence * input.bbox_diagonal()) {
+      coincidence_(coincidence(input)) {
   check_generators(input, generators);
   std::vector<GeneratorId> on_edges;
   std::map<FaceId, std::vector<GeneratorId>> in_faces;
@@ -181,9 +190,10 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
       done = 0;
     }
     const Vec3 p = position(*input_, edge_point(h, t));
-    const auto near = [&](VertexId v) { return (copy_.position(v) - p).norm() <= coincidence_; };
-    if (near(copy_.from(rest)) || near(copy_.to(rest))) {
-      claim(near(copy_.from(rest)) ? copy_.from(rest) : copy_.to(rest), g);
+    // The input's own corners too: where other edges were split first, they are opposite to `rest` no more.
+    const VertexId corner = vertex_at(copy_, p, rest), v = corner.valid() ? corner : vertex_at(*input_, p, h);
+    if (v.valid()) {
+      claim(v, g);
       continue;
     }
     const auto parent_bary_at = [&](HalfedgeId side, double at) {
@@ -198,6 +208,17 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
     done = t;
   }
   make_delaunay(touched);
+}
+
+/// The corner, of the faces on both sides of h, that lies at p; invalid where none does. In a face without area the
+/// corner opposite to an edge can lie on it: to split the edge there would give an edge without length.
+VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const {
+  const HalfedgeId twin = mesh.twin(h);
+  const VertexId beyond = twin.valid() ? mesh.opposite(twin) : mesh.from(h);
+  for (const VertexId v : {mesh.from(h), mesh.to(h), mesh.opposite(h), beyond}) {
+    if ((mesh.position(v) - p).norm() <= coincidence_) return v;
+  }
+  return VertexId();
 }
 
 /// The copy's halfedge that stands for the input's halfedge h, none of whose edge is split yet: splits of other edges
@@ -262,11 +283,9 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
     if (smallest > best_min) std::tie(best, best_local, best_min) = std::tuple(f, local, smallest);
   }
   const Vec3 p = position(*input_, point);
-  for (const VertexId v : copy_.vertices(best)) {
-    if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
-  }
   const int thin = static_cast<int>(std::min_element(best_local.begin(), best_local.end()) - best_local.begin());
   const HalfedgeId side = Mesh::next(Mesh::halfedge(best, thin));
+  if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
   const HalfedgeId twin = copy_.twin(side);
   if (best_min < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
     const auto changed = split_edge(side, g, p, point.bary, point.bary);

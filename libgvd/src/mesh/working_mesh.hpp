@@ -44,6 +44,7 @@ class WorkingMesh {
   void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
                       const Progress& progress);
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
+  VertexId vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const;
   HalfedgeId find_copied(HalfedgeId h) const;
   std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
   void make_delaunay(const std::vector<FaceId>& children);
