@@ -161,3 +161,12 @@ TEST_CASE("a source that sees nothing near the chord counts where the bisector c
   REQUIRE(arc.metric.nearest(kA, apex).distance < known - 0.9 * lead);
   CHECK(arc.farthest() <= 1e-4);
 }
+
+TEST_CASE("a generator that sees nothing of the arc counts by its ways round the end of what it sees") {
+  // A sees the corner k0 alone, past the slit from (0.05, 0) to (0.1, 0).
+  const BentArc arc(
+      {through_side(0, 0, {1.5, -0.05}, {0.05, 0}, {0.1, 0}, 0), through_side(1, 1, {1.9, 0.7}, k1, k2, 1.2)}, 0, 2,
+      1e-4);
+  CHECK_FALSE(arc.inner.empty());
+  CHECK(arc.farthest() <= 1e-4);
+}

@@ -29,12 +29,24 @@ class ArcBender {
  private:
   /// What the two generators look like from a point.
   struct View {
+    Vec2 point;
     FaceSource::Reach left, right;
+    /// Whether a source of each sees the point.
+    bool is_known() const { return std::isfinite(left.distance) && std::isfinite(right.distance); }
     double error() const { return left.distance - right.distance; }
+    /// How much of the error may be rounding.
+    double rounding() const;
+    /// How the error changes, per mesh unit.
+    Vec2 gradient() const { return direction(point, left.from) - direction(point, right.from); }
+    /// Along the bisector.
+    Vec2 way() const { return turned_left(gradient()); }
+    /// How far off along `across`, a unit vector, the two straight paths are equally long, by Newton's steps.
+    double way_to_meeting(const Vec2& across, double precision) const;
   };
   /// A point of the bisector, and the way that it runs there.
   struct OnBisector {
     Vec2 point, way;
+    explicit OnBisector(const View& view) : point(view.point), way(view.way()) {}
   };
 
   /// A source, and the part of the strip along the arc in which it may see something, mesh units.
@@ -48,16 +60,18 @@ class ArcBender {
     double length, width;
     double place(const Vec2& p) const { return (p - from).dot(along); }
     bool contains(const Vec2& p) const { return std::abs((p - from).dot(across)) <= width; }
+    bool is_all() const { return std::isinf(width); }
   };
 
   void find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const;
   bool bend(const OnBisector& begin, const OnBisector& end, int halvings);
+  static double height_by_ends(const OnBisector& begin, const OnBisector& end);
   View look(const Vec2& p) const;
   static FaceSource::Reach nearest(const std::vector<Seeing>& seeing, double place, const Vec2& p);
-  bool is_near(const View& view, const Vec2& p) const;
+  bool is_near(const View& view) const;
   bool is_near_quarters(const Vec2& begin, const Vec2& chord) const;
   std::optional<Vec2> likely_corner(const OnBisector& begin, const OnBisector& end) const;
-  std::optional<OnBisector> moved_across(const Vec2& p, View view, const Vec2& along) const;
+  std::optional<OnBisector> moved_across(View view, const Vec2& along) const;
   std::pair<double, double> room(const Vec2& p, const Vec2& way) const;
 
   const SourceMetric& metric_;
