@@ -29,6 +29,17 @@ TEST_CASE("an apex between two windows that rounding has parted is grazed") {
   CHECK_FALSE(is_grazed(w, behind, 1));
 }
 
+TEST_CASE("an apex that a window misses by its drift lies in a gap where the path is no longer") {
+  const Rays w{2e-11, 0.25, 0, 1};
+  const ApexView apex(w, 0, 1e-6);
+  CHECK_FALSE(is_grazed(w, apex, 0.25));
+  CHECK_FALSE(is_in_gap(w, apex, 1e-11));
+  CHECK(is_in_gap(w, apex, 1e-10));
+  // 2e-7 across at a distance of 1e-6 makes the path longer by 2e-8 of itself.
+  const Rays aside{2e-7, 0.25, 0, 1};
+  CHECK_FALSE(is_in_gap(aside, ApexView(aside, 0, 1e-6), 1e-6));
+}
+
 TEST_CASE("thin windows that join make one that holds both, in whatever order they come") {
   for (const bool swapped : {false, true}) {
     // Narrower than what ends may differ by, and given as if the left one were the right one.
