@@ -146,3 +146,16 @@ TEST_CASE("far from the origin generators coincide where their positions are the
                     Catch::Matchers::Contains("generators 0 and 1 coincide"));
   CHECK_NOTHROW(WorkingMesh(mesh, {at(0.25), at(0.25 + 1e-8)}));
 }
+
+TEST_CASE("generators in one place of space, on the two faces of a pillow, do not coincide") {
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh pillow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {ids(0, 1, 2), ids(1, 0, 2)});
+  for (const double rest : {1.0 / 3, 1e-3}) {
+    const double most = 1 - 2 * rest;
+    for (const auto& [front, back] : {std::pair(std::array{most, rest, rest}, std::array{rest, most, rest}),
+                                      std::pair(std::array{rest, rest, most}, std::array{rest, rest, most})}) {
+      const WorkingMesh working(pillow, {make_surface_point(FaceId(0), front), make_surface_point(FaceId(1), back)});
+      CHECK(working.vertex(GeneratorId(0)) != working.vertex(GeneratorId(1)));
+    }
+  }
+}

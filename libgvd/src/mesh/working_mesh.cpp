@@ -210,8 +210,9 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
   make_delaunay(touched);
 }
 
-/// The corner, of the faces on both sides of h, that lies at p; invalid where none does. In a face without area the
-/// corner opposite to an edge can lie on it: to split the edge there would give an edge without length.
+/// The corner, of the faces on both sides of h, that lies at the point p of its edge; invalid where none does. In a
+/// face without area the corner opposite to an edge can lie on it: to split the edge there would give an edge without
+/// length.
 VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const {
   const HalfedgeId twin = mesh.twin(h);
   const VertexId beyond = twin.valid() ? mesh.opposite(twin) : mesh.from(h);
@@ -283,11 +284,14 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
     if (smallest > best_min) std::tie(best, best_local, best_min) = std::tuple(f, local, smallest);
   }
   const Vec3 p = position(*input_, point);
+  for (const VertexId v : copy_.vertices(best)) {
+    if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
+  }
   const int thin = static_cast<int>(std::min_element(best_local.begin(), best_local.end()) - best_local.begin());
   const HalfedgeId side = Mesh::next(Mesh::halfedge(best, thin));
-  if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
   const HalfedgeId twin = copy_.twin(side);
   if (best_min < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
+    if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
     const auto changed = split_edge(side, g, p, point.bary, point.bary);
     children.insert(children.end(), {changed[1], changed[3]});
     return;
