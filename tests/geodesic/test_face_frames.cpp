@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geodesic/face_frames.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/saddle_fan.hpp"
 #include "support/catch.hpp"
 
@@ -126,4 +127,17 @@ TEST_CASE("a turn back is no grazing") {
   CHECK(Rotation{1, 1e-12}.is_grazing());
   CHECK_FALSE(Rotation{-1, 1e-12}.is_grazing());
   CHECK_FALSE(Rotation{1, 1e-6}.is_grazing());
+}
+
+TEST_CASE("a face with one short side is laid out with all digits of the long ones") {
+  const std::array<Vec3, 3> corner{Vec3(0.1, 0.2, 0.3), Vec3(0.1 + 1e-7, 0.2 + 1e-7, 0.3), Vec3(0.7, 1.1, 0.4)};
+  for (std::size_t first = 0; first < 3; ++first) {
+    const Mesh mesh({corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]},
+                    {std::array{VertexId(0), VertexId(1), VertexId(2)}});
+    const FaceLayout layout(mesh, FaceId(0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(FaceId(0), static_cast<int>(i)));
+      CHECK(std::abs((layout.corner[(i + 1) % 3] - layout.corner[i]).norm() - length) < 1e-15);
+    }
+  }
 }

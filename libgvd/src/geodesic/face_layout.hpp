@@ -23,8 +23,11 @@ struct FaceLayout {
   FaceLayout(const Mesh& mesh, FaceId f) {
     const double l0 = mesh.length(Mesh::halfedge(f, 0)), l1 = mesh.length(Mesh::halfedge(f, 1)),
                  l2 = mesh.length(Mesh::halfedge(f, 2));
-    const double height = std::max(2 * mesh.area(f) / l0, kLeastHeight * std::max({l0, l1, l2}));
-    corner = {Vec2(0, 0), Vec2(l0, 0), Vec2(0.5 * (l0 + (l2 - l1) * (l2 + l1) / l0), height)};
+    // From the sides themselves: where this one is short, the law of cosines would lose the digits of the long ones.
+    const auto& [a, b, c] = mesh.vertices(f);
+    const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
+    const double height = std::max(base.cross(side).stableNorm() / l0, kLeastHeight * std::max({l0, l1, l2}));
+    corner = {Vec2(0, 0), Vec2(l0, 0), Vec2(base.dot(side) / l0, height)};
     twice_area = l0 * height;
   }
 
