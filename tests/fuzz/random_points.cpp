@@ -178,13 +178,13 @@ RandomPoints make_random_points(const Mesh& mesh, Random& random) {
   return result;
 }
 
-bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double close) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& bary = points[i].bary;
-    if (std::any_of(bary.begin(), bary.end(), [](double b) { return b > 0 && b < kClose; })) return true;
+    if (std::any_of(bary.begin(), bary.end(), [close](double b) { return b > 0 && b < close; })) return true;
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = (position(mesh, points[i]) - position(mesh, points[j])).norm();
-      if (apart < kClose * mesh.mean_edge_length()) return true;
+      if (apart < close * mesh.mean_edge_length()) return true;
     }
   }
   return false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -170,23 +171,20 @@ void FaceCloser::bend(FaceArc& arc) {
   arc.point_count = static_cast<std::int32_t>(points.size() - first);
 }
 
-/// Mean distance of the new branch points to the generators that meet there.
+/// Distance of the new branch points to the generators that meet there: the least of the paths that the face knows.
+/// They are equally long; but of a generator that nearly coincides with another, or nearly lies on a side, the face may
+/// know a roundabout one only, or none.
 void FaceCloser::measure_branches(const Before& before) {
   FaceDiagram& faces = closed_.diagram;
   for (std::size_t b = before.branches; b < faces.branches.size(); ++b) {
     const BranchPointId id(static_cast<std::int64_t>(b));
-    double sum = 0;
-    int arcs = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t a = before.arcs; a < faces.arcs.size(); ++a) {
       const FaceArc& arc = faces.arcs[a];
       if (arc.begin != at(id) && arc.end != at(id)) continue;
-      const double distance = metric_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary);
-      // Of a generator that nearly coincides with another, or nearly lies on a side, the face itself may know nothing.
-      if (std::isinf(distance)) continue;
-      sum += distance;
-      ++arcs;
+      least = std::min(least, metric_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary));
     }
-    faces.branches[id].distance = arcs > 0 ? sum / arcs : metric_.nearest_of_all(faces.branches[id].bary);
+    faces.branches[id].distance = std::isfinite(least) ? least : metric_.nearest_of_all(faces.branches[id].bary);
   }
 }
 
