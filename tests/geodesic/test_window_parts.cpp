@@ -152,7 +152,9 @@ TEST_CASE("parts change no label, and of generators that tie the first one wins"
   std::vector<test::NamedMesh> meshes = test::small_family();
   meshes.push_back({"grid", test::make_grid(24, 24)});
   meshes.push_back({"sphere", test::make_sphere(3)});
-  for (const auto& [name, mesh] : meshes) {
+  for (const test::NamedMesh& named : meshes) {
+    const std::string& name = named.name;
+    const Mesh& mesh = named.mesh;
     std::mt19937 random(5);
     for (const int count : {2, 4, 9, 30}) {
       std::vector<VertexId> generators;

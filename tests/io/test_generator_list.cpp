@@ -3,6 +3,7 @@
 #include <random>
 
 #include "gvd/closest_point.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "support/catch.hpp"
@@ -236,6 +237,14 @@ TEST_CASE("points close across an edge coincide, points of two touching sheets d
   const SurfacePoint front = make_surface_point(FaceId(0), {0.2, 0.3, 0.5});
   const SurfacePoint back = make_surface_point(FaceId(1), {0.2, 0.5, 0.3});
   CHECK(find_coincident(sheets, {front, back}) == std::vector<std::int32_t>{0, 1});
+}
+
+TEST_CASE("far from the origin points coincide that rounding can't tell apart, and what does not coincide is taken") {
+  const Mesh far({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const auto at = [](double shift) { return make_surface_point(FaceId(0), {0.5 - shift, 0.3 + shift, 0.2}); };
+  CHECK(find_coincident(far, {at(0), at(7e-10)}) == std::vector<std::int32_t>{0, 0});
+  CHECK(find_coincident(far, {at(0), at(5e-9)}) == std::vector<std::int32_t>{0, 1});
+  CHECK_NOTHROW(compute_diagram(far, {at(0), at(5e-9)}));
 }
 
 TEST_CASE("the closest point is that of the best face") {

@@ -96,7 +96,9 @@ void ArcBender::find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const {
         if (rate < 0) last = std::min(last, place);
       }
     }
-    if (first <= std::min(last, strip_.length) && last >= 0) seeing.push_back({&s, first, last});
+    if (first <= std::min(last, strip_.length + strip_.width) && last >= -strip_.width) {
+      seeing.push_back({&s, first, last});
+    }
   }
 }
 

@@ -56,10 +56,13 @@ class ArcBender {
   };
   /// The arc at work, and how far from it looks are sure to see what is the nearest.
   struct Strip {
-    Vec2 from, along, across;  // unit vectors
-    double length, width;
+    Vec2 from, along, across;  // the last two are unit vectors
+    double length, width;      // the strip goes on by its width beyond both ends
     double place(const Vec2& p) const { return (p - from).dot(along); }
-    bool contains(const Vec2& p) const { return std::abs((p - from).dot(across)) <= width; }
+    bool contains(const Vec2& p) const {
+      const double there = place(p);
+      return std::abs((p - from).dot(across)) <= width && there >= -width && there <= length + width;
+    }
     bool is_all() const { return std::isinf(width); }
   };
 

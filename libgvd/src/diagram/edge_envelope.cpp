@@ -225,7 +225,11 @@ double EdgeEnvelope::meeting(GeneratorId a, GeneratorId b, double low, double t,
 
 void EdgeEnvelope::append_plain_crossing(EdgeId e, GeneratorId first, GeneratorId last,
                                          std::vector<Crossing>& crossings) const {
-  const double t = meeting(first, last, 0, 0.5 * length_, length_) / length_;
+  // Where the one is nearer all along, by a tie at the end of the other or because that one's cell is cut off there,
+  // the crossing lies at that end.
+  const auto lead = [&](double t) { return distance(last, t) - distance(first, t); };
+  double t = lead(0) <= 0 ? 0 : 1;
+  if (lead(0) > 0 && lead(length_) < 0) t = meeting(first, last, 0, 0.5 * length_, length_) / length_;
   crossings.push_back({e, std::clamp(t, kEndGap, 1 - kEndGap), first, last});
 }
 

@@ -30,6 +30,8 @@ struct ClosedFaces {
 /// Cost: O(points of the bisectors), and what the assembly takes where a face has many crossings.
 class FaceCloser {
  public:
+  FaceCloser(const FaceCloser&) = delete;
+  FaceCloser& operator=(const FaceCloser&) = delete;
   /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units, as on the edges.
   FaceCloser(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tie_step,
              double tolerance)

@@ -35,15 +35,29 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
 
 using Bary = std::array<double, 3>;
 
-/// Coordinates of p in the triangle of `corners`, all in the coordinates of one face.
-Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
-  const auto area = [](const Bary& a, const Bary& b, const Bary& c) {
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  };
-  const double whole = area(corners[0], corners[1], corners[2]);
-  Bary local{area(p, corners[1], corners[2]) / whole, area(corners[0], p, corners[2]) / whole, 0};
-  local[2] = 1 - local[0] - local[1];
-  return local;
+/// A point of a triangle, in its coordinates, and how far from it another one is that was looked for.
+struct NearestInside {
+  Bary local;
+  double apart;
+};
+
+/// The point of a triangle next to p; its corners and p are given in the coordinates of one face. In a sliver areas
+/// tell only how far p is from the longest side, and where p is along that side is measured there: so p comes out to
+/// rounding of its place, though its coordinates may be off by far more.
+NearestInside nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
+  const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
+  const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
+  std::size_t tip = 0;  // opposite the longest side
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (side(i).squaredNorm() > side(tip).squaredNorm()) tip = i;
+  }
+  const std::size_t from = (tip + 1) % 3, to = (tip + 2) % 3;
+  const Vec2 base = side(tip), to_tip = way(corners[from], corners[tip]), to_p = way(corners[from], p);
+  Bary local{};
+  local[tip] = std::clamp(cross(base, to_p) / cross(base, to_tip), 0.0, 1.0);
+  local[to] = std::clamp((to_p - local[tip] * to_tip).dot(base) / base.squaredNorm(), 0.0, 1 - local[tip]);
+  local[from] = std::max(0.0, 1 - local[tip] - local[to]);
+  return {local, (local[to] * base + local[tip] * to_tip - to_p).norm()};
 }
 
 }  // namespace
@@ -66,18 +80,16 @@ struct ExactField::State {
     auto child = std::lower_bound(children.begin(), children.end(), std::pair(point.face, FaceId()));
     if (child == children.end() || child->first != point.face) return point;
     SurfacePoint best;
-    double best_least = -std::numeric_limits<double>::infinity();
+    double least_apart = std::numeric_limits<double>::infinity();
     for (; child != children.end() && child->first == point.face; ++child) {
       const FaceId f = child->second;
-      const Bary local = local_bary(
+      const NearestInside nearest = nearest_inside(
           {working.parent_bary(f, {1, 0, 0}), working.parent_bary(f, {0, 1, 0}), working.parent_bary(f, {0, 0, 1})},
           point.bary);
-      const double least = *std::min_element(local.begin(), local.end());
-      if (!(least > best_least)) continue;
-      best_least = least;
-      best = {f, local};
+      if (!(nearest.apart < least_apart)) continue;
+      least_apart = nearest.apart;
+      best = {f, nearest.local};
     }
-    for (double& b : best.bary) b = std::max(b, 0.0);
     return make_surface_point(best.face, best.bary);
   }
   SurfacePoint to_input(const SurfacePoint& point) const {

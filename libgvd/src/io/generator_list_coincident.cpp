@@ -4,6 +4,7 @@
 #include <map>
 
 #include "gvd/generator_list.hpp"
+#include "mesh/coincidence.hpp"
 
 namespace gvd {
 namespace {
@@ -61,8 +62,7 @@ class Grid {
 }  // namespace
 
 std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  const double tolerance = kCoincidence * mesh.bbox_diagonal();
-  Grid grid(mesh, std::max(tolerance, std::numeric_limits<double>::denorm_min()));
+  Grid grid(mesh, std::max(coincidence(mesh), std::numeric_limits<double>::denorm_min()));
   std::vector<std::int32_t> first;
   first.reserve(points.size());
   for (const SurfacePoint& point : points) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "mesh/coincidence.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -15,19 +16,6 @@ namespace gvd {
 namespace {
 
 using Bary = std::array<double, 3>;
-
-/// Generators closer than this fraction of the bounding box diagonal coincide: about a thousand times the rounding of
-/// a coordinate, so that an edge between two generators still has a length with three good digits.
-constexpr double kCoincidence = 1e-12;
-
-/// Or closer than this fraction of the largest coordinate, which far from the origin is more: a few roundings of it.
-constexpr double kPositionRounding = 1e-15;
-
-double coincidence(const Mesh& mesh) {
-  double largest = 0;
-  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return std::max(kCoincidence * mesh.bbox_diagonal(), kPositionRounding * largest);
-}
 
 /// A new point with a barycentric coordinate below this in its triangle splits the edge instead: the triangle that a
 /// face split would leave there would have an angle of about this many radians.
