@@ -332,9 +332,8 @@ class WindowCarrier final : public PartPropagation {
     Exits exits{!apex.all_right(), !apex.all_left()};
     if (apex.covered() || is_grazed(w, apex, f.length[i]) || (has_thin_faces_ && is_in_gap(w, apex, drift_))) {
       const double reach = std::sqrt(apex.squared_reach(w));
-      reach_apex(w, origin, f, base, i, apex, reach);
-      if (has_needles_ && apex.covered())
-        exits = split_at_apex(w, origin, f, base + static_cast<std::int32_t>(i), apex, reach);
+      reach_apex(w, origin, {base, &f, top, i}, apex, reach);
+      if (has_needles_ && apex.covered()) exits = split_at_apex(w, origin, {base, &f, top, i}, apex, reach);
     }
     if (std::isinf(distance(f.vertex[top]))) reach_apex_along_sides(f, base, i);
     // Where the apex splits the window, the two parts may join again behind it.
@@ -354,22 +353,22 @@ class WindowCarrier final : public PartPropagation {
   }
 
   /// The sides of the face that a window which covers the apex goes on to.
-  Exits split_at_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t h, const ApexView& apex,
-                      double reach) {
+  /// `left`: that from the apex to the start of the window's edge; so in `reach_apex`.
+  Exits split_at_apex(const Rays& w, const Origin& origin, const Side& left, const ApexView& apex, double reach) {
     const ApexPath own{origin.offset + reach, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
-    const double tolerance = kSameImage * reach + kRounding * f.length[static_cast<std::size_t>(h % 3)];
-    return exits_beside(apex_path_[static_cast<std::size_t>(h)], own, tolerance);
+    const double tolerance = kSameImage * reach + kRounding * left.face->length[left.start];
+    return exits_beside(apex_path_[static_cast<std::size_t>(left.base) + left.start], own, tolerance);
   }
 
-  void reach_apex(const Rays& w, const Origin& origin, const FaceFrame& f, std::int32_t base, std::size_t i,
-                  const ApexView& apex, double reach) {
-    const std::size_t top = (i + 2) % 3;
+  void reach_apex(const Rays& w, const Origin& origin, const Side& left, const ApexView& apex, double reach) {
+    const FaceFrame& f = *left.face;
+    const std::size_t top = left.end, i = left.start;
     const double d = origin.offset + reach;
     if (!is_before(d, origin.generator, distance(f.vertex[top]), label(f.vertex[top]))) return;
     // The way back, turned from the side towards the edge's start.
     const double back_x = (w.x - apex.x) / reach, back_y = (-w.depth - apex.y) / reach;
     const Rotation angle{-f.cosine[i] * back_x - f.sine[i] * back_y, -f.cosine[i] * back_y + f.sine[i] * back_x};
-    reach_vertex(f.vertex[top], d, origin.generator, {base + static_cast<std::int32_t>(top), angle});
+    reach_vertex(f.vertex[top], d, origin.generator, {left.base + static_cast<std::int32_t>(top), angle});
   }
 
   /// Paths along the sides, so that no window ever stands on an edge with an end that is not reached: it would have
