@@ -222,6 +222,7 @@ void add_another(RandomSoup& soup, Random& random) {
 
 /// What files do to shapes: faces twice, turned round or missing.
 void damage(RandomSoup& soup, Random& random) {
+  if (soup.polygons.empty()) return;
   for (int i = random.below(3); i >= 0; --i) {
     const auto f = static_cast<std::size_t>(random.below(static_cast<int>(soup.polygons.size())));
     switch (random.below(3)) {
