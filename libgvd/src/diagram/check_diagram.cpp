@@ -152,8 +152,18 @@ class Checker {
     }
   }
 
+  /// A point of an edge belongs to the faces on both sides. In a face without area other points lie in the same place,
+  /// and its cell may have got there by one of them, from the other side.
   bool is_in_cell(const SurfacePoint& p, GeneratorId g) const {
     if (p.kind() == SurfacePoint::Kind::vertex) return diagram_.vertex_label[vertex(mesh_, p)] == g;
+    if (is_in_cell_within_face(p, g)) return true;
+    if (p.kind() != SurfacePoint::Kind::edge) return false;
+    const HalfedgeId h = halfedge(p), twin = mesh_.twin(h);
+    return twin.valid() &&
+           is_in_cell_within_face(edge_point(twin, p.bary[static_cast<std::size_t>(Mesh::corner(h))]), g);
+  }
+
+  bool is_in_cell_within_face(const SurfacePoint& p, GeneratorId g) const {
     if (diagram_.face_label[p.face].valid()) return diagram_.face_label[p.face] == g;
     const auto pieces = std::equal_range(diagram_.pieces.begin(), diagram_.pieces.end(), FacePiece{p.face, g, {}},
                                          [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; });
