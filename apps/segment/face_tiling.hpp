@@ -43,7 +43,8 @@ class FaceTiling {
   FaceTiling(std::vector<Corner> border, double reach);
 
   /// The corner on the border with this vertex, or one inside within kCutWeld or at the same place; a new one
-  /// otherwise. Cost: O(log n) and those that are nearly as far along one axis, and O(n) at most.
+  /// otherwise. Cost: O(log n) to look, with those that are nearly as far along one axis; O(n) to add, as a sorted list
+  /// moves up.
   std::size_t find_or_add(const Corner& corner);
 
   /// Adds a polygon of the face, counter-clockwise.

@@ -23,7 +23,8 @@ class ArcMeetings {
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
   /// The pairs of arcs (an arc with itself, too) of which two segments meet elsewhere than where both end: where they
-  /// cross or touch, and where rounding leaves that open. What is not among them is disjoint for certain.
+  /// cross or touch, and where rounding leaves that open. What is not among them is disjoint, but
+  /// for segments that go the same way from one end that they share.
   /// `segments`: one arc after the other, each from its beginning to its end. Ascending, each pair once; valid until
   /// the next call.
   /// Cost: O(n log n) for n segments where few come near each other, by a tree of bounding boxes.

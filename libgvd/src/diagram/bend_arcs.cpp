@@ -31,8 +31,8 @@ constexpr double kNearEnd = 0.01;
 constexpr double kLost = 1e-13;
 
 /// Looks are right this near to the arc, as a part of its length; they pass over what sees nothing of the strip next to
-/// the point. Twice as wide, they have 5 % more sources; half as wide, four times as many bisectors leave the strip and
-/// are followed once more, with all sources.
+/// the point. Twice as wide, they have 2 or 3 % more sources; less than half as wide (0.02), three to five times as many
+/// bisectors leave the strip and are followed once more, with all sources.
 constexpr double kBeside = 0.05;
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace gvd {
 ///
 /// Where a bisector turns back sharply, points that are found across a chord may lie on the wrong one of its two legs,
 /// and the polyline through them goes to and fro.
-/// Cost: O(n^2) for n points. False, and nothing is done, where there is no loop, or where there are more than 1000
+/// Cost: O(n^2) for n points and each loop. False, and nothing is done, where there is no loop, or where there are more than 1000
 /// points.
 bool erase_loops(std::vector<std::array<double, 3>>& polyline);
 

@@ -19,8 +19,8 @@ struct NearestLabels {
 };
 
 /// The label of a vertex is its nearest generator by (distance, generator id), that of a generator's vertex the
-/// generator. Every other vertex than the unsupported
-/// ones has a neighbour of its label that is nearer to the generator. Cost: O(n).
+/// generator. Every other vertex than the unsupported ones has a neighbour of its label that is nearer to the
+/// generator. Cost: O(n).
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table);
 
 /// The same from exact distances and labels. The unsupported vertices are looked for by several threads, at the

@@ -39,7 +39,7 @@ class BucketQueue {
     return count < front_size() ? &buckets_[current_][next_ + count] : nullptr;
   }
 
-  /// Number of buckets from the current one to the next one that holds items, >= 1 but where the current one does; the
+  /// Number of buckets from the current one to the first one that holds items: 0 where that is the current one, the
   /// ring's size where there is none. Cost: O(1) for every bucket between.
   std::size_t steps_to_next() const {
     if (empty()) return buckets_.size();

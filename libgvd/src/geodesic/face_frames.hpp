@@ -48,7 +48,7 @@ struct FaceFrames {
   /// such windows down is worth it.
   bool has_needles = false;
   /// Whether a face is so thin that windows might wind round it often: a path that meets faces again is then looked
-  /// for.
+  /// for, and so are gaps that rounding leaves between windows.
   bool has_thin_faces = false;
   /// Of all corners; what rounding does to the directions of paths is kRounding over it.
   double least_sine = 1;

@@ -389,7 +389,7 @@ class WindowCarrier final : public PartPropagation {
   std::vector<SentPath>& sent_;
   VertexFan fan_;
   bool has_needles_;                 // so that meshes without needles look no kinds up
-  bool has_thin_faces_;              // so that other meshes count no faces
+  bool has_thin_faces_;              // so that other meshes count no faces and look for no gaps
   double drift_;                     // of the directions of paths, by rounding, in radians
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;

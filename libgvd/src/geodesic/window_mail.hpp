@@ -53,7 +53,8 @@ class Mailboxes {
     for (auto& boxes : boxes_) boxes.resize(parts_ * parts_);
   }
 
-  /// To be written by `from` alone, during a round.
+  /// To be written by `from` alone, during a round. Who asks for it writes something: a box that stays empty is not
+  /// received, and would not be opened again.
   WindowMail& to_send(std::int32_t from, std::int32_t to) {
     WindowMail& mail = box(sent_, from, to);
     if (!mail.is_open) {

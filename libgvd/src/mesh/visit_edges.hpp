@@ -24,7 +24,7 @@ class EdgeHalfedges {
 
 /// Calls visit(EdgeHalfedges) for each edge of a list of triangles, whatever the direction of its halfedges, in the
 /// order of its smaller vertex, then of its larger one. Halfedge 3 f + i runs from corner i of face f to the next.
-/// `vertex(corner)` is the number of a vertex; those of a face are three different ones.
+/// `number(vertex)` is the number of a vertex in the list; those of a face are three different ones.
 /// A counting sort on the smaller vertex, then a short sort in each bucket. Cost: O(n) time where degrees are bounded,
 /// O(n log n) at worst; 8 bytes a halfedge and 4 a vertex meanwhile.
 template <class Faces, class VertexNumber, class Visit>
