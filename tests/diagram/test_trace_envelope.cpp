@@ -16,6 +16,7 @@
 #include "support/planar_voronoi.hpp"
 #include "support/random.hpp"
 #include "support/same_diagram.hpp"
+#include "support/sound_diagram.hpp"
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
@@ -31,12 +32,7 @@ Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   DiagramOptions options;
   options.method = method;
   options.chord_tolerance = chord_tolerance;
-  Diagram diagram = compute_diagram(mesh, generators, options);
-  const DiagramCheck check = check_diagram(mesh, diagram);
-  for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
-  REQUIRE(check.ok());
-  REQUIRE(diagram.report.unresolved_ends == 0);
-  return diagram;
+  return test::compute_sound(mesh, generators, options);
 }
 
 Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {

@@ -8,6 +8,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/verify.hpp"
 #include "support/catch.hpp"
+#include "support/sound_diagram.hpp"
 
 namespace gvd::test {
 
@@ -21,12 +22,7 @@ inline Diagram compute_sound_exact(const Mesh& mesh, const std::vector<SurfacePo
   DiagramOptions options;
   options.method = Method::exact;
   options.chord_tolerance = chord_tolerance;
-  Diagram diagram = compute_diagram(mesh, generators, options);
-  const DiagramCheck check = check_diagram(mesh, diagram);
-  for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
-  REQUIRE(check.ok());
-  REQUIRE(diagram.report.unresolved_ends == 0);
-  return diagram;
+  return compute_sound(mesh, generators, options);
 }
 
 /// How far a diagram is from equal distances, by CGAL's exact shortest paths, one run a generator; mesh units.

@@ -12,18 +12,24 @@ namespace gvd::test {
 
 inline constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 
-/// A diagram by the paper's method that has passed its check.
+/// A diagram that has passed its check.
 inline Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                             Front front = Front::circle) {
-  DiagramOptions options;
-  options.method = Method::gbgvd;
-  options.front = front;
+                             const DiagramOptions& options) {
   Diagram diagram = compute_diagram(mesh, generators, options);
   const DiagramCheck check = check_diagram(mesh, diagram);
   for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
   REQUIRE(check.ok());
   REQUIRE(diagram.report.unresolved_ends == 0);
   return diagram;
+}
+
+/// The same by the paper's method.
+inline Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             Front front = Front::circle) {
+  DiagramOptions options;
+  options.method = Method::gbgvd;
+  options.front = front;
+  return compute_sound(mesh, generators, options);
 }
 
 }  // namespace gvd::test

@@ -43,6 +43,30 @@ bool is_above(const Reach& begin, const Reach& end, const Reach& other_begin, co
   return begin.distance + first * meet > chord;
 }
 
+/// Where along the edge two sources are equally far, times `unit`, ascending; -1 stands for no place. The roots of
+/// sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice; some lie outside of the edge. Roots that only the
+/// squares have do no harm: the pieces on their two sides go to the same source.
+std::array<double, 2> roots_of_squares(const EdgeSource& o, const EdgeSource& s, double unit) {
+  const double c = (o.offset - s.offset) * unit;
+  const double o_x = o.x * unit, s_x = s.x * unit, o_depth = o.depth * unit, s_depth = s.depth * unit;
+  const double slope = 2 * (o_x - s_x);
+  const double rest = (s_x - o_x) * (s_x + o_x) + (s_depth - o_depth) * (s_depth + o_depth) - c * c;
+  std::array<double, 2> roots{-1, -1};
+  if (c == 0) {
+    if (slope != 0) roots[0] = -rest / slope;
+  } else {
+    const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * o_x;
+    const double constant = rest * rest - 4 * c * c * (o_x * o_x + o_depth * o_depth);
+    // Rounding can make the discriminant of a double root negative.
+    const double root = std::sqrt(std::max(0.0, half * half - square * constant));
+    const double q = -(half + std::copysign(root, half));
+    if (square != 0) roots[0] = q / square;
+    if (q != 0) roots[1] = constant / q;
+    if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
+  }
+  return roots;
+}
+
 }  // namespace
 
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, double tie_step) {
@@ -120,25 +144,6 @@ bool EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
     append(end, source);
     return true;
   }
-  // sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots that only the squares have do no harm: the
-  // pieces on their two sides go to the same source.
-  const double c = (o.offset - s.offset) * unit_;
-  const double o_x = o.x * unit_, s_x = s.x * unit_, o_depth = o.depth * unit_, s_depth = s.depth * unit_;
-  const double slope = 2 * (o_x - s_x);
-  const double rest = (s_x - o_x) * (s_x + o_x) + (s_depth - o_depth) * (s_depth + o_depth) - c * c;
-  std::array<double, 2> roots{-1, -1};
-  if (c == 0) {
-    if (slope != 0) roots[0] = -rest / slope;
-  } else {
-    const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * o_x;
-    const double constant = rest * rest - 4 * c * c * (o_x * o_x + o_depth * o_depth);
-    // Rounding can make the discriminant of a double root negative.
-    const double root = std::sqrt(std::max(0.0, half * half - square * constant));
-    const double q = -(half + std::copysign(root, half));
-    if (square != 0) roots[0] = q / square;
-    if (q != 0) roots[1] = constant / q;
-    if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
-  }
   double from = begin;
   bool is_nearer = false;
   const auto take = [&](double to) {
@@ -147,7 +152,7 @@ bool EdgeEnvelope::compare(std::int32_t old_source, std::int32_t source, double 
     is_nearer |= winner == source;
     from = to;
   };
-  for (const double scaled : roots) {
+  for (const double scaled : roots_of_squares(o, s, unit_)) {
     const double root = scaled / unit_;
     if (!(root > from && root < end)) continue;
     // Between two windows of one generator the place shows nowhere.
