@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagram/arc_meetings.hpp"
+#include "diagram/envelope/arc_meetings.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "diagram/trace_envelope.hpp"
-#include "geodesic/window_distances.hpp"
-#include "geodesic/window_propagation.hpp"
+#include "diagram/envelope/trace_envelope.hpp"
+#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/window_distances.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "diagram/union_find.hpp"
+#include "base/union_find.hpp"
 #include "gvd/check.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/segment.hpp"

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "diagram/area_share.hpp"
-#include "diagram/face_assembly.hpp"
-#include "diagram/face_pieces.hpp"
+#include "diagram/assembly/face_assembly.hpp"
+#include "diagram/graph/area_share.hpp"
+#include "diagram/graph/face_pieces.hpp"
 #include "support/random.hpp"
 
 namespace gvd::test {

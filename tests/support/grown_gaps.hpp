@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "diagram/gaps.hpp"
-#include "diagram/growth.hpp"
+#include "diagram/growth/gaps.hpp"
+#include "diagram/growth/growth.hpp"
 #include "support/stages.hpp"
 
 namespace gvd::test {

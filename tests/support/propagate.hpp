@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geodesic/window_propagation.hpp"
+#include "geodesic/windows/propagate_windows.hpp"
 
 namespace gvd::test {
 

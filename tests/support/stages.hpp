@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/nearest_labels.hpp"
-#include "diagram/rough_bisectors.hpp"
-#include "geodesic/fast_marching.hpp"
+#include "diagram/graph/nearest_labels.hpp"
+#include "diagram/growth/rough_bisectors.hpp"
+#include "geodesic/marching/fast_marching.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd::test {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "gvd/front.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -12,12 +13,6 @@
 #include "gvd/vec.hpp"
 
 namespace gvd {
-
-/// Shape of the wavefront that a local distance update assumes (section 4.1 of the paper).
-enum class Front {
-  planar,  ///< linear between the two known distances: the paper's
-  circle,  ///< from a point source unfolded out of the two known distances
-};
 
 /// What computes the distances.
 enum class Solver {

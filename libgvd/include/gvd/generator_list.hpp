@@ -70,11 +70,6 @@ struct ResolvedGenerators {
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 
-/// Two surface points count as one below this part of the bounding box's diagonal. Dimensionless: the rounding of a
-/// position is some 1e-15 of the box, and no distance on the mesh can be told from zero at a thousand times that. Far
-/// from the origin 1e-15 of the largest coordinate is more, and takes its place.
-inline constexpr double kCoincidence = 1e-12;
-
 /// For each point the index of the first one that it coincides with, itself included: the same canonical surface point,
 /// or two closer than that in faces that share a vertex (so that two sheets which touch stay apart).
 /// Cost: O(n log n).

@@ -39,6 +39,11 @@ SurfacePoint vertex_point(const Mesh& mesh, VertexId v);
 /// The point (1 - t) from(h) + t to(h), in h's face. t in [0, 1].
 SurfacePoint edge_point(HalfedgeId h, double t);
 
+/// Two surface points count as one below this part of the bounding box's diagonal. Dimensionless: the rounding of a
+/// position is some 1e-15 of the box, and no distance on the mesh can be told from zero at a thousand times that. Far
+/// from the origin 1e-15 of the largest coordinate is more, and takes its place.
+inline constexpr double kCoincidence = 1e-12;
+
 /// Position in mesh units.
 Vec3 position(const Mesh& mesh, const SurfacePoint& point);
 

@@ -3,10 +3,10 @@
 #include <iterator>
 #include <span>
 
-#include "diagram/area_share.hpp"
-#include "diagram/cell_topology.hpp"
-#include "diagram/diagram_graph.hpp"
-#include "diagram/face_pieces.hpp"
+#include "diagram/graph/area_share.hpp"
+#include "diagram/graph/cell_topology.hpp"
+#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/face_pieces.hpp"
 
 namespace gvd {
 namespace {

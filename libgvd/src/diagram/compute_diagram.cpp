@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagram/diagram_graph.hpp"
-#include "diagram/trace_envelope.hpp"
-#include "diagram/trace_growth.hpp"
-#include "geodesic/fast_marching.hpp"
-#include "geodesic/marched_distances.hpp"
-#include "geodesic/window_distances.hpp"
-#include "geodesic/window_propagation.hpp"
-#include "geodesic/window_table.hpp"
+#include "base/parallel_chunks.hpp"
+#include "diagram/envelope/trace_envelope.hpp"
+#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/growth/trace_growth.hpp"
+#include "geodesic/marching/fast_marching.hpp"
+#include "geodesic/marching/marched_distances.hpp"
+#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/window_distances.hpp"
+#include "geodesic/windows/window_table.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
-#include "parallel_chunks.hpp"
 
 namespace gvd {
 namespace {

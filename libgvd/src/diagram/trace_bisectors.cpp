@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "diagram/diagram_graph.hpp"
+#include "diagram/graph/diagram_graph.hpp"
 
 namespace gvd {
 namespace {

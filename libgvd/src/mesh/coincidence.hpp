@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gvd/generator_list.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 

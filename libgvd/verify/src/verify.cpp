@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/parallel_chunks.hpp"
 #include "gvd/error.hpp"
-#include "parallel_chunks.hpp"
 #include "reach.hpp"
 #include "shortest_paths.hpp"
 

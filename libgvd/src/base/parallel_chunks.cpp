@@ -1,0 +1,108 @@
+#include "base/parallel_chunks.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+namespace gvd {
+namespace {
+
+/// What the threads of one run share.
+class SharedRun {
+ public:
+  SharedRun(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work,
+            const Progress& progress)
+      : count_(count), step_(step), work_(work), progress_(progress) {}
+
+  /// Takes items, in their order, until there are none left; by any thread. Throws nothing.
+  void take_items() {
+    for (std::size_t i = next_++; i < count_; i = next_++) {
+      if (cancelled_ || i > failed_) return;
+      take(i);
+    }
+  }
+
+  /// By the calling thread, when all items were taken.
+  void finish() {
+    if (count_ > 0 && !cancelled_ && !failure_) report(1);
+    if (cancellation_) std::rethrow_exception(cancellation_);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void take(std::size_t i) {
+    try {
+      work_(i);
+    } catch (...) {
+      fail(i);
+    }
+    const std::size_t done = ++done_;
+    if (std::this_thread::get_id() == caller_) report(static_cast<double>(done) / static_cast<double>(count_));
+  }
+
+  void fail(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    if (i > failed_) return;
+    failed_ = i;
+    failure_ = std::current_exception();
+  }
+
+  void report(double part) {
+    try {
+      report_progress(progress_, step_.name, step_.from + (step_.to - step_.from) * part);
+    } catch (...) {
+      cancellation_ = std::current_exception();
+      cancelled_ = true;
+    }
+  }
+
+  const std::size_t count_;
+  const StepPart& step_;
+  const std::function<void(std::size_t)>& work_;
+  const Progress& progress_;
+  const std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> cancelled_ = false;
+  std::exception_ptr cancellation_;  // the calling thread's
+  // Items are begun in their order, and those before a failure are all run: the one that stays has the least index.
+  std::atomic<std::size_t> failed_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr failure_;  // under the mutex
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size) {
+  std::vector<Chunk> chunks;
+  for (std::size_t begin = 0; begin < count; begin += size) chunks.push_back({begin, std::min(begin + size, count)});
+  return chunks;
+}
+
+void ParallelChunks::run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const {
+  SharedRun shared(count, step, work, progress_);
+  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t threads = std::min({threads_ == 0 ? cores : static_cast<std::size_t>(threads_), cores, count});
+  if (threads <= 1) {
+    shared.take_items();
+  } else {
+    // As many takers as threads may work; one that no thread picks up in time finds nothing left. Not in an arena of
+    // its own: with oneTBB 2021.8 no worker joins any more, sometimes, once an arena was destroyed. Isolated, so that
+    // the calling thread takes up no work of its program's while it waits for the others.
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(
+          std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
+    });
+    shared
+        .take_items();  // all of them, where a loop of the caller's that this runs in was cancelled: oneTBB began none
+  }
+  shared.finish();
+}
+
+}  // namespace gvd

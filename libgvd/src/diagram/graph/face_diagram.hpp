@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "diagram/graph/crossings.hpp"
+#include "gvd/ids.hpp"
+
+namespace gvd {
+
+/// An end of an arc: a crossing on the face's boundary, or a branch point in its inside.
+struct ArcEnd {
+  CrossingId crossing;
+  BranchPointId branch;
+  bool operator==(const ArcEnd&) const = default;
+};
+
+inline ArcEnd at(CrossingId c) { return {c, BranchPointId()}; }
+inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
+
+/// A piece of a bisector inside one face: straight from point to point.
+struct FaceArc {
+  FaceId face;
+  ArcEnd begin, end;
+  GeneratorId left, right;                        ///< on the way from begin to end
+  std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
+};
+
+/// A branch point of the working mesh.
+struct FaceBranch {
+  FaceId face;
+  std::array<double, 3> bary;
+  double distance = 0;  ///< to the generators that meet there, mesh units
+};
+
+/// How the bisectors run inside the faces: with the crossings, all there is to a diagram.
+/// Properties: (1) arcs are ascending by face; (2) every crossing ends exactly one arc in each of its faces; (3) every
+/// branch point ends at least three; (4) within a face no two arcs cross.
+struct FaceDiagram {
+  std::vector<FaceArc> arcs;
+  IdVector<BranchPointId, FaceBranch> branches;
+  std::vector<std::array<double, 3>> points;  ///< inner points of bent arcs, barycentric in their face
+
+  std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
+    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
+                                     static_cast<std::size_t>(arc.point_count));
+  }
+
+  /// Appends a diagram of other faces, which come after these.
+  void append(const FaceDiagram& other) {
+    const auto first_point = static_cast<std::int32_t>(points.size());
+    const auto first_branch = static_cast<std::int32_t>(branches.size());
+    for (FaceArc arc : other.arcs) {
+      arc.first_point += first_point;
+      for (ArcEnd* end : {&arc.begin, &arc.end}) {
+        if (end->branch.valid()) end->branch = BranchPointId(end->branch.value() + first_branch);
+      }
+      arcs.push_back(arc);
+    }
+    branches.raw().insert(branches.end(), other.branches.begin(), other.branches.end());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+  }
+};
+
+}  // namespace gvd

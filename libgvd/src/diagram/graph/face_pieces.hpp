@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "diagram/graph/crossings.hpp"
+#include "diagram/graph/face_diagram.hpp"
+
+namespace gvd {
+
+/// A part of a face between its arcs.
+struct WorkingPiece {
+  GeneratorId generator;
+  std::vector<std::array<double, 3>> corners;  ///< barycentric in the working face, counter-clockwise
+};
+
+/// All parts of one face.
+struct WorkingPieces {
+  std::vector<WorkingPiece> pieces;
+  std::vector<int> piece_of_run;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
+};
+
+/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
+/// `result` is overwritten; a loop over faces hands in the same one again and saves allocations.
+void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+                  const FaceDiagram& diagram, WorkingPieces& result);
+
+}  // namespace gvd

@@ -1,0 +1,155 @@
+#include "diagram/graph/nearest_labels.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class Labeller {
+ public:
+  Labeller(const WorkingMesh& working, NearestLabels& labels)
+      : working_(working), mesh_(working.mesh()), result_(labels) {}
+
+  bool supports(VertexId u, VertexId v) const {
+    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
+  }
+
+  bool is_supported(VertexId v) const {
+    if (working_.vertex(result_.label[v]) == v) return true;
+    return any_neighbour(mesh_, v, [&](VertexId u) { return supports(u, v); });
+  }
+
+  /// Of the vertices in a chunk. `is_sure(v)`: a quick look that may say that v is supported.
+  template <class Sure>
+  std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_sure) const {
+    std::vector<VertexId> unsupported;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const VertexId v(static_cast<std::int64_t>(i));
+      if (result_.label[v].valid() && !is_sure(v) && !is_supported(v)) unsupported.push_back(v);
+    }
+    return unsupported;
+  }
+
+  void strip(VertexId v) {
+    result_.label[v] = GeneratorId();
+    result_.distance[v] = kInfinity;
+  }
+
+  /// Strips the label of every vertex that no chain joins to its generator; returns them.
+  std::vector<VertexId> take_away_unsupported() {
+    std::vector<VertexId> orphans, suspects;
+    const auto examine = [&](VertexId v) {
+      if (!result_.label[v].valid() || is_supported(v)) return;
+      strip(v);
+      orphans.push_back(v);
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
+    };
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) examine(VertexId(i));
+    while (!suspects.empty()) {
+      const VertexId v = suspects.back();
+      suspects.pop_back();
+      examine(v);
+    }
+    return orphans;
+  }
+
+  /// Gives every orphan a label that one of its neighbours has, nearest first: Dijkstra from the labelled neighbours.
+  void adopt(const std::vector<VertexId>& orphans) {
+    using Offer = std::tuple<double, GeneratorId, VertexId>;
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    const auto offer = [&](VertexId to, VertexId from, double length) {
+      const GeneratorId g = result_.label[from];
+      if (g.valid() && !result_.label[to].valid()) offers.emplace(result_.distance[from] + length, g, to);
+    };
+    for (const VertexId v : orphans) {
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh_.length(h)); });
+    }
+    while (!offers.empty()) {
+      const auto [distance, g, v] = offers.top();
+      offers.pop();
+      if (result_.label[v].valid()) continue;
+      result_.label[v] = g;
+      result_.distance[v] = distance;
+      for_each_neighbour(mesh_, v, [&, from = v](VertexId u, HalfedgeId h) { offer(u, from, mesh_.length(h)); });
+    }
+  }
+
+ private:
+  const WorkingMesh& working_;
+  const Mesh& mesh_;
+  NearestLabels& result_;
+};
+
+void take_nearest(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& result) {
+  const Mesh& mesh = working.mesh();
+  const auto n = static_cast<std::size_t>(mesh.vertex_count());
+  result.label.resize(n);
+  result.distance.assign(n, kInfinity);
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    table.for_each(v, [&](const VertexDistance& d) {
+      if (std::tuple(d.distance, d.generator) < std::tuple(result.distance[v], result.label[v]) ||
+          !result.label[v].valid()) {
+        result.distance[v] = d.distance;
+        result.label[v] = d.generator;
+      }
+    });
+  }
+  // A generator owns its vertex, though its symbolic offset may be larger than the way to the next generator.
+  for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    const VertexId v = working.vertex(g);
+    result.label[v] = g;
+    result.distance[v] = table.distance(table.find(v, g)).distance;
+  }
+}
+
+}  // namespace
+
+NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
+  const Mesh& mesh = working.mesh();
+  NearestLabels labels;
+  take_nearest(working, table, labels);
+  const Labeller labeller(working, labels);
+  const Chunk all{0, static_cast<std::size_t>(mesh.vertex_count())};
+  labels.unsupported = labeller.find_unsupported(all, [&](VertexId v) {
+    // Mostly one of the two corners that the distance came from has the same label.
+    const HalfedgeId via = table.distance(v.value()).via;
+    return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
+  });
+  return labels;
+}
+
+NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
+                          const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel) {
+  NearestLabels labels{label, distance, {}};
+  const Labeller labeller(working, labels);
+  labels.unsupported = parallel.collect(
+      cut_into_chunks(label.size(), kScanChunk), {"bisectors", 0, 0},
+      [&](const Chunk& chunk) { return labeller.find_unsupported(chunk, [](VertexId) { return false; }); });
+  return labels;
+}
+
+void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels) {
+  Labeller labeller(working, labels);
+  for (const VertexId v : vertices) labeller.strip(v);
+  labeller.adopt(vertices);
+}
+
+std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels) {
+  Labeller labeller(working, labels);
+  const std::vector<VertexId> orphans = labeller.take_away_unsupported();
+  labeller.adopt(orphans);
+  labels.unsupported.clear();
+  return static_cast<std::int64_t>(orphans.size());
+}
+
+}  // namespace gvd

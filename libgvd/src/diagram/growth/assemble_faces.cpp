@@ -1,0 +1,109 @@
+#include "diagram/growth/assemble_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "diagram/assembly/face_assembly.hpp"
+
+namespace gvd {
+namespace {
+
+/// Progress is reported once in so many faces.
+constexpr std::size_t kProgressStride = 1 << 10;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A face and the forms of the generators round it.
+struct FaceForms {
+  const Mesh& mesh;
+  FaceId face;
+  Front front;
+  std::vector<DistanceForm> forms;
+
+  /// Distance of generator g at a point of the face.
+  double distance(GeneratorId g, const std::array<double, 3>& bary) const {
+    const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == g; });
+    if (front == Front::planar) return form->at(bary);
+    double squared = form->at(bary);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(face, static_cast<int>(i)));
+      squared -= bary[i] * bary[(i + 1) % 3] * length * length;
+    }
+    return std::sqrt(std::max(0.0, squared));
+  }
+};
+
+/// Mean distance of the branch points from `first_branch` on to the generators that meet there.
+void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
+  for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
+    const BranchPointId id(static_cast<std::int64_t>(b));
+    FaceBranch& branch = diagram.branches[id];
+    double sum = 0;
+    int arcs = 0;
+    for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
+      const FaceArc& arc = diagram.arcs[a];
+      if (arc.begin != at(id) && arc.end != at(id)) continue;
+      sum += forms.distance(arc.begin == at(id) ? arc.left : arc.right, branch.bary);
+      ++arcs;
+    }
+    branch.distance = sum / arcs;
+  }
+}
+
+}  // namespace
+
+std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
+                                       FaceId f, GeneratorId g) {
+  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
+  const auto& corners = mesh.vertices(f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t place = table.find(corners[i], g);
+    if (place >= 0) d[i] = table.distance(place).distance;
+    if (labels.label[corners[i]] == g) d[i] = std::min(d[i], labels.distance[corners[i]]);
+  }
+  const std::array<double, 3> known = d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
+    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
+    if (d[i] == kInfinity) d[i] = std::min(next, previous);
+  }
+  return d;
+}
+
+std::vector<DistanceForm> face_forms(const MarchedLabels& marched, FaceId f,
+                                     const std::vector<BoundaryCrossing>& boundary) {
+  std::set<GeneratorId> met;
+  for (const BoundaryCrossing& c : boundary) met.insert(c.next);
+  std::vector<DistanceForm> forms;
+  for (const GeneratorId g : met) {
+    DistanceForm form{g, corner_distances(marched.mesh, marched.table, marched.labels, f, g)};
+    for (double& value : form.corner) value = form_value(marched.front, value);
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+void assemble_faces(const MarchedLabels& marched, const Crossings& crossings, const std::vector<FaceId>& skipped,
+                    FaceDiagram& diagram, const Progress& progress) {
+  std::vector<BoundaryCrossing> boundary;
+  const std::vector<FaceId> faces = crossed_faces(marched.mesh, crossings);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceId f = faces[i];
+    if (i % kProgressStride == 0)
+      report_progress(progress, "bisectors", 0.75 + 0.25 * double(i) / double(faces.size()));
+    if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
+    boundary_crossings(marched.mesh, crossings, f, boundary);
+    if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for
+      diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
+      continue;
+    }
+    const FaceForms forms{marched.mesh, f, marched.front, face_forms(marched, f, boundary)};
+    const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
+    assemble_face(f, boundary, FormMetric(forms.forms), diagram);
+    measure_branches(forms, first_arc, first_branch, diagram);
+  }
+}
+
+}  // namespace gvd

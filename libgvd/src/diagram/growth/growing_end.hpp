@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "base/plane.hpp"
+#include "diagram/graph/face_diagram.hpp"
+#include "geodesic/marching/unfold.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Where a growing end leaves its face.
+struct Exit {
+  HalfedgeId halfedge;
+  double t;  ///< parameter along the halfedge
+  Vec2 point;
+  double distance;  ///< predicted
+};
+
+/// The end of a bisector that grows through a face (section 4.3). Positions and images are in the face's own plane.
+struct GrowingEnd {
+  FaceId face;
+  int node;  ///< where it starts: a node of the gap that it grows in
+  Vec2 start;
+  GeneratorId left, right;
+  Vec2 left_image, right_image;
+  std::optional<Exit> exit{};  ///< its exit event, if there is one
+  bool active = true;
+
+  /// Along the bisector of the two images, with the left one on the left: also after a merge, when they are the images
+  /// of the two outer generators.
+  Vec2 direction() const { return turned_left(right_image - left_image).normalized(); }
+
+  /// Predicted distance of a point from the two generators.
+  double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
+};
+
+/// The exit event of an end: the first edge that its ray meets on the way out. None where it runs along an edge, away
+/// from the triangle, or has no direction.
+inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner) {
+  const Vec2 direction = end.direction();
+  if (!direction.allFinite()) return std::nullopt;
+  std::optional<Exit> first;
+  double soonest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec2& a = corner[static_cast<std::size_t>(i)];
+    const Vec2 along = corner[static_cast<std::size_t>((i + 1) % 3)] - a;
+    const double outward = cross(direction, along);  // > 0: the ray crosses this edge from inside to outside
+    if (!(outward > 0)) continue;
+    const double reach = std::max(0.0, cross(a - end.start, along) / outward);
+    if (reach >= soonest) continue;
+    soonest = reach;
+    const Vec2 point = end.start + reach * direction;
+    first =
+        Exit{Mesh::halfedge(end.face, i), (point - a).dot(along) / along.squaredNorm(), point, end.distance_at(point)};
+  }
+  return first;
+}
+
+/// Where the rays of two ends in one face meet, if both get there before they leave it. `first` is the left one of the
+/// two, so that the cell between them narrows towards the meeting.
+inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
+  if (!first.exit || !second.exit) return std::nullopt;
+  const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;
+  const double denominator = cross(d, e);
+  if (!(denominator > 0)) return std::nullopt;
+  const Vec2 between = second.start - first.start;
+  const double s = cross(between, e) / denominator, t = cross(between, d) / denominator;
+  if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
+  return first.start + s * d;
+}
+
+/// The rotation around an edge: takes the plane of one of its faces into the plane of the other.
+class EdgeRotation {
+ public:
+  /// a and b are the edge's ends in the old plane, in the new one a_new and b_new.
+  EdgeRotation(const Vec2& a, const Vec2& b, const Vec2& a_new, const Vec2& b_new) : from_(a), to_(a_new) {
+    const Vec2 u = (b - a).normalized(), v = (b_new - a_new).normalized();
+    cosine_ = u.dot(v);
+    sine_ = cross(u, v);
+  }
+  Vec2 operator()(const Vec2& p) const {
+    const Vec2 d = p - from_;
+    return to_ + Vec2(cosine_ * d.x() - sine_ * d.y(), sine_ * d.x() + cosine_ * d.y());
+  }
+
+ private:
+  Vec2 from_, to_;
+  double cosine_, sine_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,49 @@
+#include "diagram/growth/refine_bisectors.hpp"
+
+#include "diagram/growth/assemble_faces.hpp"
+#include "geodesic/field/face_layout.hpp"
+#include "geodesic/marching/unfold.hpp"
+
+namespace gvd {
+namespace {
+
+/// Progress is reported once in so many faces.
+constexpr std::size_t kProgressStride = 1 << 12;
+
+/// Parameter where the line of points equally far from p and q meets a + t (b - a); outside of [0, 1] where it misses.
+double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  const Vec2 normal = q - p;
+  const double along = normal.dot(b - a);
+  const double reach = normal.dot(0.5 * (p + q) - a);
+  return along == 0 ? -1 : reach / along;
+}
+
+}  // namespace
+
+std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
+                                               const NearestLabels& labels, const Crossings& crossings,
+                                               const Progress& progress) {
+  const Mesh& mesh = working.mesh();
+  std::vector<CrossingEstimate> estimates;
+  std::vector<BoundaryCrossing> boundary;
+  const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (k % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 + 0.25 * double(k) / double(faces.size()));
+    const FaceId f = faces[k];
+    boundary_crossings(mesh, crossings, f, boundary);
+    if (boundary.size() != 2) continue;
+    const auto corner = FaceLayout(mesh, f).corner;
+    const Vec2 p = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].next));
+    const Vec2 q = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].previous));
+    for (const BoundaryCrossing& c : boundary) {
+      const auto i = static_cast<std::size_t>(c.corner);
+      const double t = equidistant_parameter(corner[i], corner[(i + 1) % 3], p, q);
+      if (!(t > 0 && t < 1)) continue;
+      const bool along = mesh.halfedge(crossings[c.id].edge) == Mesh::halfedge(f, c.corner);
+      estimates.push_back({c.id, along ? t : 1 - t});
+    }
+  }
+  return estimates;
+}
+
+}  // namespace gvd

@@ -1,0 +1,227 @@
+#include "diagram/growth/rough_bisectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+#include "diagram/assembly/distance_form.hpp"
+#include "geodesic/marching/auxiliary_distance.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Progress is reported once in so many edges.
+constexpr std::size_t kProgressStride = 1 << 10;
+
+/// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off
+/// by about a hundredth of an edge, so that such a run says nothing.
+constexpr double kShortestRun = 1e-3;
+
+/// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
+struct EdgeCandidate {
+  GeneratorId generator;
+  std::array<double, 3> value{kInfinity, kInfinity, kInfinity};
+};
+
+class EdgeEnvelope {
+ public:
+  EdgeEnvelope(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front)
+      : mesh_(working.mesh()), table_(table), labels_(labels), front_(front) {}
+
+  void find(EdgeId e, bool plain, std::vector<Crossing>& crossings) {
+    const GeneratorId first = labels_.label[mesh_.from(mesh_.halfedge(e))];
+    const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
+    if (plain && first == last) return;
+    collect_ends(e);
+    if (first == last && !may_be_poked(first, mesh_.length(e))) return;
+    collect_midpoints(e);
+    if (plain) std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
+    const GeneratorId middle = nearest(1);
+    breaks_.clear();
+    walk(0, first, middle);
+    walk(1, middle, last);
+    emit(e, first, crossings);
+  }
+
+ private:
+  /// The entries of a side's face that count.
+  template <class Visit>
+  void for_each_entry(HalfedgeId side, Visit visit) {
+    table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
+      if (!entry.dominated) visit(entry);
+    });
+  }
+
+  /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
+  void collect_ends(EdgeId e) {
+    candidates_.clear();
+    const HalfedgeId h = mesh_.halfedge(e);
+    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+      if (!side.valid()) continue;
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      for_each_entry(side, [&](const TableEntry& entry) {
+        EdgeCandidate& c = candidate(entry.generator);
+        const auto d = table_.corner_distances(entry);
+        const double from = d[i], to = d[(i + 1) % 3];
+        c.value[0] = side == h ? from : to;
+        c.value[2] = side == h ? to : from;
+      });
+    }
+    require_label(mesh_.from(h), 0, mesh_.length(e));
+    require_label(mesh_.to(h), 2, mesh_.length(e));
+  }
+
+  /// Whether another cell could own the inside of an edge whose ends belong to `own`: a distance changes by half a
+  /// length at the most from an end to the midpoint.
+  bool may_be_poked(GeneratorId own, double length) {
+    const EdgeCandidate mine = candidate(own);
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const EdgeCandidate& c) {
+      return c.generator != own && std::max(c.value[0], c.value[2]) < std::min(mine.value[0], mine.value[2]) + length;
+    });
+  }
+
+  void collect_midpoints(EdgeId e) {
+    const HalfedgeId h = mesh_.halfedge(e);
+    for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+      if (!side.valid()) continue;
+      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const MedianHalves halves = make_median_halves(mesh_.shape(Mesh::face(side)), i);
+      for_each_entry(side, [&](const TableEntry& entry) {
+        double& middle = candidate(entry.generator).value[1];
+        middle = std::min(middle, auxiliary_distance(halves, table_.corner_distances(entry), i, front_));
+      });
+    }
+    for (EdgeCandidate& c : candidates_) {
+      // The midpoint is reached along the edge at the latest.
+      c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));
+      for (double& value : c.value) value = form_value(front_, value);
+    }
+  }
+
+  EdgeCandidate& candidate(GeneratorId g) {
+    for (EdgeCandidate& c : candidates_) {
+      if (c.generator == g) return c;
+    }
+    return candidates_.emplace_back(EdgeCandidate{g});
+  }
+
+  /// The label of an end is the winner there whatever the tables say: it was chosen so that its cell is connected.
+  void require_label(VertexId v, std::size_t end, double length) {
+    EdgeCandidate& c = candidate(labels_.label[v]);
+    double lowest = labels_.distance[v];
+    for (const EdgeCandidate& other : candidates_) lowest = std::min(lowest, other.value[end]);
+    c.value[end] = lowest;
+    c.value[2 - end] = std::min(c.value[2 - end], labels_.distance[v] + length);
+  }
+
+  GeneratorId nearest(std::size_t sample) const {
+    GeneratorId best;
+    double least = kInfinity;
+    for (const EdgeCandidate& c : candidates_) {
+      if (c.value[sample] < least) std::tie(least, best) = std::tuple(c.value[sample], c.generator);
+    }
+    return best;
+  }
+
+  /// Lower envelope of the candidates' linear forms over half `half` of the edge, from winner `first` to winner `last`.
+  void walk(std::size_t half, GeneratorId first, GeneratorId last) {
+    const double start = 0.5 * static_cast<double>(half);
+    double s = 0;
+    for (GeneratorId current = first; current != last;) {
+      const EdgeCandidate c = candidate(current);
+      double soonest = kInfinity;
+      GeneratorId next = last;
+      for (const EdgeCandidate& other : candidates_) {
+        const double at_start = other.value[half] - c.value[half], at_end = other.value[half + 1] - c.value[half + 1];
+        if (other.generator == current || !(at_end < 0 || other.generator == last)) continue;
+        const double where = at_start > 0 && at_end < 0 ? at_start / (at_start - at_end) : at_start > 0 ? 1.0 : s;
+        // Where two cross at one place, the one that falls faster wins: it is the lower one from there on.
+        if (std::tuple(where, at_end) < std::tuple(soonest, kInfinity)) {
+          soonest = where;
+          next = other.generator;
+        }
+      }
+      s = std::max(s, std::min(soonest, 1.0));
+      breaks_.emplace_back(start + 0.5 * s, next);
+      current = next;
+    }
+  }
+
+  /// Turns the breaks into crossings that keep their distance, dropping the runs inside the edge that are too short to
+  /// keep. The first run and the last one belong to the ends and stay.
+  void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
+    std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
+    for (const auto& [t, g] : breaks_) {
+      while (runs.size() > 1 && t - runs.back().first < kShortestRun) runs.pop_back();
+      const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
+      if (runs.back().second != g) runs.emplace_back(start, g);
+    }
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      crossings.push_back({e, runs[i].first, runs[i - 1].second, runs[i].second});
+    }
+  }
+
+  const Mesh& mesh_;
+  const GeneratorTable& table_;
+  const NearestLabels& labels_;
+  Front front_;
+  std::vector<EdgeCandidate> candidates_;
+  std::vector<std::pair<double, GeneratorId>> breaks_;
+};
+
+/// Whether all but one of the generators in f's table are dominated.
+bool has_one_owner(const GeneratorTable& table, FaceId f) {
+  int owners = 0;
+  table.for_each(f, [&](const TableEntry& entry) { owners += entry.dominated ? 0 : 1; });
+  return owners <= 1;
+}
+
+/// Edges of faces with several generators in their table, the dominated ones apart, or at their corners; ascending.
+std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels) {
+  std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);
+  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
+    const FaceId f(i);
+    if (!table.reached(f)) continue;
+    const auto& [a, b, c] = mesh.vertices(f);
+    const bool one_label = labels.label[a] == labels.label[b] && labels.label[b] == labels.label[c];
+    if (one_label && has_one_owner(table, f)) continue;
+    for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
+  }
+  std::vector<EdgeId> edges;
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
+    if (is_near[EdgeId(e).index()]) edges.push_back(EdgeId(e));
+  }
+  return edges;
+}
+
+}  // namespace
+
+Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                               Front front, const Progress& progress) {
+  std::vector<Crossing> crossings;
+  EdgeEnvelope envelope(working, table, labels, front);
+  const std::vector<EdgeId> edges = edges_near_bisectors(working.mesh(), table, labels);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 * double(i) / double(edges.size()));
+    envelope.find(edges[i], false, crossings);
+  }
+  return Crossings(working.mesh().edge_count(), std::move(crossings));
+}
+
+void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
+                   const std::vector<EdgeId>& edges, Crossings& crossings) {
+  std::vector<Crossing> items;
+  EdgeEnvelope envelope(working, table, labels, front);
+  auto next = edges.begin();
+  for (const Crossing& c : crossings.items()) {
+    for (; next != edges.end() && *next < c.edge; ++next) envelope.find(*next, true, items);
+    if (next == edges.end() || *next != c.edge) items.push_back(c);
+  }
+  for (; next != edges.end(); ++next) envelope.find(*next, true, items);
+  crossings = Crossings(working.mesh().edge_count(), std::move(items));
+}
+
+}  // namespace gvd

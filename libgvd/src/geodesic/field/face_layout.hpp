@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/plane.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// A face laid out in the plane: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above. Mesh units.
+struct FaceLayout {
+  std::array<Vec2, 3> corner;
+  double twice_area;  ///< > 0
+
+  /// Height of a face without area, relative to its longest edge: its barycentric coordinates then change by at most
+  /// 1e12 an edge length, and its lengths by 1e-12 of themselves.
+  static constexpr double kLeastHeight = 1e-12;
+
+  FaceLayout(const Mesh& mesh, FaceId f) {
+    const double l0 = mesh.length(Mesh::halfedge(f, 0)), l1 = mesh.length(Mesh::halfedge(f, 1)),
+                 l2 = mesh.length(Mesh::halfedge(f, 2));
+    // From the sides themselves: where this one is short, the law of cosines would lose the digits of the long ones.
+    const auto& [a, b, c] = mesh.vertices(f);
+    const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
+    const double height = std::max(base.cross(side).stableNorm() / l0, kLeastHeight * std::max({l0, l1, l2}));
+    corner = {Vec2(0, 0), Vec2(l0, 0), Vec2(base.dot(side) / l0, height)};
+    twice_area = l0 * height;
+  }
+
+  Vec2 at(const std::array<double, 3>& bary) const {
+    return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
+  }
+  /// Barycentric coordinates of a point of the plane.
+  std::array<double, 3> bary(const Vec2& p) const {
+    const Vec2 d = p - corner[0];
+    const double v = cross(d, corner[2] - corner[0]) / twice_area, w = cross(corner[1] - corner[0], d) / twice_area;
+    return {1 - v - w, v, w};
+  }
+  /// Unit vector from corner i to the next one.
+  Vec2 side(int i) const {
+    return (corner[static_cast<std::size_t>((i + 1) % 3)] - corner[static_cast<std::size_t>(i)]).normalized();
+  }
+  /// How fast the barycentric coordinates change along a direction, per mesh unit.
+  std::array<double, 3> bary_rate(const Vec2& direction) const {
+    std::array<double, 3> rate{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      rate[i] = cross(corner[(i + 2) % 3] - corner[(i + 1) % 3], direction) / twice_area;
+    }
+    return rate;
+  }
+};
+
+}  // namespace gvd

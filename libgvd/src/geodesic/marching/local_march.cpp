@@ -1,0 +1,159 @@
+#include "geodesic/marching/local_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geodesic/marching/local_update.hpp"
+
+namespace gvd {
+namespace {
+
+/// An improvement below this part of the distance is rounding: it is not propagated again. At each vertex the part
+/// doubles with every improvement, so that none has more than 44: in chains of needles, updates that bring each other
+/// down could otherwise go round for ever longer, twice as often with each needle. A vertex of an ordinary mesh has
+/// less than ten.
+constexpr double kImprovement = 1e-13;
+
+double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
+  return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
+}
+
+}  // namespace
+
+LocalMarch::LocalMarch(const Mesh& mesh, Front front)
+    : mesh_(mesh),
+      front_(front),
+      shapes_(static_cast<std::size_t>(mesh.face_count())),
+      nodes_(static_cast<std::size_t>(mesh.vertex_count()), Node{0, 0, 0}) {
+  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
+    const FaceId f(i);
+    for (int corner = 0; corner < 3; ++corner) shapes_[f].length[corner] = mesh.length(Mesh::halfedge(f, corner));
+    shapes_[f].twice_area = 2 * mesh.area(f);
+  }
+}
+
+void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper) {
+  ++run_;
+  limit_ = limit;
+  upper_ = upper;
+  reached_.clear();
+  heap_.clear();
+  place_start(start);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Event event = heap_.back();
+    heap_.pop_back();
+    if (event.distance == nodes_[event.vertex].distance) relax(event.vertex);  // else it has improved since
+  }
+}
+
+/// The corners of the faces that hold the start see it straight; from a vertex the updates do the same.
+void LocalMarch::place_start(const SurfacePoint& start) {
+  start_faces_.clear();
+  start_corners_.clear();
+  start_position_ = position(mesh_, start);
+  if (start.kind() == SurfacePoint::Kind::vertex) {
+    start_corners_.push_back(vertex(mesh_, start));
+    reach(start_corners_.front(), 0);
+    return;
+  }
+  start_faces_.push_back(start.face);
+  if (start.kind() == SurfacePoint::Kind::edge) {
+    const HalfedgeId twin = mesh_.twin(halfedge(start));
+    if (twin.valid()) start_faces_.push_back(Mesh::face(twin));
+  }
+  for (const FaceId f : start_faces_) {
+    for (const VertexId v : mesh_.vertices(f)) {
+      start_corners_.push_back(v);
+      reach(v, (mesh_.position(v) - start_position_).norm());
+    }
+  }
+}
+
+bool LocalMarch::below_bound(VertexId v) const {
+  const double d = distance(v);
+  return d < limit_ && (upper_ == nullptr || d < (*upper_)[v]);
+}
+
+bool LocalMarch::is_start_corner(VertexId v) const {
+  return std::find(start_corners_.begin(), start_corners_.end(), v) != start_corners_.end();
+}
+
+void LocalMarch::reach(VertexId v, double distance) {
+  Node& node = nodes_[v];
+  if (node.run != run_) {
+    node = {distance, run_, 0};
+    reached_.push_back(v);
+  } else if (distance < node.distance * (1 - std::ldexp(kImprovement, node.improvements))) {
+    node.distance = distance;
+    ++node.improvements;
+  } else {
+    return;
+  }
+  heap_.push_back({distance, v});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+double LocalMarch::update(HalfedgeId h) const {
+  const FaceShape& s = shapes_[Mesh::face(h)];
+  const int i = Mesh::corner(h);
+  const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
+  const double distance_a = nodes_[mesh_.from(h)].distance, distance_b = nodes_[mesh_.to(h)].distance;
+  // A flat apex can come out nearer than both ends. In faces without area, folded on each other, each such value would
+  // bring others down in turn: the front has to go forwards. What is no number stays so.
+  return std::max(update_by(front_, t, distance_a, distance_b), std::min(distance_a, distance_b));
+}
+
+/// Carries the distance of v into its faces. Beyond the bound v only helps a neighbour that is below its own; but a
+/// generator's own corners always go on, since its cell can leave the face through the inside of an edge.
+void LocalMarch::relax(VertexId v) {
+  const bool goes_on = below_bound(v) || is_start_corner(v);
+  const HalfedgeId start = mesh_.halfedge(v);
+  HalfedgeId h = start;
+  do {
+    const FaceId f = Mesh::face(h);
+    const HalfedgeId before = Mesh::previous(h);  // from c to v
+    const VertexId b = mesh_.to(h), c = mesh_.from(before);
+    const bool has_b = nodes_[b].run == run_, has_c = nodes_[c].run == run_;
+    const double d = nodes_[v].distance;
+    // The edge comes first in std::min: an update that overflows, in a face without shape, is no number and loses.
+    const double along_b = d + shapes_[f].length[Mesh::corner(h)],
+                 along_c = d + shapes_[f].length[Mesh::corner(before)];
+    if (has_b && (goes_on || below_bound(b))) {
+      reach(c, std::min(along_c, update(h)));
+    } else if (goes_on) {
+      reach(c, along_c);
+    }
+    if (has_c && (goes_on || below_bound(c))) {
+      reach(b, std::min(along_b, update(before)));
+    } else if (goes_on) {
+      reach(b, along_b);
+    }
+    h = mesh_.twin(before);
+  } while (h.valid() && h != start);
+}
+
+double LocalMarch::distance(const SurfacePoint& point) const {
+  const Vec3 p = position(mesh_, point);
+  if (std::find(start_faces_.begin(), start_faces_.end(), point.face) != start_faces_.end()) {
+    return (p - start_position_).norm();
+  }
+  double best = std::numeric_limits<double>::infinity();
+  const FaceShape& s = shapes_[point.face];
+  for (int i = 0; i < 3; ++i) {
+    const HalfedgeId h = Mesh::halfedge(point.face, i);
+    const VertexId a = mesh_.from(h), b = mesh_.to(h);
+    const double to_a = (p - mesh_.position(a)).norm(), to_b = (p - mesh_.position(b)).norm();
+    const double distance_a = distance(a), distance_b = distance(b);
+    if (nodes_[a].run == run_ && nodes_[b].run == run_) {
+      const double twice_area = s.twice_area * point.bary[static_cast<std::size_t>((i + 2) % 3)];
+      best = std::min(
+          best, update_by(front_, make_update_triangle(s.length[i], to_a, to_b, twice_area), distance_a, distance_b));
+    } else {
+      best = std::min({best, distance_a + to_a, distance_b + to_b});
+    }
+  }
+  return best;
+}
+
+}  // namespace gvd

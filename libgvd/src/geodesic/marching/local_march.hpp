@@ -1,0 +1,78 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "gvd/front.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Distances from one point, carried only as far as they are below a bound at each vertex.
+///
+/// The work space is made once and used by many runs, so that a run costs what it reaches and not what the mesh holds.
+/// Memory: 40 bytes a face.
+class LocalMarch {
+ public:
+  LocalMarch(const Mesh& mesh, Front front);
+
+  /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[v] where `upper` is
+  /// given. The ring of vertices round these gets its distances too, since they improve those inside.
+  ///
+  /// Label-correcting: the distances are a fixed point of the updates, whatever the queue's order; where updates bring
+  /// each other down again and again it ends near one. Cost: O(k log k) for k vertices reached.
+  void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
+
+  /// The vertices that the last run reached, each once, in the order in which it first did.
+  const std::vector<VertexId>& reached() const { return reached_; }
+  /// Mesh units; infinity where the last run did not arrive.
+  double distance(VertexId v) const {
+    return nodes_[v].run == run_ ? nodes_[v].distance : std::numeric_limits<double>::infinity();
+  }
+  /// Distance of any point, from those at the corners of its face; straight in the faces of the start. Infinity where
+  /// the last run did not arrive. Cost: O(1).
+  double distance(const SurfacePoint& point) const;
+
+ private:
+  struct Node {
+    double distance;
+    std::int32_t run;
+    std::int32_t improvements;  // in that run
+  };
+  struct Event {
+    double distance;
+    VertexId vertex;
+    /// Least distance first in a standard heap, then least id.
+    bool operator<(const Event& other) const {
+      return distance > other.distance || (distance == other.distance && vertex > other.vertex);
+    }
+  };
+  struct FaceShape {
+    double length[3];  // of the halfedges of corners 0, 1, 2
+    double twice_area;
+  };
+
+  void place_start(const SurfacePoint& start);
+  bool below_bound(VertexId v) const;
+  bool is_start_corner(VertexId v) const;
+  void reach(VertexId v, double distance);
+  void relax(VertexId v);
+  /// Distance at the corner before h, from those at the ends of h. Both must be reached.
+  double update(HalfedgeId h) const;
+
+  const Mesh& mesh_;
+  Front front_;
+  IdVector<FaceId, FaceShape> shapes_;
+  IdVector<VertexId, Node> nodes_;
+  std::int32_t run_ = 0;
+  double limit_ = 0;
+  const IdVector<VertexId, double>* upper_ = nullptr;
+  std::vector<FaceId> start_faces_;
+  std::vector<VertexId> start_corners_;
+  Vec3 start_position_ = Vec3::Zero();
+  std::vector<VertexId> reached_;
+  std::vector<Event> heap_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <limits>
+
+#include "geodesic/marching/local_march.hpp"
+
+namespace gvd {
+
+/// The nearest of the generators inserted so far, at every vertex.
+///
+/// Each new generator only changes the region that it wins, so that N of them cost about n log N in all. Where two are
+/// equally near, the earlier one stays.
+class NearestField {
+ public:
+  NearestField(const Mesh& mesh, Front front)
+      : march_(mesh, front),
+        distance_(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity()),
+        label_(static_cast<std::size_t>(mesh.vertex_count())) {}
+
+  /// Adds the next generator. Cost: O(k log k) for the k vertices that it wins.
+  GeneratorId insert(const SurfacePoint& point) {
+    const GeneratorId g(count_++);
+    march_.run(point, std::numeric_limits<double>::infinity(), &distance_);
+    for (const VertexId v : march_.reached()) {
+      const double d = march_.distance(v);
+      if (!(d < distance_[v])) continue;
+      distance_[v] = d;
+      label_[v] = g;
+    }
+    return g;
+  }
+
+  /// Mesh units; infinity where no generator reaches.
+  double distance(VertexId v) const { return distance_[v]; }
+  /// Invalid where no generator reaches.
+  GeneratorId label(VertexId v) const { return label_[v]; }
+
+ private:
+  LocalMarch march_;
+  IdVector<VertexId, double> distance_;
+  IdVector<VertexId, GeneratorId> label_;
+  std::int32_t count_ = 0;
+};
+
+}  // namespace gvd

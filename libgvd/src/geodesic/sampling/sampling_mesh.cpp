@@ -1,0 +1,96 @@
+#include "geodesic/sampling/sampling_mesh.hpp"
+
+#include <algorithm>
+#include <queue>
+
+#include "mesh/mesh_editor.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr std::int64_t kProgressStride = 1 << 14;
+
+struct LongEdge {
+  double length;
+  EdgeId edge;
+  bool operator<(const LongEdge& other) const {
+    return length < other.length || (length == other.length && edge > other.edge);
+  }
+};
+
+}  // namespace
+
+double longest_edge(const Mesh& mesh) {
+  double longest = 0;
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
+  return longest;
+}
+
+SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress) : input_(&input) {
+  if (longest_edge(input) <= options.longest && input.vertex_count() >= options.least) return;
+  copy_input();
+  std::vector<LongEdge> edges;
+  edges.reserve(static_cast<std::size_t>(input.edge_count()));
+  for (std::int32_t e = 0; e < input.edge_count(); ++e) edges.push_back({input.length(EdgeId(e)), EdgeId(e)});
+  std::priority_queue<LongEdge> queue(std::less<LongEdge>(), std::move(edges));
+  for (;;) {
+    const LongEdge top = queue.top();
+    const std::int64_t vertices = copy_.vertex_count();
+    const bool is_long = top.length > options.longest && vertices - input.vertex_count() < options.most;
+    if (!is_long && vertices >= options.least) break;
+    queue.pop();
+    if (top.length != copy_.length(top.edge)) continue;  // one half of an edge that was split
+    if (vertices % kProgressStride == 0) report_progress(progress, "sampling", 0);
+    const std::int32_t before = copy_.edge_count();
+    split(top.edge);
+    queue.push({copy_.length(top.edge), top.edge});
+    for (std::int32_t e = before; e < copy_.edge_count(); ++e) queue.push({copy_.length(EdgeId(e)), EdgeId(e)});
+  }
+}
+
+void SamplingMesh::copy_input() {
+  split_ = true;
+  copy_ = *input_;
+  parts_.resize(static_cast<std::size_t>(copy_.face_count()));
+  for (std::int32_t f = 0; f < copy_.face_count(); ++f) {
+    parts_[FaceId(f)] = {FaceId(f), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  }
+}
+
+void SamplingMesh::split(EdgeId e) {
+  const HalfedgeId h = copy_.halfedge(e), twin = copy_.twin(h);
+  const Vec3 middle = 0.5 * copy_.position(copy_.from(h)) + 0.5 * copy_.position(copy_.to(h));
+  const FaceId appended(copy_.face_count());
+  MeshEditor(copy_).split_edge(h, middle);
+  parts_.resize(static_cast<std::size_t>(copy_.face_count()));
+  split_part(h, appended);
+  if (twin.valid()) split_part(twin, FaceId(appended.value() + 1));
+}
+
+/// The face of h, from a to b, is now (a, middle, c), and `appended` is (middle, b, c).
+void SamplingMesh::split_part(HalfedgeId h, FaceId appended) {
+  Part& part = parts_[Mesh::face(h)];
+  const auto i = static_cast<std::size_t>(Mesh::corner(h));
+  const auto a = part.corners[i], b = part.corners[(i + 1) % 3], c = part.corners[(i + 2) % 3];
+  std::array<double, 3> middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (a[k] + b[k]);
+  part.corners = {a, middle, c};
+  parts_[appended] = {part.parent, {middle, b, c}};
+}
+
+SurfacePoint SamplingMesh::to_input(const SurfacePoint& point) const {
+  if (!split_) return point;
+  const Part& part = parts_[point.face];
+  std::array<double, 3> bary{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) bary[k] += point.bary[i] * part.corners[i][k];
+  }
+  return make_surface_point(part.parent, bary);
+}
+
+SurfacePoint SamplingMesh::to_input(VertexId v) const {
+  if (v.value() < input_->vertex_count()) return vertex_point(*input_, v);
+  return to_input(vertex_point(copy_, v));
+}
+
+}  // namespace gvd

@@ -1,0 +1,199 @@
+// Blue noise by elimination: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with geodesic
+// distances. Random candidates, several for each point wanted; the one with the most crowded neighbourhood goes, again
+// and again, until exactly as many are left as were asked for.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/lazy_max_heap.hpp"
+#include "geodesic/marching/local_march.hpp"
+#include "geodesic/sampling/sampling_mesh.hpp"
+#include "geodesic/sampling/sampling_random.hpp"
+#include "geodesic/sampling/sampling_steps.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+/// Candidates for each point wanted (section 3.2 of the paper: five suffice).
+constexpr std::int64_t kCandidates = 5;
+
+/// Weight limiting of the paper's equation 3, with the paper's numbers: pairs closer than a part of the largest
+/// possible spacing count as if they had that distance, beta (1 - (N / M)^gamma) with gamma = 1.5.
+constexpr double kBeta = 0.65;
+
+/// Edges longer than this many even spacings are split, so that a face holds few candidates and neighbours are found in
+/// constant time.
+constexpr double kLongEdge = 2;
+
+struct Pair {
+  std::int32_t first, second;
+  float weight;
+};
+
+struct Neighbour {
+  std::int32_t candidate;
+  float weight;
+};
+
+/// Lists of neighbours, one after the other.
+struct Neighbourhoods {
+  std::vector<std::size_t> begin;  // of each candidate's list, and the end of the last
+  std::vector<Neighbour> neighbours;
+};
+
+/// The candidates in each face, ascending.
+struct FaceLists {
+  FaceLists(const Mesh& mesh, const std::vector<SurfacePoint>& candidates)
+      : begin(static_cast<std::size_t>(mesh.face_count()) + 1, 0), items(candidates.size()) {
+    for (const SurfacePoint& c : candidates) ++begin[c.face.index() + 1];
+    for (std::size_t f = 0; f + 1 < begin.size(); ++f) begin[f + 1] += begin[f];
+    std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      items[end[candidates[i].face.index()]++] = static_cast<std::int32_t>(i);
+    }
+  }
+
+  std::vector<std::size_t> begin;
+  std::vector<std::int32_t> items;
+};
+
+/// The paper's equation 2, with alpha = 8: 1 for points that fall together, 0 at `diameter`.
+float compute_weight(double distance, double least, double diameter) {
+  const double w = 1 - std::max(distance, least) / diameter;
+  const double w2 = w * w, w4 = w2 * w2;
+  return static_cast<float>(w4 * w4);
+}
+
+std::vector<Vec3> compute_positions(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : points) positions.push_back(position(mesh, p));
+  return positions;
+}
+
+/// All pairs of candidates whose geodesic distance is below `diameter`.
+class PairFinder {
+ public:
+  PairFinder(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, Front front)
+      : mesh_(mesh),
+        candidates_(candidates),
+        positions_(compute_positions(mesh, candidates)),
+        lists_(mesh, candidates),
+        march_(mesh, front),
+        seen_(static_cast<std::size_t>(mesh.face_count()), -1) {}
+
+  /// The candidates in the order of their faces: the order to visit them in, since it keeps to the same memory.
+  const std::vector<std::int32_t>& by_face() const { return lists_.items; }
+
+  /// Calls visit(j, distance) for the candidates j > i that are near i.
+  template <class Visit>
+  void for_each_after(std::int32_t i, double diameter, Visit visit) {
+    march_.run(candidates_[static_cast<std::size_t>(i)], diameter);
+    for (const VertexId v : march_.reached()) {
+      const HalfedgeId start = mesh_.halfedge(v);
+      HalfedgeId h = start;
+      do {
+        visit_face(Mesh::face(h), i, diameter, visit);
+        h = mesh_.twin(Mesh::previous(h));
+      } while (h.valid() && h != start);
+    }
+  }
+
+ private:
+  template <class Visit>
+  void visit_face(FaceId f, std::int32_t i, double diameter, Visit visit) {
+    if (seen_[f] == i) return;
+    seen_[f] = i;
+    for (std::size_t k = lists_.begin[f.index()]; k < lists_.begin[f.index() + 1]; ++k) {
+      const std::int32_t j = lists_.items[k];
+      if (j <= i) continue;
+      // No path is shorter than the straight line through space.
+      if ((positions_[static_cast<std::size_t>(i)] - positions_[static_cast<std::size_t>(j)]).norm() >= diameter)
+        continue;
+      const double distance = march_.distance(candidates_[static_cast<std::size_t>(j)]);
+      if (distance < diameter) visit(j, distance);
+    }
+  }
+
+  const Mesh& mesh_;
+  const std::vector<SurfacePoint>& candidates_;
+  std::vector<Vec3> positions_;
+  FaceLists lists_;
+  LocalMarch march_;
+  IdVector<FaceId, std::int32_t> seen_;  // the last candidate for which the face was looked at
+};
+
+Neighbourhoods join(std::size_t candidates, const std::vector<Pair>& pairs) {
+  Neighbourhoods result{std::vector<std::size_t>(candidates + 1, 0), std::vector<Neighbour>(2 * pairs.size())};
+  for (const Pair& p : pairs) {
+    ++result.begin[static_cast<std::size_t>(p.first) + 1];
+    ++result.begin[static_cast<std::size_t>(p.second) + 1];
+  }
+  for (std::size_t i = 0; i < candidates; ++i) result.begin[i + 1] += result.begin[i];
+  std::vector<std::size_t> end(result.begin.begin(), result.begin.end() - 1);
+  for (const Pair& p : pairs) {
+    result.neighbours[end[static_cast<std::size_t>(p.first)]++] = {p.second, p.weight};
+    result.neighbours[end[static_cast<std::size_t>(p.second)]++] = {p.first, p.weight};
+  }
+  return result;
+}
+
+Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, std::int64_t count,
+                               const SamplingOptions& options) {
+  // No `count` points of the plane lie farther from each other than the even spacing: the paper's 2 r_max.
+  const double diameter = even_spacing(compute_area(mesh), count);
+  const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
+  const double least = diameter * kBeta * (1 - share * std::sqrt(share));
+  PairFinder finder(mesh, candidates, options.front);
+  std::vector<Pair> pairs;
+  std::int64_t done = 0;
+  for (const std::int32_t first : finder.by_face()) {
+    report_progress(options.progress, "sampling", 0.9 * double(done++) / double(candidates.size()));
+    finder.for_each_after(first, diameter, [&](std::int32_t second, double distance) {
+      pairs.push_back({first, second, compute_weight(distance, least, diameter)});
+    });
+  }
+  return join(candidates.size(), pairs);
+}
+
+/// Which candidates are left when the most crowded ones are gone.
+std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
+  const std::size_t candidates = lists.begin.size() - 1;
+  std::vector<double> weight(candidates, 0);
+  for (std::size_t i = 0; i < candidates; ++i) {
+    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) weight[i] += double(lists.neighbours[k].weight);
+  }
+  const auto key = [&](std::int32_t i) { return weight[static_cast<std::size_t>(i)]; };
+  LazyMaxHeap heap(static_cast<std::int32_t>(candidates), key);
+  std::vector<char> kept(candidates, 1);
+  for (auto left = static_cast<std::int64_t>(candidates); left > count; --left) {
+    const auto i = static_cast<std::size_t>(heap.top(key).id);
+    heap.pop();
+    kept[i] = 0;
+    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) {
+      const Neighbour& n = lists.neighbours[k];
+      weight[static_cast<std::size_t>(n.candidate)] -= double(n.weight);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions& options) {
+  if (options.count > kMaxSamplingVertices) {
+    throw Error(ErrorCode::precondition, "poisson sampling gives at most " + std::to_string(kMaxSamplingVertices) +
+                                             " generators; ask for fewer, or for random ones");
+  }
+  const double longest = kLongEdge * even_spacing(require_area(mesh), options.count);
+  const SamplingMesh split(mesh, {longest, 0, most_splits(mesh, options.count)}, options.progress);
+  const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options.seed);
+  const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options.count, options), options.count);
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (kept[i]) points.push_back(split.to_input(candidates[i]));
+  }
+  return points;
+}
+
+}  // namespace gvd

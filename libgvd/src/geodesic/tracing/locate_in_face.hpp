@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "geodesic/field/face_layout.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Where a surface point lies in the layout of face f, whichever of its faces it names; nothing where it is not in f.
+inline std::optional<Vec2> locate_in_face(const Mesh& mesh, FaceId f, const SurfacePoint& point) {
+  const FaceLayout layout(mesh, f);
+  if (point.face == f) return layout.at(point.bary);
+  Vec2 at = Vec2::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point.bary[i] == 0) continue;
+    std::size_t k = 0;
+    while (k < 3 && mesh.vertices(f)[k] != mesh.vertices(point.face)[i]) ++k;
+    if (k == 3) return std::nullopt;
+    at += point.bary[i] * layout.corner[k];
+  }
+  return at;
+}
+
+}  // namespace gvd

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geodesic/marching/local_update.hpp"
+
+namespace gvd {
+
+/// A way to the corner D of a triangle A, B, D whose distances at A and B are known.
+struct PolarStep {
+  enum class Way { through_base, along_a, along_b };
+
+  double distance = std::numeric_limits<double>::infinity();  ///< at D, mesh units
+  Way way = Way::along_a;
+  double source_x = 0;  ///< foot of the unfolded source on the base, from A towards B; for through_base
+  double depth = 0;     ///< of the source behind the base, >= 0; for through_base
+};
+
+/// Distance at D from a point source that the two distances unfold to, where it sees D through the base, and along the
+/// edges otherwise.
+///
+/// Source: Melvaer and Reimers (2012), section 3.1; the formula is that of update_circle.
+/// Inputs: distances >= 0, mesh units. Properties: (1) symmetric in A and B; (2) exact for a planar point source.
+/// Cost: O(1), two square roots.
+inline PolarStep step_to_corner(const UpdateTriangle& t, double distance_a, double distance_b) {
+  const auto along_edges = [&] {
+    const double a = distance_a + t.side_a, b = distance_b + t.side_b;
+    return a <= b ? PolarStep{a, PolarStep::Way::along_a} : PolarStep{b, PolarStep::Way::along_b};
+  };
+  const double source_x = 0.5 * (t.base + (distance_a - distance_b) * (distance_a + distance_b) * t.inverse_base);
+  const double depth_squared = (distance_a - source_x) * (distance_a + source_x);
+  if (depth_squared < 0) return along_edges();
+  const double depth = std::sqrt(depth_squared), span = depth + t.height;
+  const double crossing = source_x * t.height + t.x * depth;  // times 1 / span: where the ray meets the base
+  if (crossing < 0 || crossing > t.base * span) return along_edges();
+  const double dx = t.x - source_x;
+  return {std::sqrt(dx * dx + span * span), PolarStep::Way::through_base, source_x, depth};
+}
+
+/// Direction at D, in radians, out of those at A and B: between the two in the ratio of the unfolded angles, on the
+/// shorter side round; along an edge that of its end.
+inline double polar_angle(const UpdateTriangle& t, const PolarStep& step, double angle_a, double angle_b) {
+  if (step.way == PolarStep::Way::along_a) return angle_a;
+  if (step.way == PolarStep::Way::along_b) return angle_b;
+  // Angles at the source between its vertical and the three corners.
+  const double to_a = std::atan2(-step.source_x, step.depth);
+  const double to_b = std::atan2(t.base - step.source_x, step.depth);
+  const double to_d = std::atan2(t.x - step.source_x, step.depth + t.height);
+  if (!(to_b > to_a)) return angle_a;
+  return angle_a + (to_d - to_a) / (to_b - to_a) * std::remainder(angle_b - angle_a, 2 * std::numbers::pi);
+}
+
+}  // namespace gvd

@@ -1,0 +1,113 @@
+#include "geodesic/tracing/tangent_fan.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "geodesic/field/face_layout.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A direction this near to the boundary is taken for one along it. Radians: a million times the rounding of an angle.
+constexpr double kAlongBoundary = 1e-9;
+
+}  // namespace
+
+double normalized_angle(double angle) {
+  const double turned = std::fmod(angle, 2 * kPi);
+  const double positive = turned < 0 ? turned + 2 * kPi : turned;
+  return positive < 2 * kPi ? positive : 0;  // a tiny negative angle rounds to 2 pi
+}
+
+TangentFan::TangentFan(const Mesh& mesh, const SurfacePoint& point) {
+  switch (point.kind()) {
+    case SurfacePoint::Kind::face:
+      add_face(point);
+      break;
+    case SurfacePoint::Kind::edge:
+      add_edge(mesh, point);
+      break;
+    case SurfacePoint::Kind::vertex:
+      add_vertex(mesh, vertex(mesh, point));
+      break;
+  }
+}
+
+void TangentFan::add_face(const SurfacePoint& point) {
+  total_ = 2 * kPi;
+  sectors_.push_back({point, 0, total_, Vec2(1, 0)});
+}
+
+void TangentFan::add_edge(const Mesh& mesh, const SurfacePoint& point) {
+  const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
+  const int corner = Mesh::corner(h);
+  sectors_.push_back({point, 0, kPi, FaceLayout(mesh, point.face).side(corner)});
+  closed_ = twin.valid();
+  total_ = closed_ ? 2 * kPi : kPi;
+  if (!closed_) return;
+  const double from = point.bary[static_cast<std::size_t>(corner)];
+  SurfacePoint beyond{Mesh::face(twin), {0, 0, 0}};
+  beyond.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = from;
+  beyond.bary[static_cast<std::size_t>(Mesh::corner(twin))] =
+      point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
+  sectors_.push_back({beyond, kPi, kPi, FaceLayout(mesh, beyond.face).side(Mesh::corner(twin))});
+}
+
+void TangentFan::add_vertex(const Mesh& mesh, VertexId v) {
+  const HalfedgeId start = mesh.halfedge(v);
+  HalfedgeId h = start;
+  do {
+    const FaceLayout layout(mesh, Mesh::face(h));
+    const int corner = Mesh::corner(h);
+    SurfacePoint point{Mesh::face(h), {0, 0, 0}};
+    point.bary[static_cast<std::size_t>(corner)] = 1;
+    const Vec2 first = layout.side(corner), last = -layout.side((corner + 2) % 3);
+    const double opening = std::atan2(std::abs(cross(first, last)), first.dot(last));
+    sectors_.push_back({point, total_, opening, first});
+    total_ += opening;
+    h = mesh.twin(Mesh::previous(h));
+  } while (h.valid() && h != start);
+  closed_ = h.valid();
+  if (!closed_ && total_ <= 2 * kPi) return;
+  scale_ = 2 * kPi / total_;
+  total_ = 2 * kPi;
+  for (TangentSector& s : sectors_) {
+    s.begin *= scale_;
+    s.opening *= scale_;
+  }
+}
+
+std::optional<FaceDirection> TangentFan::face_direction(double angle) const {
+  angle = normalized_angle(angle);
+  if (!closed_ && angle > total_) {
+    if (angle >= 2 * kPi - kAlongBoundary) {
+      angle = 0;
+    } else if (angle <= total_ + kAlongBoundary) {
+      angle = total_;
+    } else {
+      return std::nullopt;
+    }
+  }
+  std::size_t i = sectors_.size() - 1;
+  while (i > 0 && sectors_[i].begin > angle) --i;
+  const TangentSector& s = sectors_[i];
+  const Vec2 local = unit_vector(std::min(angle - s.begin, s.opening) / scale_);
+  const Vec2 direction(s.reference.x() * local.x() - s.reference.y() * local.y(),
+                       s.reference.x() * local.y() + s.reference.y() * local.x());
+  return FaceDirection{s.point, direction};
+}
+
+double TangentFan::angle(FaceId face, const Vec2& direction) const {
+  std::size_t i = 0;
+  while (i + 1 < sectors_.size() && sectors_[i].point.face != face) ++i;
+  const TangentSector& s = sectors_[i];
+  // Signed, from the middle of the sector, so that rounding can't turn it round by 2 pi at one of the sides.
+  const Vec2 middle = unit_vector(0.5 * s.opening / scale_);
+  const Vec2 turned(direction.dot(s.reference), cross(s.reference, direction));
+  const double off = std::atan2(cross(middle, turned), middle.dot(turned));
+  return normalized_angle(s.begin + 0.5 * s.opening + scale_ * off);
+}
+
+}  // namespace gvd

@@ -1,0 +1,168 @@
+#include "gvd/exact_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geodesic/tracing/locate_in_face.hpp"
+#include "geodesic/tracing/tangent_fan.hpp"
+#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/trace_shortest_path.hpp"
+#include "geodesic/windows/window_sources.hpp"
+#include "gvd/error.hpp"
+#include "mesh/working_mesh.hpp"
+
+namespace gvd {
+namespace {
+
+const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t generators) {
+  const std::vector<double>& offsets = options.offsets;
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+  if (!offsets.empty() && offsets.size() != generators) {
+    throw Error(ErrorCode::precondition, "there are " + std::to_string(offsets.size()) + " offsets for " +
+                                             std::to_string(generators) + " generators; give one for each or none");
+  }
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
+    throw Error(ErrorCode::invalid_option, "offset " + std::to_string(i) + " is negative or not finite",
+                static_cast<std::int64_t>(i));
+  }
+  return options;
+}
+
+using Bary = std::array<double, 3>;
+
+/// A point of a triangle, in its coordinates, and how far from it another one is that was looked for.
+struct NearestInside {
+  Bary local;
+  double apart;
+};
+
+/// The point of a triangle next to p; its corners and p are given in the coordinates of one face. In a sliver areas
+/// tell only how far p is from the longest side, and where p is along that side is measured there: so p comes out to
+/// rounding of its place, though its coordinates may be off by far more.
+NearestInside nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
+  const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
+  const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
+  std::size_t tip = 0;  // opposite the longest side
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (side(i).squaredNorm() > side(tip).squaredNorm()) tip = i;
+  }
+  const std::size_t from = (tip + 1) % 3, to = (tip + 2) % 3;
+  const Vec2 base = side(tip), to_tip = way(corners[from], corners[tip]), to_p = way(corners[from], p);
+  Bary local{};
+  local[tip] = std::clamp(cross(base, to_p) / cross(base, to_tip), 0.0, 1.0);
+  local[to] = std::clamp((to_p - local[tip] * to_tip).dot(base) / base.squaredNorm(), 0.0, 1 - local[tip]);
+  local[from] = std::max(0.0, 1 - local[tip] - local[to]);
+  return {local, (local[to] * base + local[tip] * to_tip - to_p).norm()};
+}
+
+}  // namespace
+
+struct ExactField::State {
+  State(const Mesh& mesh, const std::vector<SurfacePoint>& points, const ExactFieldOptions& options)
+      : generators(points),
+        working(mesh, points, options.progress),
+        field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
+                                {KeepWindows::all, options.offsets, options.threads}, options.progress)),
+        offsets(options.offsets) {
+    for (std::int32_t f = 0; f < working.mesh().face_count(); ++f) {
+      if (working.is_split(FaceId(f))) children.emplace_back(working.parent(FaceId(f)), FaceId(f));
+    }
+    std::sort(children.begin(), children.end());
+  }
+
+  /// The same point on the working mesh.
+  SurfacePoint to_working(const SurfacePoint& point) const {
+    auto child = std::lower_bound(children.begin(), children.end(), std::pair(point.face, FaceId()));
+    if (child == children.end() || child->first != point.face) return point;
+    SurfacePoint best;
+    double least_apart = std::numeric_limits<double>::infinity();
+    for (; child != children.end() && child->first == point.face; ++child) {
+      const FaceId f = child->second;
+      const NearestInside nearest = nearest_inside(
+          {working.parent_bary(f, {1, 0, 0}), working.parent_bary(f, {0, 1, 0}), working.parent_bary(f, {0, 0, 1})},
+          point.bary);
+      if (!(nearest.apart < least_apart)) continue;
+      least_apart = nearest.apart;
+      best = {f, nearest.local};
+    }
+    return make_surface_point(best.face, best.bary);
+  }
+  SurfacePoint to_input(const SurfacePoint& point) const {
+    if (!working.is_split(point.face)) return point;
+    return make_surface_point(working.parent(point.face), working.parent_bary(point.face, point.bary));
+  }
+  double offset(GeneratorId g) const { return offsets.empty() ? 0 : offsets[g.index()]; }
+
+  std::vector<SurfacePoint> generators;
+  WorkingMesh working;
+  WindowField field;
+  std::vector<double> offsets;
+  std::vector<std::pair<FaceId, FaceId>> children;  // split faces: (of the input, of the working mesh), ascending
+};
+
+ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
+    : state_(std::make_unique<State>(mesh, generators, checked(options, generators.size()))) {}
+ExactField::~ExactField() = default;
+ExactField::ExactField(ExactField&&) noexcept = default;
+ExactField& ExactField::operator=(ExactField&&) noexcept = default;
+
+double ExactField::distance(VertexId v) const { return state_->field.distance[v]; }
+GeneratorId ExactField::label(VertexId v) const { return state_->field.label[v]; }
+
+ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
+  const Mesh& mesh = state_->working.mesh();
+  const SurfacePoint p = state_->to_working(point);
+  if (p.kind() == SurfacePoint::Kind::vertex) {
+    const VertexId v = vertex(mesh, p);
+    return {distance(v), label(v)};
+  }
+  Nearest nearest{};
+  if (p.kind() == SurfacePoint::Kind::edge) {
+    const HalfedgeId h = halfedge(p);
+    std::vector<EdgeSource> sources;
+    collect_edge_sources(mesh, state_->field, h, sources);
+    const double t = p.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))] * mesh.length(h);
+    if (const EdgeSource* best = nearest_source(sources, t, nearest.distance)) nearest.generator = best->generator;
+  } else {
+    std::vector<FaceSource> sources;
+    collect_face_sources(mesh, state_->field, p.face, sources);
+    const Vec2 at = FaceLayout(mesh, p.face).at(p.bary);
+    if (const FaceSource* best = nearest_source(sources, at, nearest.distance)) nearest.generator = best->generator;
+  }
+  return nearest;
+}
+
+GeodesicPath ExactField::path(const SurfacePoint& point) const {
+  const WorkingMesh& working = state_->working;
+  const ShortestPath found =
+      trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
+  if (!found.generator.valid()) return {{}, GeneratorId(), found.distance, false};
+  GeodesicPath path{{}, found.generator, found.distance - state_->offset(found.generator), found.complete};
+  for (const SurfacePoint& p : found.points) path.points.push_back(state_->to_input(p));
+  return path;
+}
+
+Vec2 ExactField::departure(const SurfacePoint& point) const {
+  const Mesh& mesh = state_->working.input();
+  const GeodesicPath path = this->path(point);
+  if (!path.complete || path.points.size() < 2) return Vec2::Zero();
+  const SurfacePoint& generator = state_->generators[path.generator.index()];
+  const TangentFan fan(mesh, generator);
+  // The last piece of the path lies in one face; the fan knows the generator in each of its faces.
+  const SurfacePoint& before = path.points[path.points.size() - 2];
+  for (const TangentSector& sector : fan.sectors()) {
+    const FaceId f = sector.point.face;
+    const std::optional<Vec2> at = locate_in_face(mesh, f, before);
+    if (!at) continue;
+    const Vec2 direction = *at - FaceLayout(mesh, f).at(sector.point.bary);
+    return path.length * unit_vector(fan.angle(f, direction));
+  }
+  return Vec2::Zero();
+}
+
+}  // namespace gvd

@@ -1,0 +1,173 @@
+#include "geodesic/windows/trace_shortest_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geodesic/tracing/locate_in_face.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/window_sources.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// A line that passes a corner this close, relative to the distances there (an angle, in radians), goes through it: the
+/// corner's own shortest path goes on from there. Otherwise rounding could lead the line past the wrong side of the
+/// corner that its window ends at. Far above the rounding of an image (1e-13), far below the distance to another
+/// corner.
+constexpr double kAtCorner = 1e-9;
+
+/// A straight line towards an image, where it meets a halfedge on its way into the halfedge's face.
+struct Step {
+  HalfedgeId halfedge;
+  double t;    // from the halfedge's start, mesh units
+  Vec2 image;  // in the frame of the halfedge, its face above
+};
+
+class PathTracer {
+ public:
+  PathTracer(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators)
+      : mesh_(mesh), field_(field), generators_(generators) {}
+
+  ShortestPath trace(const SurfacePoint& start) {
+    path_.points.push_back(start);
+    for (const FaceId f : faces_round(start)) look_from(f, start);
+    path_.distance = best_distance_;
+    if (std::isinf(best_distance_)) return std::move(path_);
+    path_.generator = best_.generator;
+    for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
+      best_distance_ = std::numeric_limits<double>::infinity();
+      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), seen_from(h), v); });
+      if (std::isinf(best_distance_)) return std::move(path_);  // no path that leads on: rounding has the last word
+      const VertexId nearer = follow_best();
+      // The same: it would go round for ever.
+      if (!(field_.distance[nearer] < field_.distance[v])) return std::move(path_);
+      v = nearer;
+    }
+    path_.complete = true;
+    return std::move(path_);
+  }
+
+ private:
+  static SurfacePoint seen_from(HalfedgeId outgoing) { return edge_point(outgoing, 0); }
+
+  /// The faces that contain a point.
+  std::vector<FaceId> faces_round(const SurfacePoint& p) const {
+    std::vector<FaceId> faces;
+    if (p.kind() == SurfacePoint::Kind::vertex) {
+      for_each_outgoing(mesh_, vertex(mesh_, p), [&](HalfedgeId h) { faces.push_back(Mesh::face(h)); });
+    } else {
+      faces.push_back(p.face);
+      if (p.kind() == SurfacePoint::Kind::edge && mesh_.twin(halfedge(p)).valid()) {
+        faces.push_back(Mesh::face(mesh_.twin(halfedge(p))));
+      }
+    }
+    return faces;
+  }
+
+  /// Looks for a shorter way to p in face f. Where p is the vertex `reached`, a way that leads on: from a vertex that
+  /// is nearer, and not through the vertex itself.
+  void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
+    collect_face_sources(mesh_, field_, f, sources_);
+    const Vec2 at = *locate_in_face(mesh_, f, p);
+    for (const FaceSource& s : sources_) {
+      if (reached.valid() && !(s.offset < field_.distance[reached])) continue;
+      if (reached.valid() && !s.is_corner && mesh_.opposite(s.halfedge) != reached) continue;
+      if (path_.generator.valid() && s.generator != path_.generator) continue;
+      const double d = s.distance(at);
+      if (!(d < best_distance_)) continue;
+      best_ = s;
+      best_distance_ = d;
+      best_point_ = at;
+    }
+  }
+
+  /// Follows the best way to its vertex.
+  VertexId follow_best() {
+    if (best_.is_corner) return go_to(best_.halfedge);
+    const FaceLayout layout(mesh_, Mesh::face(best_.halfedge));
+    const int i = Mesh::corner(best_.halfedge);
+    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i);
+    const Vec2 image = best_.image - origin;
+    const double length = mesh_.length(best_.halfedge), t = along.dot(best_.entry(best_point_) - origin);
+    // Seen from the other side, the edge turns round.
+    Step step{mesh_.twin(best_.halfedge), length - t, {length - along.dot(image), std::abs(cross(along, image))}};
+    for (;;) {
+      const double part = step.t / mesh_.length(step.halfedge);
+      if (part <= kAtCorner) return go_to(step.halfedge);
+      if (part >= 1 - kAtCorner) return go_to(Mesh::next(step.halfedge));
+      path_.points.push_back(make_edge_point(step.halfedge, part));
+      const VertexId v = advance(step);
+      if (v.valid()) return v;
+    }
+  }
+
+  /// Ends a line at the vertex that `outgoing` leaves.
+  VertexId go_to(HalfedgeId outgoing) {
+    const VertexId v = mesh_.from(outgoing);
+    const SurfacePoint& last = path_.points.back();
+    if (last.kind() != SurfacePoint::Kind::vertex || vertex(mesh_, last) != v) {
+      path_.points.push_back(edge_point(outgoing, 0));
+    }
+    return v;
+  }
+
+  static SurfacePoint make_edge_point(HalfedgeId h, double t) {
+    std::array<double, 3> bary{0, 0, 0};
+    bary[static_cast<std::size_t>(Mesh::corner(h))] = 1 - t;
+    bary[static_cast<std::size_t>((Mesh::corner(h) + 1) % 3)] = t;
+    return make_surface_point(Mesh::face(h), bary);
+  }
+
+  /// Crosses one face. Returns the vertex where the line ends, or moves the step on to the next face.
+  VertexId advance(Step& step) {
+    const HalfedgeId k = step.halfedge;
+    const FaceFrame f = make_face_frame(mesh_, Mesh::face(k));
+    const auto i = static_cast<std::size_t>(Mesh::corner(k));
+    const double left = f.length[(i + 2) % 3], base = f.length[i];
+    const Vec2 apex(left * f.cosine[i], left * f.sine[i]), at(step.t, 0);
+    const double beside = cross(step.image - at, apex - at);
+    if (std::abs(beside) <= kAtCorner * (step.image - at).norm() * (apex - at).norm()) return go_to(Mesh::previous(k));
+    const bool to_right = beside > 0;
+    const HalfedgeId side = to_right ? Mesh::next(k) : Mesh::previous(k);
+    if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes the corner where the boundary bends
+    const Vec2 origin = to_right ? Vec2(base, 0) : apex, target = to_right ? apex : Vec2(0, 0);
+    const double length = mesh_.length(side);
+    const Vec2 along = (target - origin) / length;
+    const double inside = cross(along, at - origin), outside = -cross(along, step.image - origin);
+    // Rounding led past the vertex, which lies in this face: the line would never end.
+    if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
+    const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
+    const double part = inside + outside > 0 ? inside / (inside + outside) : 0;
+    const double t = std::min(std::max(from_x + part * (image_x - from_x), 0.0), length);
+    step = {mesh_.twin(side), length - t, {length - image_x, outside}};
+    return VertexId();
+  }
+
+  /// The halfedge that leaves the corner next to p, in the frame of halfedge k.
+  static HalfedgeId nearest_corner(HalfedgeId k, const Vec2& p, double base, const Vec2& apex) {
+    const double to_start = p.squaredNorm(), to_end = (p - Vec2(base, 0)).squaredNorm();
+    const double to_apex = (p - apex).squaredNorm();
+    if (to_apex <= std::min(to_start, to_end)) return Mesh::previous(k);
+    return to_start <= to_end ? k : Mesh::next(k);
+  }
+
+  const Mesh& mesh_;
+  const WindowField& field_;
+  const std::vector<VertexId>& generators_;
+  ShortestPath path_;
+  std::vector<FaceSource> sources_;
+  FaceSource best_{};
+  double best_distance_ = std::numeric_limits<double>::infinity();
+  Vec2 best_point_ = Vec2::Zero();
+};
+
+}  // namespace
+
+ShortestPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
+                                 const SurfacePoint& start) {
+  return PathTracer(mesh, field, generators).trace(start);
+}
+
+}  // namespace gvd

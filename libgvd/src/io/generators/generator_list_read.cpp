@@ -1,0 +1,56 @@
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "gvd/error.hpp"
+#include "io/generators/generator_list_detail.hpp"
+
+namespace gvd {
+namespace {
+
+std::string read_whole(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error(ErrorCode::unreadable_input, path.string() + ": is a directory; name a list of generators");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(ErrorCode::unreadable_input, path.string() + ": " + std::strerror(errno));
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (file.bad()) throw Error(ErrorCode::unreadable_input, path.string() + ": could not be read to its end");
+  return std::move(content).str();
+}
+
+}  // namespace
+
+GeneratorFormat generator_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (extension == ".json") return GeneratorFormat::json;
+  return extension == ".csv" ? GeneratorFormat::csv : GeneratorFormat::text;
+}
+
+GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name) {
+  GeneratorList list{name, {}};
+  switch (format) {
+    case GeneratorFormat::text:
+      list.entries = detail::parse_text(content, name);
+      break;
+    case GeneratorFormat::csv:
+      list.entries = detail::parse_csv(content, name);
+      break;
+    case GeneratorFormat::json:
+      list.entries = detail::parse_json(content, name);
+      break;
+  }
+  if (list.entries.empty()) throw Error(ErrorCode::unreadable_input, name + ":1: the list holds no generator");
+  return list;
+}
+
+GeneratorList read_generators(const std::filesystem::path& path) {
+  return parse_generators(read_whole(path), generator_format(path), path.string());
+}
+
+}  // namespace gvd

@@ -1,0 +1,136 @@
+// From entries to points of a mesh.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gvd/closest_point.hpp"
+#include "gvd/error.hpp"
+#include "gvd/generator_list.hpp"
+#include "io/generators/generator_list_detail.hpp"
+
+namespace gvd {
+namespace {
+
+using Kind = GeneratorEntry::Kind;
+
+/// How far the sum of three coordinates may be from 1 to be kept bit by bit. Dimensionless: above the rounding of any
+/// computation that made them, and below what a few printed digits leave, which is scaled instead.
+constexpr double kExactSum = 1e-12;
+
+/// make_surface_point, but for coordinates that are a surface point already: scaling again would change their last
+/// bits.
+SurfacePoint keep_or_make_point(FaceId face, const std::array<double, 3>& bary) {
+  const auto kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
+  const bool whole = std::all_of(bary.begin(), bary.end(), kept);
+  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) return {face, bary};
+  return make_surface_point(face, bary);
+}
+
+class Resolver {
+ public:
+  Resolver(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options)
+      : mesh_(mesh), list_(list), options_(options) {}
+
+  ResolvedGenerators run() {
+    const auto count = static_cast<double>(list_.entries.size());
+    for (const GeneratorEntry& entry : list_.entries) {
+      report_progress(options_.progress, "generators", static_cast<double>(result_.points.size()) / count);
+      result_.snap_distance.emplace_back();
+      result_.points.push_back(resolve(entry));
+    }
+    separate();
+    return std::move(result_);
+  }
+
+ private:
+  std::string place(std::size_t entry) const { return detail::ListPlace{list_.name, list_.entries[entry].line}.text(); }
+
+  [[noreturn]] void refuse(std::size_t entry, const std::string& message) const {
+    throw Error(ErrorCode::precondition, place(entry) + ": " + message, static_cast<std::int64_t>(entry));
+  }
+
+  /// About the entry that is being resolved.
+  [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
+
+  SurfacePoint resolve(const GeneratorEntry& entry) {
+    switch (entry.kind) {
+      case Kind::vertex:
+        return resolve_vertex(entry.index);
+      case Kind::face:
+        return resolve_face(entry);
+      case Kind::position:
+        break;
+    }
+    return snap({entry.values[0], entry.values[1], entry.values[2]});
+  }
+
+  SurfacePoint resolve_vertex(std::int64_t index) const {
+    const std::vector<VertexId>* const map = options_.input_vertices;
+    const std::int64_t count = map ? static_cast<std::int64_t>(map->size()) : mesh_.vertex_count();
+    if (index >= count) refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
+    const VertexId v = map ? (*map)[static_cast<std::size_t>(index)] : VertexId(index);
+    if (!v.valid()) refuse(fmt::format("vertex {} is in no face of the mesh; choose another", index));
+    return vertex_point(mesh_, v);
+  }
+
+  SurfacePoint resolve_face(const GeneratorEntry& entry) const {
+    const std::int32_t count = mesh_.face_count();
+    if (entry.index >= count) {
+      refuse(fmt::format("there is no face {}; the mesh has {}, numbered from 0", entry.index, count));
+    }
+    try {
+      return keep_or_make_point(FaceId(entry.index), entry.values);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+  }
+
+  SurfacePoint snap(const Vec3& place) {
+    if (!tree_) tree_.emplace(mesh_);
+    ClosestPoint closest;
+    try {
+      closest = tree_->query(place);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    if (options_.max_snap && closest.distance > *options_.max_snap) {
+      refuse(fmt::format("this position is {} from the surface, more than the {} allowed by --max-snap",
+                         closest.distance, *options_.max_snap));
+    }
+    result_.snap_distance.back() = closest.distance;
+    return closest.point;
+  }
+
+  void separate() {
+    const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
+    ResolvedGenerators kept;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto twin = static_cast<std::size_t>(first[i]);
+      if (twin == i) {
+        kept.points.push_back(result_.points[i]);
+        kept.snap_distance.push_back(result_.snap_distance[i]);
+      } else if (!options_.merge_coincident) {
+        refuse(i, fmt::format("generator {} is in the same place as generator {} ({}); remove one, or merge them with "
+                              "--merge-coincident",
+                              i, twin, place(twin)));
+      }
+    }
+    kept.merged = static_cast<std::int32_t>(first.size() - kept.points.size());
+    result_ = std::move(kept);
+  }
+
+  const Mesh& mesh_;
+  const GeneratorList& list_;
+  const ResolveOptions& options_;
+  std::optional<ClosestPointTree> tree_;
+  ResolvedGenerators result_;
+};
+
+}  // namespace
+
+ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options) {
+  return Resolver(mesh, list, options).run();
+}
+
+}  // namespace gvd

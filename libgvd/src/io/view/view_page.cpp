@@ -1,0 +1,88 @@
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "gvd/error.hpp"
+#include "gvd/io/view.hpp"
+#include "io/view/view_blobs.hpp"
+#include "io/view/view_data.hpp"
+#include "io/view/view_template.hpp"
+
+namespace gvd {
+namespace {
+
+using nlohmann::json;
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&') {
+      escaped += "&amp;";
+    } else if (c == '<') {
+      escaped += "&lt;";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/// JSON that an HTML parser takes for plain text wherever it stands: no `<` can end or comment out its element.
+std::string dump_for_html(const json& document) {
+  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      escaped += "\\u003c";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& options) {
+  const io::ViewFrame frame = io::compute_view_frame(scenes);
+  io::ViewBlobs blobs;
+  json manifest{{"schema", "gvd-view/1"},
+                {"title", options.title},
+                {"up", options.up == UpAxis::z ? "z" : "y"},
+                {"scale", frame.scale},
+                {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
+                {"scenes", json::array()}};
+  for (const ViewScene& scene : scenes) manifest["scenes"].push_back(io::make_scene_entry(scene, frame, blobs));
+  return "<script type=\"application/json\" id=\"manifest\">" + dump_for_html(manifest) + "</script>\n" + blobs.html();
+}
+
+std::string fill_template(std::string_view page, const std::string& title, const std::string& data) {
+  const std::size_t title_at = page.find(io::kViewTitleMark), data_at = page.find(io::kViewDataMark);
+  const std::size_t title_end = title_at + io::kViewTitleMark.size();
+  std::string filled;
+  filled.reserve(page.size() + title.size() + data.size());
+  filled.append(page.substr(0, title_at)).append(title);
+  filled.append(page.substr(title_end, data_at - title_end)).append(data);
+  filled.append(page.substr(data_at + io::kViewDataMark.size()));
+  return filled;
+}
+
+}  // namespace
+
+bool has_viewer() { return !io::view_template().empty(); }
+
+std::string make_view_page(const std::vector<ViewScene>& scenes, const ViewOptions& options) {
+  if (!has_viewer()) {
+    throw Error(
+        ErrorCode::invalid_option,
+        "can't make an HTML page: built without the viewer; configure with GVD_WITH_VIEWER=ON, which needs npm");
+  }
+  if (scenes.empty()) throw Error(ErrorCode::precondition, "the view has no scene; give at least one");
+  for (const ViewScene& scene : scenes) io::check_view_scene(scene);
+  return fill_template(io::view_template(), escape_html(options.title), make_data(scenes, options));
+}
+
+std::string make_view_page(const ViewScene& scene, const ViewOptions& options) {
+  return make_view_page(std::vector<ViewScene>{scene}, options);
+}
+
+}  // namespace gvd

@@ -1,0 +1,26 @@
+#include "io/view/view_triangulate.hpp"
+
+#include <cstddef>
+
+#include "base/plane.hpp"
+#include "base/triangulate_plane_polygon.hpp"
+
+namespace gvd::io {
+namespace {
+
+/// Twice the area of a triangle in barycentric coordinates at or below which it is left out: 1e-14 of twice the face's
+/// area, a hundred times the rounding of products of coordinates in [0, 1]. What it leaves out can't be seen.
+constexpr double kFlatTriangle = 1e-14;
+
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& [a, b, c] : triangulate_plane_polygon(corners)) {
+    if (cross(corners[b] - corners[a], corners[c] - corners[a]) <= kFlatTriangle) continue;
+    triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+  }
+  return triangles;
+}
+
+}  // namespace gvd::io

@@ -1,0 +1,114 @@
+#include "gvd/io/mesh_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "gvd/error.hpp"
+#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/diagram_json.hpp"
+#include "io/writers/mesh_formats.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, OutputFormat>, 7> kExtensions{{{"ply", OutputFormat::ply},
+                                                                                {"obj", OutputFormat::obj},
+                                                                                {"off", OutputFormat::off},
+                                                                                {"stl", OutputFormat::stl},
+                                                                                {"vtp", OutputFormat::vtp},
+                                                                                {"glb", OutputFormat::glb},
+                                                                                {"json", OutputFormat::json}}};
+
+template <class Array>
+void check_length(const Array* values, std::int32_t expected, const char* what) {
+  if (values == nullptr || values->size() == static_cast<std::size_t>(expected)) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("{}: {} values for {} elements, give one each", what, values->size(), expected));
+}
+
+void check_lengths(const LabelledMesh& mesh) {
+  check_length(mesh.face_label, mesh.mesh.face_count(), "face labels");
+  check_length(mesh.face_parent, mesh.mesh.face_count(), "parent faces");
+  check_length(mesh.vertex_label, mesh.mesh.vertex_count(), "vertex labels");
+  check_length(mesh.vertex_distance, mesh.mesh.vertex_count(), "vertex distances");
+}
+
+void write_json(std::ostream& out, const LabelledMesh& mesh) {
+  if (mesh.diagram == nullptr) {
+    throw Error(ErrorCode::invalid_option, "a .json output carries a diagram and there is none, choose another format");
+  }
+  write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
+}
+
+void write_format(std::ostream& out, const LabelledMesh& mesh, OutputFormat format,
+                  const std::string& material_library) {
+  check_lengths(mesh);
+  check_format(mesh.mesh, format);
+  switch (format) {
+    case OutputFormat::ply:
+      return io::write_ply(out, mesh);
+    case OutputFormat::obj:
+      return io::write_obj(out, mesh, material_library);
+    case OutputFormat::off:
+      return io::write_off(out, mesh);
+    case OutputFormat::stl:
+      return io::write_stl(out, mesh);
+    case OutputFormat::vtp:
+      return io::write_vtp(out, mesh);
+    case OutputFormat::glb:
+      return io::write_glb(out, mesh);
+    case OutputFormat::json:
+      return write_json(out, mesh);
+  }
+}
+
+}  // namespace
+
+std::optional<OutputFormat> parse_output_format(std::string_view extension) {
+  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  for (const auto& [name, format] : kExtensions) {
+    if (lower == name) return format;
+  }
+  return std::nullopt;
+}
+
+OutputFormat output_format(const std::filesystem::path& path) {
+  if (const auto format = parse_output_format(path.extension().string())) return *format;
+  std::string known;
+  for (const auto& [name, format] : kExtensions) known += fmt::format("{}.{}", known.empty() ? "" : ", ", name);
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("'{}': no output format of that extension, use one of {}", path.string(), known));
+}
+
+void check_format(const Mesh& mesh, OutputFormat format) {
+  if (format == OutputFormat::stl) io::check_single_precision(mesh, "STL");
+  if (format == OutputFormat::glb) io::check_single_precision(mesh, "GLB");
+}
+
+void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format) {
+  write_format(out, mesh, format, "");
+}
+
+void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress) {
+  const OutputFormat format = output_format(path);
+  if (format != OutputFormat::obj || mesh.face_label == nullptr) {
+    return write_file(
+        path, [&](std::ostream& out) { write_mesh(out, mesh, format); }, progress);
+  }
+  // Both files are whole before either of them appears.
+  const std::filesystem::path materials = std::filesystem::path(path).replace_extension(".mtl");
+  AtomicFile material_file(materials, progress), mesh_file(path, progress);
+  write_format(mesh_file.stream(), mesh, format, materials.filename().string());
+  write_materials(material_file.stream(), mesh);
+  material_file.commit();
+  mesh_file.commit();
+}
+
+}  // namespace gvd

@@ -1,0 +1,71 @@
+#include <cstddef>
+
+#include "gvd/io/label_color.hpp"
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/mesh_formats.hpp"
+
+namespace gvd::io {
+namespace {
+
+void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
+
+/// OBJ counts from 1.
+void print_face(ByteWriter& out, const Mesh& mesh, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+}
+
+void print_regions(ByteWriter& out, const LabelledMesh& mesh, bool with_materials) {
+  for (const Region& region : collect_regions(mesh)) {
+    const std::string name = region_name(region.label);
+    out.print("g {}\n", name);
+    if (with_materials) out.print("usemtl {}\n", name);
+    for (const FaceId f : region.faces) print_face(out, mesh.mesh, f);
+  }
+}
+
+/// The lines bring their own vertices, after those of the mesh, whose numbers stay what they are.
+void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
+  const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
+  if (lines.empty()) return;
+  out.text("g bisectors\n");
+  std::size_t index = static_cast<std::size_t>(mesh.mesh.vertex_count()) + 1;
+  for (const BisectorLine& line : lines) {
+    out.print("# left {} right {}\n", line.left.value(), line.right.value());
+    for (const Vec3& p : line.points) print_vertex(out, p);
+    out.text("l");
+    for (std::size_t i = 0; i < line.points.size(); ++i) out.print(" {}", index++);
+    out.text("\n");
+  }
+}
+
+}  // namespace
+
+void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string& material_library) {
+  ByteWriter out(stream);
+  if (!material_library.empty()) out.print("mtllib {}\n", material_library);
+  for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
+  if (mesh.face_label != nullptr) {
+    print_regions(out, mesh, !material_library.empty());
+  } else {
+    for (int f = 0; f < mesh.mesh.face_count(); ++f) print_face(out, mesh.mesh, FaceId(f));
+  }
+  print_lines(out, mesh);
+  out.finish();
+}
+
+}  // namespace gvd::io
+
+namespace gvd {
+
+void write_materials(std::ostream& stream, const LabelledMesh& mesh) {
+  io::ByteWriter out(stream);
+  for (const io::Region& region : io::collect_regions(mesh)) {
+    const Rgb color = label_color(region.label);
+    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", io::region_name(region.label), color.red / 255.0,
+              color.green / 255.0, color.blue / 255.0);
+  }
+  out.finish();
+}
+
+}  // namespace gvd

@@ -1,0 +1,52 @@
+#include "gvd/io/label_color.hpp"
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/mesh_formats.hpp"
+
+// A coloured OFF has the header COFF, four numbers from 0 to 1 behind each vertex, as Geomview's description of the
+// format wants them, and three from 0 to 255 behind each face. Plain OFF may have the latter alone, but a wide-spread
+// reader (OpenMesh) then takes them for the next face.
+namespace gvd::io {
+namespace {
+
+GeneratorId vertex_label(const LabelledMesh& labelled, VertexId v) {
+  if (labelled.vertex_label != nullptr) return (*labelled.vertex_label)[v];
+  return (*labelled.face_label)[Mesh::face(labelled.mesh.halfedge(v))];
+}
+
+void print_vertices(ByteWriter& out, const LabelledMesh& labelled) {
+  for (VertexId v(0); v.value() < labelled.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
+    const Vec3& p = labelled.mesh.position(v);
+    out.print("{} {} {}", p.x(), p.y(), p.z());
+    if (labelled.face_label != nullptr) {
+      const Rgb color = label_color(vertex_label(labelled, v));
+      out.print(" {:.4f} {:.4f} {:.4f} 1.0", color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+    }
+    out.text("\n");
+  }
+}
+
+void print_faces(ByteWriter& out, const LabelledMesh& labelled) {
+  for (FaceId f(0); f.value() < labelled.mesh.face_count(); f = FaceId(f.value() + 1)) {
+    const auto& [a, b, c] = labelled.mesh.vertices(f);
+    out.print("3 {} {} {}", a.value(), b.value(), c.value());
+    if (labelled.face_label != nullptr) {
+      const Rgb color = label_color((*labelled.face_label)[f]);
+      out.print(" {} {} {}", color.red, color.green, color.blue);
+    }
+    out.text("\n");
+  }
+}
+
+}  // namespace
+
+void write_off(std::ostream& stream, const LabelledMesh& labelled) {
+  ByteWriter out(stream);
+  const Mesh& mesh = labelled.mesh;
+  out.print("{}OFF\n{} {} {}\n", labelled.face_label != nullptr ? "C" : "", mesh.vertex_count(), mesh.face_count(),
+            mesh.edge_count());
+  print_vertices(out, labelled);
+  print_faces(out, labelled);
+  out.finish();
+}
+
+}  // namespace gvd::io

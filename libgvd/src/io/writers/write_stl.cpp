@@ -1,0 +1,46 @@
+#include <cstdint>
+#include <string>
+
+#include "gvd/io/label_color.hpp"
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/mesh_formats.hpp"
+
+namespace gvd::io {
+namespace {
+
+/// Must not begin with "solid", or readers take the file for text.
+constexpr std::string_view kHeader = "binary STL, 32-bit floats, face colours in the attribute";
+constexpr std::size_t kHeaderBytes = 80;
+
+/// The habit of VisCAM and SolidView: bit 15 says that there is a colour, then 5 bits each of red, green and blue.
+std::uint16_t attribute(const Rgb& color) {
+  return static_cast<std::uint16_t>(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
+}
+
+void write_vector(ByteWriter& out, const Vec3& p) {
+  for (int i = 0; i < 3; ++i) out.binary(static_cast<float>(p[i]));
+}
+
+}  // namespace
+
+void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
+  const Mesh& mesh = labelled.mesh;
+  ByteWriter out(stream);
+  std::string header(kHeader);
+  header.resize(kHeaderBytes, ' ');
+  out.text(header);
+  out.binary(static_cast<std::uint32_t>(mesh.face_count()));
+  for (FaceId f(0); f.value() < mesh.face_count(); f = FaceId(f.value() + 1)) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    const Vec3& origin = mesh.position(a);
+    // Scaled first: the product of two small edges can underflow. A face without area gets the normal 0.
+    const Vec3 u = (mesh.position(b) - origin).stableNormalized();
+    const Vec3 v = (mesh.position(c) - origin).stableNormalized();
+    write_vector(out, u.cross(v).normalized());
+    for (const VertexId corner : {a, b, c}) write_vector(out, mesh.position(corner));
+    out.binary(labelled.face_label != nullptr ? attribute(label_color((*labelled.face_label)[f])) : std::uint16_t{0});
+  }
+  out.finish();
+}
+
+}  // namespace gvd::io

@@ -1,0 +1,197 @@
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/mesh_formats.hpp"
+
+namespace gvd::io {
+namespace {
+
+/// Base64 of the little-endian numbers that it is given (RFC 4648, with padding).
+class Base64Writer {
+ public:
+  explicit Base64Writer(ByteWriter& out) : out_(out) {}
+
+  template <class T>
+  void binary(T value) {
+    auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
+    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    for (const unsigned char byte : bytes) {
+      group_ = group_ << 8 | byte;
+      if (++count_ == 3) put_group(4);
+    }
+  }
+
+  void finish() {
+    if (count_ == 0) return;
+    const int digits = count_ + 1;
+    for (int i = count_; i < 3; ++i) group_ <<= 8;
+    put_group(digits);
+  }
+
+ private:
+  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+  void put_group(int digits) {
+    std::array<char, 4> quad{'=', '=', '=', '='};
+    for (int i = 0; i < digits; ++i) quad[static_cast<std::size_t>(i)] = kDigits[group_ >> (18 - 6 * i) & 63];
+    out_.text({quad.data(), quad.size()});
+    group_ = 0;
+    count_ = 0;
+  }
+
+  ByteWriter& out_;
+  std::uint32_t group_ = 0;
+  int count_ = 0;
+};
+
+template <class T>
+constexpr std::string_view kTypeName = "";
+template <>
+constexpr std::string_view kTypeName<double> = "Float64";
+template <>
+constexpr std::string_view kTypeName<std::int32_t> = "Int32";
+template <>
+constexpr std::string_view kTypeName<std::int64_t> = "Int64";
+
+/// One DataArray: its bytes' count as UInt64, then the numbers that `fill` hands to the function it is given.
+template <class T, class Fill>
+void write_array(ByteWriter& out, std::string_view name, std::size_t size, int components, Fill fill) {
+  out.print("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n", kTypeName<T>, name,
+            components);
+  Base64Writer base64(out);
+  base64.binary(static_cast<std::uint64_t>(size * sizeof(T)));
+  fill([&base64](T value) { base64.binary(value); });
+  base64.finish();
+  out.text("\n</DataArray>\n");
+}
+
+class VtpWriter {
+ public:
+  VtpWriter(std::ostream& out, const LabelledMesh& labelled)
+      : out_(out), labelled_(labelled), mesh_(labelled.mesh), lines_(collect_bisector_lines(labelled)) {
+    for (const BisectorLine& line : lines_) line_points_ += line.points.size();
+  }
+
+  void write() {
+    out_.text(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n");
+    out_.print(
+        "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+        "NumberOfPolys=\"{}\">\n",
+        vertices() + line_points_, lines_.size(), faces());
+    write_point_data();
+    write_cell_data();
+    write_points();
+    write_lines();
+    write_polygons();
+    out_.text("</Piece>\n</PolyData>\n</VTKFile>\n");
+    out_.finish();
+  }
+
+ private:
+  std::size_t vertices() const { return static_cast<std::size_t>(mesh_.vertex_count()); }
+  std::size_t faces() const { return static_cast<std::size_t>(mesh_.face_count()); }
+
+  void write_point_data() {
+    out_.text(labelled_.vertex_distance != nullptr ? "<PointData Scalars=\"Distance\">\n" : "<PointData>\n");
+    if (labelled_.vertex_distance != nullptr) {
+      write_array<double>(out_, "Distance", vertices() + line_points_, 1, [&](auto put) {
+        for (const double distance : *labelled_.vertex_distance) put(distance);
+        for (const BisectorLine& line : lines_) {
+          for (const double distance : line.distance) put(distance);
+        }
+      });
+    }
+    if (labelled_.vertex_label != nullptr) {
+      write_array<std::int32_t>(out_, "Label", vertices() + line_points_, 1, [&](auto put) {
+        for (const GeneratorId label : *labelled_.vertex_label) put(label.value());
+        for (std::size_t i = 0; i < line_points_; ++i) put(-1);
+      });
+    }
+    out_.text("</PointData>\n");
+  }
+
+  /// One value per cell; VTK's order is lines, then polygons. `of_line` gives a line's, `of_face` a face's.
+  template <class OfLine, class OfFace>
+  void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
+    write_array<std::int32_t>(out_, name, lines_.size() + faces(), 1, [&](auto put) {
+      for (const BisectorLine& line : lines_) put(of_line(line));
+      for (int f = 0; f < mesh_.face_count(); ++f) put(of_face(FaceId(f)));
+    });
+  }
+
+  void write_cell_data() {
+    const auto none_of_line = [](const BisectorLine&) { return std::int32_t{-1}; };
+    const auto none_of_face = [](FaceId) { return std::int32_t{-1}; };
+    out_.text(labelled_.face_label != nullptr ? "<CellData Scalars=\"Label\">\n" : "<CellData>\n");
+    if (labelled_.face_label != nullptr) {
+      write_cell_array("Label", none_of_line, [&](FaceId f) { return (*labelled_.face_label)[f].value(); });
+    }
+    if (labelled_.face_parent != nullptr) {
+      write_cell_array("Parent", none_of_line, [&](FaceId f) { return (*labelled_.face_parent)[f].value(); });
+    }
+    if (labelled_.diagram != nullptr) {
+      write_cell_array(
+          "Left", [](const BisectorLine& line) { return line.left.value(); }, none_of_face);
+      write_cell_array(
+          "Right", [](const BisectorLine& line) { return line.right.value(); }, none_of_face);
+    }
+    out_.text("</CellData>\n");
+  }
+
+  void write_points() {
+    out_.text("<Points>\n");
+    write_array<double>(out_, "Points", 3 * (vertices() + line_points_), 3, [&](auto put) {
+      const auto put_point = [&put](const Vec3& p) {
+        for (int i = 0; i < 3; ++i) put(p[i]);
+      };
+      for (const Vec3& p : mesh_.positions()) put_point(p);
+      for (const BisectorLine& line : lines_) {
+        for (const Vec3& p : line.points) put_point(p);
+      }
+    });
+    out_.text("</Points>\n");
+  }
+
+  void write_lines() {
+    out_.text("<Lines>\n");
+    write_array<std::int64_t>(out_, "connectivity", line_points_, 1, [&](auto put) {
+      for (std::size_t i = 0; i < line_points_; ++i) put(static_cast<std::int64_t>(vertices() + i));
+    });
+    write_array<std::int64_t>(out_, "offsets", lines_.size(), 1, [&](auto put) {
+      std::int64_t end = 0;
+      for (const BisectorLine& line : lines_) put(end += static_cast<std::int64_t>(line.points.size()));
+    });
+    out_.text("</Lines>\n");
+  }
+
+  void write_polygons() {
+    out_.text("<Polys>\n");
+    write_array<std::int64_t>(out_, "connectivity", 3 * faces(), 1, [&](auto put) {
+      for (int f = 0; f < mesh_.face_count(); ++f) {
+        for (const VertexId v : mesh_.vertices(FaceId(f))) put(v.value());
+      }
+    });
+    write_array<std::int64_t>(out_, "offsets", faces(), 1, [&](auto put) {
+      for (std::int64_t f = 1; f <= mesh_.face_count(); ++f) put(3 * f);
+    });
+    out_.text("</Polys>\n");
+  }
+
+  ByteWriter out_;
+  const LabelledMesh& labelled_;
+  const Mesh& mesh_;
+  std::vector<BisectorLine> lines_;
+  std::size_t line_points_ = 0;
+};
+
+}  // namespace
+
+void write_vtp(std::ostream& stream, const LabelledMesh& mesh) { VtpWriter(stream, mesh).write(); }
+
+}  // namespace gvd::io

@@ -1,0 +1,73 @@
+// Tells the format of a file by its content and its name.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "gvd/soup.hpp"
+#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/read_text.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames = {"obj", "ply", "off", "stl"};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+// The first word of the first line that is neither blank nor a comment. Looks at the first megabyte only.
+std::string first_word(std::string_view bytes) {
+  TextReader text(bytes.substr(0, 1 << 20), "", true);
+  return text.next_content_line() ? std::string(text.token()) : std::string();
+}
+
+bool is_ply(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
+}
+
+bool is_obj_statement(std::string_view word) {
+  constexpr std::array<std::string_view, 11> kStatements = {"v", "vn",     "vt",     "vp", "f", "o",
+                                                            "g", "mtllib", "usemtl", "s",  "l"};
+  return std::find(kStatements.begin(), kStatements.end(), word) != kStatements.end();
+}
+
+}  // namespace
+
+bool is_off_keyword(std::string_view word) {
+  if (!word.ends_with("OFF")) return false;
+  word.remove_suffix(3);
+  return word.find_first_not_of("STCN4n") == std::string_view::npos;
+}
+
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < kStlHeader) return false;
+  const std::uint64_t count = stl_triangle_count(bytes);
+  return count > 0 && bytes.size() == kStlHeader + kStlTriangle * count;
+}
+
+std::string_view name_of(MeshFormat format) { return kNames[static_cast<std::size_t>(format)]; }
+
+std::optional<MeshFormat> format_from_extension(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string extension = lower_case(dot == std::string_view::npos ? name : name.substr(dot + 1));
+  const auto it = std::find(kNames.begin(), kNames.end(), extension);
+  if (it == kNames.end()) return std::nullopt;
+  return static_cast<MeshFormat>(it - kNames.begin());
+}
+
+std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {
+  if (is_ply(bytes)) return MeshFormat::ply;
+  if (is_binary_stl(bytes)) return MeshFormat::stl;
+  const std::string word = first_word(bytes);
+  const std::size_t dot = name.rfind('.');
+  if (is_off_keyword(word)) return MeshFormat::off;
+  if (lower_case(word) == "solid") return MeshFormat::stl;
+  if (is_obj_statement(word)) return MeshFormat::obj;
+  return dot == std::string_view::npos ? std::nullopt : format_from_extension(name.substr(dot));
+}
+
+}  // namespace gvd

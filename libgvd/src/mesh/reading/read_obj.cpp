@@ -1,0 +1,119 @@
+// Wavefront OBJ: the statements `v` and `f`; every other one is passed over.
+#include <fmt/format.h>
+
+#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/read_text.hpp"
+#include "mesh/repair/repair_soup.hpp"
+
+namespace gvd {
+namespace {
+
+// A face that names a vertex which the file has not given yet: legal where it comes later.
+struct ForwardReference {
+  std::int64_t polygon, index, line;
+};
+
+class ObjParser {
+ public:
+  ObjParser(std::string_view bytes, std::string_view name) : text_(bytes, name, true) {
+    // A vertex line has about 30 bytes and a face line about 20 at least; growth takes care of the rest.
+    soup_.positions.reserve(bytes.size() / 100);
+    soup_.corners.reserve(bytes.size() / 20);
+    soup_.first_corner.reserve(bytes.size() / 60);
+  }
+
+  PolygonSoup parse() {
+    while (text_.next_content_line()) {
+      const std::string_view line = text_.line();
+      const std::size_t begin = line.find_first_not_of(" \t\v\f");
+      const char first = begin == std::string_view::npos ? '\0' : line[begin];
+      if (first != 'v' && first != 'f' && first != 'l') continue;
+      if (first != 'l') join_continued_lines();
+      const std::string_view statement = text_.token();
+      if (statement == "v") {
+        add_vertex();
+      } else if (statement == "f") {
+        add_face();
+      } else if (statement == "l") {
+        ++lines_;
+      }
+    }
+    check_forward_references();
+    if (lines_ > 0)
+      soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
+    return std::move(soup_);
+  }
+
+ private:
+  // A backslash at the end of a line joins the next one to it.
+  void join_continued_lines() {
+    const auto continued = [](std::string_view line) {
+      while (line.ends_with('\r') || line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
+      return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+    };
+    if (!continued(text_.line())) return;
+    joined_.clear();
+    bool more = true;
+    do {
+      joined_ += text_.line();
+      more = continued(text_.line());
+      if (more) joined_[joined_.rfind('\\')] = ' ';
+      joined_ += ' ';
+    } while (more && text_.next_line());
+    text_.replace_line(joined_);
+  }
+
+  void add_vertex() {
+    const auto count = static_cast<std::int64_t>(soup_.positions.size());
+    soup_.positions.push_back(text_.position(count));
+  }
+
+  void add_face() {
+    for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
+      soup_.corners.push_back(vertex_index(token));
+    }
+    close_polygon(soup_);
+  }
+
+  // `v`, `v/vt`, `v//vn` or `v/vt/vn`, 1-based, or negative and counted back from the last vertex.
+  std::int32_t vertex_index(std::string_view token) {
+    const std::size_t slash = token.find('/');
+    const auto polygon = static_cast<std::int64_t>(soup_.polygon_count());
+    const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
+    const bool tail_fits =
+        slash == std::string_view::npos || token.find_first_not_of("0123456789+-/", slash) == std::string_view::npos;
+    if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a face", quoted(token)), polygon);
+    const auto count = static_cast<std::int64_t>(soup_.positions.size());
+    const std::int64_t index = *given > 0 ? *given - 1 : count + *given;
+    if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);
+    if (index >= count) forward_.push_back({polygon, *given, text_.line_number()});
+    return static_cast<std::int32_t>(index);
+  }
+
+  [[noreturn]] void refuse_index(std::int64_t given, std::int64_t count, std::int64_t polygon) const {
+    if (given == 0) text_.refuse("a face refers to vertex 0, and OBJ counts from 1", polygon);
+    text_.refuse(fmt::format("a face refers to vertex {}, and there are {} before it", given, count), polygon);
+  }
+
+  void check_forward_references() {
+    const auto count = static_cast<std::int64_t>(soup_.positions.size());
+    for (const ForwardReference& reference : forward_) {
+      if (reference.index <= count) continue;
+      text_.skip_line_numbers(reference.line - text_.line_number());
+      text_.refuse(fmt::format("a face refers to vertex {}, and the file has {}", reference.index, count),
+                   reference.polygon);
+    }
+  }
+
+  TextReader text_;
+  PolygonSoup soup_;
+  std::vector<ForwardReference> forward_;
+  std::string joined_;
+  std::int64_t lines_ = 0;
+};
+
+}  // namespace
+
+PolygonSoup parse_obj(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse(); }
+
+}  // namespace gvd

@@ -1,0 +1,111 @@
+// Geomview's OFF in text: each vertex and each face begins a line, with or without colours, normals and texture
+// coordinates behind it.
+#include <fmt/format.h>
+
+#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/read_text.hpp"
+#include "mesh/repair/repair_soup.hpp"
+
+namespace gvd {
+namespace {
+
+class OffParser {
+ public:
+  OffParser(std::string_view bytes, std::string_view name) : text_(bytes, name, true) {}
+
+  PolygonSoup parse() {
+    read_header();
+    for (std::int64_t v = 0; v < vertices_; ++v) {
+      if (!text_.begin_element()) refuse_end("vertex", v, vertices_);
+      soup_.positions.push_back(text_.position(v));  // what follows on the line is a normal, colour or texture
+      text_.end_element("vertex", v);
+    }
+    for (std::int64_t f = 0; f < faces_; ++f) {
+      if (!text_.begin_element()) refuse_end("face", f, faces_);
+      read_face(f);
+      text_.end_element("face", f);
+    }
+    note_extra_lines();
+    return std::move(soup_);
+  }
+
+ private:
+  // The keyword may be missing, and the counts may stand on its line.
+  void read_header() {
+    if (!text_.next_content_line()) text_.refuse_end("and holds no OFF header");
+    const std::string_view line = text_.line();
+    const std::string_view word = text_.token();
+    if (is_off_keyword(word)) {
+      check_keyword(word);
+      const std::string_view rest = text_.line();
+      const std::string_view next = text_.token();
+      if (next == "BINARY") text_.refuse("binary OFF is not supported, convert the file to text");
+      if (!next.empty()) {
+        text_.replace_line(rest);
+      } else if (!text_.next_content_line()) {
+        text_.refuse_end("and the counts of vertices and faces are missing");
+      }
+    } else if (!parse_integer(word)) {
+      text_.refuse(fmt::format("the first line of an OFF file should be OFF, and is {}", quoted(line)));
+    } else {
+      text_.replace_line(line);
+    }
+    vertices_ = read_count("the number of vertices", 6);
+    faces_ = read_count("the number of faces", 2);
+    soup_.positions.reserve(static_cast<std::size_t>(vertices_));
+    soup_.corners.reserve(static_cast<std::size_t>(3 * faces_));
+    soup_.first_corner.reserve(static_cast<std::size_t>(faces_ + 1));
+  }
+
+  void check_keyword(std::string_view word) const {
+    if (word.find_first_of("4n") != std::string_view::npos) {
+      text_.refuse(fmt::format("{} has vertices outside three dimensions, and should be OFF", quoted(word)));
+    }
+  }
+
+  // The shortest vertex line, "0 0 0", and the shortest face line, "0", bound what the rest of the file can hold: the
+  // last one may lack its line break.
+  std::int64_t read_count(std::string_view what, std::size_t shortest_line) {
+    const std::int64_t count = text_.integer(what);
+    if (count < 0) text_.refuse(fmt::format("{} is {}", what, count));
+    if (static_cast<std::uint64_t>(count) > (text_.remaining() + 1) / shortest_line) {
+      text_.refuse(fmt::format("{} is {}, and the file has only {} more bytes", what, count, text_.remaining()));
+    }
+    return count;
+  }
+
+  void read_face(std::int64_t f) {
+    const std::int64_t size = text_.integer("the number of corners");
+    if (size < 0) text_.refuse(fmt::format("face {} has {} corners", f, size), f);
+    for (std::int64_t i = 0; i < size; ++i) {
+      const std::int64_t v = text_.integer("a corner of the face");
+      if (v < 0 || v >= vertices_) {
+        text_.refuse(fmt::format("face {} refers to vertex {}, and there are {}", f, v, vertices_), f);
+      }
+      soup_.corners.push_back(static_cast<std::int32_t>(v));
+    }
+    close_polygon(soup_);
+  }
+
+  [[noreturn]] void refuse_end(std::string_view what, std::int64_t next, std::int64_t promised) const {
+    text_.refuse_end(fmt::format("and {} {} of {} is missing", what, next, promised), next);
+  }
+
+  void note_extra_lines() {
+    std::int64_t lines = 0;
+    while (text_.next_content_line()) ++lines;
+    if (lines > 0)
+      soup_.notes.push_back(fmt::format("{} after the last face left out", counted(lines, "line", "lines")));
+  }
+
+  TextReader text_;
+  PolygonSoup soup_;
+  std::int64_t vertices_ = 0;
+  std::int64_t faces_ = 0;
+};
+
+}  // namespace
+
+PolygonSoup parse_off(std::string_view bytes, std::string_view name) { return OffParser(bytes, name).parse(); }
+
+}  // namespace gvd

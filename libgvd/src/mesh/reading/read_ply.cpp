@@ -1,0 +1,247 @@
+// PLY: the elements `vertex` and `face`; others, and other properties, are read over.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "gvd/error.hpp"
+#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/read_ply_header.hpp"
+#include "mesh/reading/read_text.hpp"
+
+namespace gvd {
+namespace {
+
+// Hands out the numbers of a text PLY: each element begins a line.
+class AsciiSource {
+ public:
+  AsciiSource(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : text_(bytes.substr(header.bytes), name, false) {
+    text_.skip_line_numbers(header.lines);
+  }
+
+  // The shortest element that these properties allow: a digit and a blank each.
+  static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
+  // The last element may lack its line break.
+  std::uint64_t remaining() const { return text_.remaining() + 1; }
+  // For the entries of a list: a digit and a blank each, on the same line or later.
+  std::uint64_t most_entries() const { return (text_.line().size() + 1 + text_.remaining()) / 2; }
+  void begin_element(const PlyElement& element, std::int64_t i) {
+    if (element.properties.empty() || text_.begin_element()) return;
+    text_.refuse_end(fmt::format("and {} {} of {} is missing", element.name, i, element.count), i);
+  }
+  void end_element(const PlyElement& element, std::int64_t i) {
+    if (element.properties.empty()) return;
+    text_.end_element(element.name, i);
+    const std::string_view extra = text_.token();
+    if (!extra.empty()) text_.refuse(fmt::format("{} {} has {} too many", element.name, i, quoted(extra)), i);
+  }
+  double read(PlyType, const PlyProperty& property) { return text_.number(property.name); }
+  void skip(PlyType, std::int64_t count, const PlyProperty& property) {
+    for (std::int64_t i = 0; i < count; ++i) text_.number(property.name);
+  }
+  std::string place() const { return fmt::format("{}", text_.line_number()); }
+
+ private:
+  TextReader text_;
+};
+
+// Hands out the numbers of a binary PLY.
+class BinarySource {
+ public:
+  BinarySource(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : bytes_(bytes), name_(name), at_(header.bytes), big_(header.encoding == PlyEncoding::big_endian) {}
+
+  static std::uint64_t least_bytes(const PlyElement& element) {
+    std::uint64_t bytes = 0;
+    for (const PlyProperty& property : element.properties)
+      bytes += size_of(property.count_type.value_or(property.type));
+    return bytes;
+  }
+  std::uint64_t remaining() const { return bytes_.size() - at_; }
+  // For the entries of a list: a byte each at least.
+  std::uint64_t most_entries() const { return remaining(); }
+  void begin_element(const PlyElement& element, std::int64_t i) { element_ = &element, index_ = i; }
+  void end_element(const PlyElement&, std::int64_t) {}
+
+  double read(PlyType type, const PlyProperty& property) {
+    require(size_of(type), property);
+    const std::uint64_t bits = take(size_of(type));
+    switch (type) {
+      case PlyType::int8:
+        return static_cast<std::int8_t>(bits);
+      case PlyType::uint8:
+        return static_cast<std::uint8_t>(bits);
+      case PlyType::int16:
+        return static_cast<std::int16_t>(bits);
+      case PlyType::uint16:
+        return static_cast<std::uint16_t>(bits);
+      case PlyType::int32:
+        return static_cast<std::int32_t>(bits);
+      case PlyType::uint32:
+        return static_cast<std::uint32_t>(bits);
+      case PlyType::float32:
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+      case PlyType::float64:
+        return std::bit_cast<double>(bits);
+    }
+    return 0;
+  }
+  void skip(PlyType type, std::int64_t count, const PlyProperty& property) {
+    const std::uint64_t bytes = size_of(type) * static_cast<std::uint64_t>(count);
+    require(bytes, property);
+    at_ += bytes;
+  }
+  std::string place() const { return fmt::format(" byte {}", at_); }
+
+ private:
+  void require(std::uint64_t bytes, const PlyProperty& property) const {
+    if (bytes <= remaining()) return;
+    throw Error(ErrorCode::unreadable_input,
+                fmt::format("{}: the file ends at byte {}, inside '{}' of {} {} of {}", name_, bytes_.size(),
+                            property.name, element_->name, index_, element_->count),
+                index_);
+  }
+
+  std::uint64_t take(std::size_t size) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto byte = static_cast<unsigned char>(bytes_[at_ + (big_ ? i : size - 1 - i)]);
+      bits = bits << 8 | byte;
+    }
+    at_ += size;
+    return bits;
+  }
+
+  std::string_view bytes_;
+  std::string_view name_;
+  std::size_t at_;
+  bool big_;
+  const PlyElement* element_ = nullptr;
+  std::int64_t index_ = 0;
+};
+
+template <class Source>
+class BodyParser {
+ public:
+  BodyParser(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : header_(header), source_(bytes, name, header), name_(name) {}
+
+  PolygonSoup parse() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") vertices_ = element.count;
+    }
+    for (const PlyElement& element : header_.elements) {
+      check_room(element);
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face") {
+        read_faces(element);
+      } else if (!element.properties.empty()) {
+        for (std::int64_t i = 0; i < element.count; ++i) read_element(element, i, [](int) { return false; });
+      }
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  void check_room(const PlyElement& element) const {
+    const std::uint64_t least = Source::least_bytes(element);
+    if (least == 0 || static_cast<std::uint64_t>(element.count) <= source_.remaining() / least) return;
+    throw Error(ErrorCode::unreadable_input,
+                fmt::format("{}: the header promises {} of element '{}', and the file has only {} more bytes", name_,
+                            element.count, element.name, source_.remaining()));
+  }
+
+  [[noreturn]] void refuse(ErrorCode code, const std::string& message, std::int64_t element) const {
+    throw Error(code, fmt::format("{}:{}: {}", name_, source_.place(), message), element);
+  }
+
+  // Reads element i; properties for which take(index) is false are read over.
+  template <class Take>
+  void read_element(const PlyElement& element, std::int64_t i, Take take) {
+    source_.begin_element(element, i);
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (take(static_cast<int>(p))) continue;
+      const std::int64_t count = property.count_type ? read_count(property, i) : 1;
+      source_.skip(property.type, count, property);
+    }
+    source_.end_element(element, i);
+  }
+
+  std::int64_t read_count(const PlyProperty& property, std::int64_t i) {
+    const double count = source_.read(*property.count_type, property);
+    if (!(count >= 0) || count != std::floor(count) || count > static_cast<double>(source_.most_entries())) {
+      refuse(ErrorCode::unreadable_input,
+             fmt::format("the list '{}' announces {} entries, and there is room for {}", property.name, count,
+                         source_.most_entries()),
+             i);
+    }
+    return static_cast<std::int64_t>(count);
+  }
+
+  void read_vertices(const PlyElement& element) {
+    check_counts(static_cast<std::uint64_t>(element.count), 0, name_);
+    const std::array<int, 3> xyz = {element.find("x"), element.find("y"), element.find("z")};
+    soup_.positions.reserve(static_cast<std::size_t>(element.count));
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      Vec3 position = Vec3::Zero();
+      read_element(element, i, [&](int p) {
+        const auto axis = std::find(xyz.begin(), xyz.end(), p) - xyz.begin();
+        if (axis == 3) return false;
+        const PlyProperty& property = element.properties[static_cast<std::size_t>(p)];
+        position[axis] = source_.read(property.type, property);
+        return true;
+      });
+      if (!position.allFinite()) {
+        refuse(ErrorCode::precondition, fmt::format("a coordinate of vertex {} is not a finite number", i), i);
+      }
+      soup_.positions.push_back(position);
+    }
+  }
+
+  void read_faces(const PlyElement& element) {
+    check_counts(0, static_cast<std::uint64_t>(element.count), name_);
+    const int list = std::max(element.find("vertex_indices"), element.find("vertex_index"));
+    const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
+    soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
+    soup_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      read_element(element, i, [&](int p) {
+        if (p != list) return false;
+        const std::int64_t size = read_count(property, i);
+        for (std::int64_t c = 0; c < size; ++c) soup_.corners.push_back(read_index(property, i));
+        return true;
+      });
+      close_polygon(soup_);
+    }
+  }
+
+  std::int32_t read_index(const PlyProperty& property, std::int64_t face) {
+    const double index = source_.read(property.type, property);
+    if (!(index >= 0) || index >= static_cast<double>(vertices_) || index != std::floor(index)) {
+      refuse(ErrorCode::unreadable_input,
+             fmt::format("face {} refers to vertex {}, and there are {}", face, index, vertices_), face);
+    }
+    return static_cast<std::int32_t>(index);
+  }
+
+  const PlyHeader& header_;
+  Source source_;
+  std::string_view name_;
+  PolygonSoup soup_;
+  std::int64_t vertices_ = 0;
+};
+
+}  // namespace
+
+PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
+  const PlyHeader header = parse_ply_header(bytes, name);
+  if (header.encoding == PlyEncoding::ascii) return BodyParser<AsciiSource>(bytes, name, header).parse();
+  return BodyParser<BinarySource>(bytes, name, header).parse();
+}
+
+}  // namespace gvd

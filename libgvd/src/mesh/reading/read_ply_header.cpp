@@ -1,0 +1,179 @@
+#include "mesh/reading/read_ply_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "mesh/reading/read_text.hpp"
+
+namespace gvd {
+namespace {
+
+std::optional<PlyType> parse_type(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
+      {"char", PlyType::int8},
+      {"int8", PlyType::int8},
+      {"uchar", PlyType::uint8},
+      {"uint8", PlyType::uint8},
+      {"short", PlyType::int16},
+      {"int16", PlyType::int16},
+      {"ushort", PlyType::uint16},
+      {"uint16", PlyType::uint16},
+      {"int", PlyType::int32},
+      {"int32", PlyType::int32},
+      {"uint", PlyType::uint32},
+      {"uint32", PlyType::uint32},
+      {"float", PlyType::float32},
+      {"float32", PlyType::float32},
+      {"double", PlyType::float64},
+      {"float64", PlyType::float64},
+  }};
+  const auto it = std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& entry) { return entry.first == word; });
+  if (it == kTypes.end()) return std::nullopt;
+  return it->second;
+}
+
+class HeaderParser {
+ public:
+  // The header's length in bytes decides where binary data begin, so its line ends are taken as the first line has
+  // them.
+  HeaderParser(std::string_view bytes, std::string_view name)
+      : text_(header_bytes(bytes), name, false), size_(header_bytes(bytes).size()) {}
+
+  PlyHeader parse() {
+    if (!text_.next_line() || text_.token() != "ply") text_.refuse("the first line of a PLY file should be ply");
+    bool ended = false;
+    while (!ended && text_.next_line()) ended = parse_line();
+    if (!ended) text_.refuse_end("and end_header is missing");
+    if (!has_format_) text_.refuse("the header has no line 'format'");
+    check_elements();
+    header_.bytes = size_;
+    header_.lines = text_.line_number();
+    return std::move(header_);
+  }
+
+ private:
+  static std::string_view header_bytes(std::string_view bytes) {
+    const std::size_t first = bytes.find_first_of("\r\n");
+    if (first == std::string_view::npos) return bytes;
+    const std::string_view line_end = bytes.substr(first, bytes.substr(first).starts_with("\r\n") ? 2 : 1);
+    for (std::size_t at = bytes.find("end_header"); at != std::string_view::npos;
+         at = bytes.find("end_header", at + 1)) {
+      const bool starts_line = at > 0 && bytes[at - 1] == line_end.back();
+      const std::size_t end = bytes.find(line_end, at);
+      if (starts_line && end != std::string_view::npos) return bytes.substr(0, end + line_end.size());
+    }
+    return bytes;
+  }
+
+  // True at end_header.
+  bool parse_line() {
+    const std::string_view word = text_.token();
+    if (word == "end_header") return true;
+    if (word == "format") {
+      parse_format();
+    } else if (word == "element") {
+      parse_element();
+    } else if (word == "property") {
+      parse_property();
+    } else if (word != "comment" && word != "obj_info" && !word.empty()) {
+      text_.refuse(fmt::format("{} is no statement of a PLY header", quoted(word)));
+    }
+    return false;
+  }
+
+  void parse_format() {
+    const std::string_view word = text_.token();
+    if (word == "ascii") {
+      header_.encoding = PlyEncoding::ascii;
+    } else if (word == "binary_little_endian") {
+      header_.encoding = PlyEncoding::little_endian;
+    } else if (word == "binary_big_endian") {
+      header_.encoding = PlyEncoding::big_endian;
+    } else {
+      text_.refuse(
+          fmt::format("the format {} is none of ascii, binary_little_endian and binary_big_endian", quoted(word)));
+    }
+    has_format_ = true;
+  }
+
+  void parse_element() {
+    const std::string_view name = text_.token();
+    const std::int64_t count = text_.integer("the number of elements");
+    if (count < 0) text_.refuse(fmt::format("the number of elements is {}", count));
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == name) text_.refuse(fmt::format("the element {} is declared twice", quoted(name)));
+    }
+    header_.elements.push_back({std::string(name), count, {}});
+  }
+
+  void parse_property() {
+    if (header_.elements.empty()) text_.refuse("a property comes before the first element");
+    PlyProperty property;
+    std::string_view word = text_.token();
+    if (word == "list") {
+      property.count_type = require_type(text_.token());
+      if (!is_integer(*property.count_type)) text_.refuse("the count of a list should have an integer type");
+      word = text_.token();
+    }
+    property.type = require_type(word);
+    property.name = text_.token();
+    if (property.name.empty()) text_.refuse("the property has no name");
+    header_.elements.back().properties.push_back(std::move(property));
+  }
+
+  PlyType require_type(std::string_view word) const {
+    const std::optional<PlyType> type = parse_type(word);
+    if (!type) text_.refuse(fmt::format("{} is no type of a PLY property", quoted(word)));
+    return *type;
+  }
+
+  void check_elements() const {
+    const auto find = [&](std::string_view name) {
+      return std::find_if(header_.elements.begin(), header_.elements.end(),
+                          [&](const PlyElement& element) { return element.name == name; });
+    };
+    const auto none = header_.elements.end();
+    const auto vertex = find("vertex");
+    if (vertex == none) text_.refuse("the header has no element 'vertex'");
+    for (const std::string_view name : {"x", "y", "z"}) {
+      const int at = vertex->find(name);
+      if (at < 0 || vertex->properties[static_cast<std::size_t>(at)].count_type) {
+        text_.refuse(fmt::format("the element 'vertex' has no number '{}'", name));
+      }
+    }
+    const auto face = find("face");
+    if (face == none && find("tristrips") != none) {
+      text_.refuse("triangle strips (element 'tristrips') are not supported, save the mesh with faces");
+    }
+    if (face == none) text_.refuse("the header has no element 'face': a surface is needed");
+    const int list = std::max(face->find("vertex_indices"), face->find("vertex_index"));
+    if (list < 0 || !face->properties[static_cast<std::size_t>(list)].count_type) {
+      text_.refuse("the element 'face' has no list 'vertex_indices' or 'vertex_index'");
+    }
+  }
+
+  TextReader text_;
+  std::size_t size_;
+  PlyHeader header_;
+  bool has_format_ = false;
+};
+
+}  // namespace
+
+std::size_t size_of(PlyType type) {
+  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+
+int PlyElement::find(std::string_view property) const {
+  const auto it = std::find_if(properties.begin(), properties.end(),
+                               [&](const PlyProperty& candidate) { return candidate.name == property; });
+  return it == properties.end() ? -1 : static_cast<int>(it - properties.begin());
+}
+
+PlyHeader parse_ply_header(std::string_view bytes, std::string_view name) { return HeaderParser(bytes, name).parse(); }
+
+}  // namespace gvd

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <new>
+#include <system_error>
+
+#include "gvd/error.hpp"
+#include "gvd/soup.hpp"
+#include "mesh/reading/read_formats.hpp"
+
+namespace gvd {
+namespace {
+
+[[noreturn]] void refuse(std::string_view name, std::string_view message) {
+  throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
+}
+
+// The whole file in one read where its size is known, in pieces where it is a pipe.
+std::string read_bytes(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) refuse(name, "there is no such file");
+  if (status.type() == std::filesystem::file_type::directory) refuse(name, "this is a directory, and should be a file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(name, "the file can't be opened, check its permissions");
+  std::string bytes;
+  if (status.type() == std::filesystem::file_type::regular) {
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error) bytes.resize(static_cast<std::size_t>(size));
+  }
+  std::size_t filled = 0;
+  for (;;) {
+    constexpr std::size_t kPiece = 1 << 16;
+    if (filled == bytes.size()) bytes.resize(bytes.size() + kPiece + bytes.size() / 2);
+    file.read(bytes.data() + filled, static_cast<std::streamsize>(bytes.size() - filled));
+    filled += static_cast<std::size_t>(file.gcount());
+    if (file.bad()) refuse(name, "the file can't be read to its end");
+    if (!file) break;
+    if (file.peek() == std::ifstream::traits_type::eof()) break;
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+PolygonSoup parse_format(std::string_view bytes, MeshFormat format, std::string_view name) {
+  switch (format) {
+    case MeshFormat::obj:
+      return parse_obj(bytes, name);
+    case MeshFormat::ply:
+      return parse_ply(bytes, name);
+    case MeshFormat::off:
+      return parse_off(bytes, name);
+    case MeshFormat::stl:
+      return parse_stl(bytes, name);
+  }
+  throw Error(ErrorCode::invalid_option, "the mesh format is none of obj, ply, off and stl");
+}
+
+}  // namespace
+
+void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_view name) {
+  constexpr auto kMost = static_cast<std::uint64_t>(kMostVertices);
+  if (vertices <= kMost && polygons <= kMost) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("{}: {} vertices and {} faces are more than 32-bit ids can count ({}), simplify the mesh",
+                          name, vertices, polygons, kMost));
+}
+
+PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
+  if (bytes.empty()) refuse(name, "the file is empty");
+  try {
+    PolygonSoup soup = parse_format(bytes, format, name);
+    if (soup.polygon_count() == 0) {
+      refuse(name, fmt::format("the file holds {} vertices and no face: a surface is needed", soup.positions.size()));
+    }
+    check_counts(soup.positions.size(), soup.polygon_count(), name);
+    return soup;
+  } catch (const std::bad_alloc&) {
+    refuse(name, "there is not enough memory for this mesh");
+  }
+}
+
+PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
+  const std::string name = path.string();
+  try {
+    const std::string bytes = read_bytes(path);
+    if (bytes.empty()) refuse(name, "the file is empty");
+    if (!format) format = detect_format(bytes, name);
+    if (!format) refuse(name, "this is no OBJ, PLY, OFF or STL file, by its name and by its first line");
+    return parse_soup(bytes, *format, name);
+  } catch (const std::bad_alloc&) {
+    refuse(name, "there is not enough memory for this file");
+  }
+}
+
+}  // namespace gvd

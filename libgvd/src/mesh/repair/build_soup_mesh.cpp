@@ -1,0 +1,160 @@
+// From a soup to a mesh: every step of the repair in its order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "mesh/repair/repair_soup.hpp"
+
+namespace gvd {
+namespace {
+
+/// A triangle whose height is at or below this part of its longest side counts as one without area. Ten times the
+/// rounding of a position that lies on the side.
+constexpr double kFlatTriangle = 1e-15;
+
+constexpr std::array<std::string_view, 9> kKindNames = {
+    "unwelded_vertices", "zero_length_edges",    "degenerate_faces", "duplicate_faces",   "inconsistent_orientation",
+    "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices",  "dropped_components"};
+
+std::vector<char> find_used_vertices(const WorkFaces& work) {
+  std::vector<char> used(work.positions.size(), 0);
+  for (const auto& face : work.faces) {
+    for (const std::int32_t v : face) used[static_cast<std::size_t>(v)] = 1;
+  }
+  return used;
+}
+
+// Vertices that are in no polygon of the soup; those that repairs left without a face do not count.
+void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
+  std::vector<char> used(soup.positions.size(), 0);
+  for (const std::int32_t v : soup.corners) used[static_cast<std::size_t>(v)] = 1;
+  const std::int64_t count = std::count(used.begin(), used.end(), 0);
+  const std::int64_t first = std::find(used.begin(), used.end(), 0) - used.begin();
+  log.add(DefectKind::unused_vertices, count, first,
+          fmt::format("{} in no face, first vertex {}", counted(count, "vertex is", "vertices are"), first), "removed");
+}
+
+CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
+  CheckedMesh checked;
+  const std::vector<char> used = find_used_vertices(work);
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  std::vector<VertexId> renumbered(work.positions.size());
+  std::vector<Vec3> positions;
+  positions.reserve(count);
+  checked.input_vertex.reserve(count);
+  for (std::size_t v = 0; v < work.positions.size(); ++v) {
+    if (!used[v]) continue;
+    renumbered[v] = checked.input_vertex.push_back(work.source[v]);
+    positions.push_back(work.positions[v]);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  faces.reserve(work.faces.size());
+  for (const auto& [a, b, c] : work.faces) {
+    faces.push_back({renumbered[static_cast<std::size_t>(a)], renumbered[static_cast<std::size_t>(b)],
+                     renumbered[static_cast<std::size_t>(c)]});
+  }
+  checked.mesh_vertex.reserve(weld.size());
+  for (const std::int32_t v : weld) checked.mesh_vertex.push_back(renumbered[static_cast<std::size_t>(v)]);
+  checked.input_polygon = IdVector<FaceId, std::int32_t>(std::move(work.origin));
+  work = {};  // its memory
+  checked.mesh = Mesh(std::move(positions), std::move(faces));
+  return checked;
+}
+
+std::int64_t count_zero_area_faces(const Mesh& mesh) {
+  std::int64_t count = 0;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.length(Mesh::halfedge(FaceId(f), i)));
+    count += 2 * mesh.area(FaceId(f)) <= kFlatTriangle * longest * longest;
+  }
+  return count;
+}
+
+// Vertices on the boundary at the position of another one that was another vertex of the input too.
+std::int64_t count_coincident_vertices(const CheckedMesh& checked) {
+  using Entry = std::tuple<double, double, double, std::int32_t>;
+  std::vector<Entry> entries;
+  for (std::int32_t i = 0; i < checked.mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    if (!checked.mesh.is_boundary(v) || checked.input_vertex[v] < 0) continue;
+    const Vec3& p = checked.mesh.position(v);
+    entries.emplace_back(p.x(), p.y(), p.z(), checked.input_vertex[v]);
+  }
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  const auto same = [](const Entry& a, const Entry& b) {
+    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b) && std::get<2>(a) == std::get<2>(b);
+  };
+  std::int64_t count = 0;
+  for (std::size_t i = 1; i < entries.size(); ++i) count += same(entries[i - 1], entries[i]);
+  return count;
+}
+
+void add_remarks(CheckedMesh& checked) {
+  DefectReport& report = checked.defects;
+  report.zero_area_faces = count_zero_area_faces(checked.mesh);
+  report.coincident_vertices = count_coincident_vertices(checked);
+  if (report.split_edges > 0) {
+    report.messages.push_back(fmt::format("{} along which the surface touches itself: cut by new vertices on them",
+                                          counted(report.split_edges, "edge", "edges")));
+  }
+  if (report.zero_area_faces > 0) {
+    report.messages.push_back(fmt::format("{} no area (three points on a line): kept, they hold the surface together",
+                                          counted(report.zero_area_faces, "triangle has", "triangles have")));
+  }
+  if (report.coincident_vertices > 0) {
+    report.messages.push_back(
+        fmt::format("{} at the position of another one: not joined, the surface is open there",
+                    counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are")));
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(DefectKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
+
+std::string counted(std::int64_t count, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::int64_t DefectReport::count(DefectKind kind) const {
+  for (const Defect& defect : defects) {
+    if (defect.kind == kind) return defect.count;
+  }
+  return 0;
+}
+
+void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
+                    const std::string& action) {
+  if (count == 0) return;
+  if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
+  const std::string message = what + ": " + action;
+  report_.defects.push_back({kind, count, first, message});
+  report_.messages.push_back(message);
+}
+
+CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
+  examine_soup(soup);
+  DefectLog log(policy);
+  log.report().messages = soup.notes;
+  const std::vector<std::int32_t> weld = weld_vertices(soup, log);
+  WorkPolygons polygons = remove_degenerate_faces(soup, weld, log);
+  remove_duplicate_faces(polygons, soup.positions.size(), log);
+  WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions);
+  EdgeTable crowded = pair_halfedges(work, soup.positions.size());
+  const std::vector<char> one_sided = orient_faces(work, crowded, log);
+  const std::vector<char> on_cut_edge = cut_edges(work, crowded, soup.positions, one_sided, log);
+  keep_largest_component(work, soup.positions, one_sided, log);
+  cut_vertices(work, soup.positions, on_cut_edge, log);
+  split_touching_edges(work, log);
+  log_unused_vertices(soup, log);
+  CheckedMesh checked = assemble(std::move(work), weld);
+  checked.defects = std::move(log.report());
+  add_remarks(checked);
+  return checked;
+}
+
+}  // namespace gvd

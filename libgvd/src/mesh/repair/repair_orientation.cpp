@@ -1,0 +1,102 @@
+// Turns the faces of each component the same way round.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh/repair/repair_soup.hpp"
+
+namespace gvd {
+namespace {
+
+// Faces that are connected through edges of two faces, in the order in which a walk from the first one meets them.
+struct Component {
+  std::vector<std::int32_t> faces;
+  std::int32_t flipped = 0;    // of `faces`, how many go against the first
+  std::int32_t conflict = -1;  // a face that would have to go both ways
+};
+
+// Walks the component of `start`; side[f] becomes 0 where f goes round like `start`, 1 where it goes against it.
+Component walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
+  Component component;
+  component.faces.push_back(start);
+  side[static_cast<std::size_t>(start)] = 0;
+  for (std::size_t i = 0; i < component.faces.size(); ++i) {
+    const std::int32_t f = component.faces[i];
+    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      const std::int32_t twin = work.twin[static_cast<std::size_t>(h)];
+      if (twin < 0) continue;
+      const bool same_direction = work.from(h) == work.from(twin);
+      const auto wanted = static_cast<signed char>(side[static_cast<std::size_t>(f)] ^ (same_direction ? 1 : 0));
+      signed char& other = side[static_cast<std::size_t>(twin / 3)];
+      if (other < 0) {
+        other = wanted;
+        component.flipped += wanted;
+        component.faces.push_back(twin / 3);
+      } else if (other != wanted && component.conflict < 0) {
+        component.conflict = std::max(f, twin / 3);
+      }
+    }
+  }
+  return component;
+}
+
+// Swaps the last two corners: the halfedges 0, 1, 2 become 2, 1, 0 the other way round.
+void flip(WorkFaces& work, std::int32_t f) {
+  auto& corners = work.faces[static_cast<std::size_t>(f)];
+  std::swap(corners[1], corners[2]);
+  const auto h = static_cast<std::size_t>(3 * f);
+  std::swap(work.twin[h], work.twin[h + 2]);
+  for (const std::size_t moved : {h, h + 2}) {
+    if (work.twin[moved] >= 0) work.twin[static_cast<std::size_t>(work.twin[moved])] = static_cast<std::int32_t>(moved);
+  }
+}
+
+void refuse_one_sided(const WorkFaces& work, const Component& component) {
+  const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
+  const std::int32_t origin = work.origin[static_cast<std::size_t>(first)];
+  refuse_soup(
+      fmt::format("the component of face {} has only one side, like a Moebius strip (seen at face {}): cut it open",
+                  origin, work.origin[static_cast<std::size_t>(component.conflict)]),
+      origin);
+}
+
+}  // namespace
+
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& crowded, DefectLog& log) {
+  std::vector<signed char> side(work.faces.size(), -1);
+  std::vector<char> one_sided(work.faces.size(), 0);
+  std::vector<char> to_flip(work.faces.size(), 0);
+  for (std::size_t start = 0; start < work.faces.size(); ++start) {
+    if (side[start] >= 0) continue;
+    const Component component = walk_component(work, static_cast<std::int32_t>(start), side);
+    if (component.conflict >= 0) {
+      if (log.policy() != DefectPolicy::largest) refuse_one_sided(work, component);
+      for (const std::int32_t f : component.faces) one_sided[static_cast<std::size_t>(f)] = 1;
+      continue;
+    }
+    const bool against_first = 2 * static_cast<std::size_t>(component.flipped) > component.faces.size();
+    for (const std::int32_t f : component.faces) {
+      to_flip[static_cast<std::size_t>(f)] = (side[static_cast<std::size_t>(f)] == 1) != against_first;
+    }
+  }
+  std::int64_t count = 0;
+  std::int32_t first = -1;
+  std::int32_t last = -1;
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    if (!to_flip[f]) continue;
+    flip(work, static_cast<std::int32_t>(f));
+    if (first < 0) first = work.origin[f];
+    count += work.origin[f] != last;  // several triangles of one polygon count once
+    last = work.origin[f];
+  }
+  for (std::int32_t& h : crowded.halfedges) {
+    if (to_flip[static_cast<std::size_t>(h / 3)]) h = 3 * (h / 3) + 2 - h % 3;
+  }
+  log.add(DefectKind::inconsistent_orientation, count, first,
+          fmt::format("{} against the orientation of most of their component, first face {}",
+                      counted(count, "face is", "faces are"), first),
+          "flipped");
+  return one_sided;
+}
+
+}  // namespace gvd

@@ -1,0 +1,137 @@
+// Cuts polygons into triangles: quads by their better diagonal, larger ones by clipping ears.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "mesh/repair/repair_soup.hpp"
+#include "mesh/repair/triangulate_soup_polygon.hpp"
+
+namespace gvd {
+namespace {
+
+/// The second diagonal of a quad is taken only where it is better by more than this part, so that rounding does not
+/// decide between the two of a square. Dimensionless; far above the rounding of a few operations.
+constexpr double kBetterDiagonal = 1e-6;
+
+std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+// The edges of all polygons, and the diagonals as they come. Only asked for membership: no order of it reaches the
+// output.
+class KnownEdges {
+ public:
+  explicit KnownEdges(const WorkPolygons& polygons) {
+    edges_.reserve(polygons.corners.size());
+    for (std::size_t p = 0; p < polygons.count(); ++p) {
+      const auto polygon = polygons.polygon(p);
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        edges_.push_back(edge_key(polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1]));
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  bool contains(std::int32_t a, std::int32_t b) const {
+    const std::uint64_t key = edge_key(a, b);
+    return diagonals_.contains(key) || std::binary_search(edges_.begin(), edges_.end(), key);
+  }
+  void add_diagonal(std::int32_t a, std::int32_t b) { diagonals_.insert(edge_key(a, b)); }
+
+ private:
+  std::vector<std::uint64_t> edges_;
+  std::unordered_set<std::uint64_t> diagonals_;
+};
+
+class Triangulator {
+ public:
+  Triangulator(const WorkPolygons& polygons, const std::vector<Vec3>& positions)
+      : positions_(positions), known_(polygons), is_edge_([this](auto a, auto b) { return known_.contains(a, b); }) {}
+
+  void add(std::span<const std::int32_t> polygon, std::int32_t origin, WorkFaces& work) {
+    const std::size_t begin = work.faces.size();
+    if (polygon.size() == 3) {
+      work.faces.push_back({polygon[0], polygon[1], polygon[2]});
+    } else if (polygon.size() != 4 || !split_quad(polygon, work.faces)) {
+      const PolygonShape shape = triangulate_polygon(polygon, positions_, is_edge_, work.faces);
+      if (shape != PolygonShape::simple) refuse(shape, polygon.size(), origin);
+    }
+    work.origin.resize(work.faces.size(), origin);
+    // Each triangle but the last was cut off along the side from its third corner to its first.
+    for (std::size_t f = begin; f + 1 < work.faces.size(); ++f) known_.add_diagonal(work.faces[f][2], work.faces[f][0]);
+  }
+
+ private:
+  const Vec3& at(std::int32_t v) const { return positions_[static_cast<std::size_t>(v)]; }
+
+  // How good the diagonal a-c is: the worse of its two triangles, twice the area by the sum of squared sides; 0 where
+  // one is flat, the two do not face the same way, or the diagonal is an edge already.
+  double diagonal_quality(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
+    const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a));
+    const Vec3 normal_d = (at(c) - at(a)).cross(at(d) - at(a));
+    if (!(normal_b.dot(normal_d) > 0) || known_.contains(a, c)) return 0;
+    const double diagonal = (at(c) - at(a)).squaredNorm();
+    const double squares_b = diagonal + (at(b) - at(a)).squaredNorm() + (at(c) - at(b)).squaredNorm();
+    const double squares_d = diagonal + (at(d) - at(a)).squaredNorm() + (at(c) - at(d)).squaredNorm();
+    return std::min(normal_b.norm() / squares_b, normal_d.norm() / squares_d);
+  }
+
+  bool split_quad(std::span<const std::int32_t> q, std::vector<std::array<std::int32_t, 3>>& faces) const {
+    const std::int32_t a = q[0], b = q[1], c = q[2], d = q[3];
+    if (a == c || b == d) return false;
+    const double first = diagonal_quality(a, b, c, d);
+    const double second = diagonal_quality(b, c, d, a);
+    if (std::max(first, second) == 0) return false;
+    if (second > first * (1 + kBetterDiagonal)) {
+      faces.push_back({d, a, b});
+      faces.push_back({b, c, d});
+    } else {
+      faces.push_back({a, b, c});
+      faces.push_back({a, c, d});
+    }
+    return true;
+  }
+
+  [[noreturn]] static void refuse(PolygonShape shape, std::size_t corners, std::int32_t origin) {
+    if (shape == PolygonShape::too_complex) {
+      refuse_soup(
+          fmt::format("face {} has {} corners in too complex a shape, cut it into smaller ones", origin, corners),
+          origin);
+    }
+    refuse_soup(fmt::format("face {} with its {} corners crosses itself, cut it into triangles", origin, corners),
+                origin);
+  }
+
+  const std::vector<Vec3>& positions_;
+  KnownEdges known_;
+  EdgeQuery is_edge_;
+};
+
+}  // namespace
+
+WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions) {
+  WorkFaces work;
+  const std::size_t triangles = polygons.corners.size() - 2 * polygons.count();
+  if (triangles > 0x7fffffff / 3) {
+    refuse_soup(fmt::format("{} triangles are more than 32-bit ids can count", triangles), -1);
+  }
+  work.faces.reserve(triangles);
+  if (polygons.corners.size() == 3 * polygons.count()) {
+    for (std::size_t p = 0; p < polygons.count(); ++p) {
+      const auto triangle = polygons.polygon(p);
+      work.faces.push_back({triangle[0], triangle[1], triangle[2]});
+    }
+    work.origin = std::move(polygons.origin);
+    return work;
+  }
+  work.origin.reserve(triangles);
+  Triangulator triangulator(polygons, positions);
+  for (std::size_t p = 0; p < polygons.count(); ++p) {
+    triangulator.add(polygons.polygon(p), polygons.origin[p], work);
+  }
+  return work;
+}
+
+}  // namespace gvd

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Fails where a file includes upwards: every folder has a floor, and includes only from its own folder and floors below.
+
+    scripts/check_includes.py [--draw]     --draw prints which folder includes which instead
+
+A private header that declares what a source defines bears that source's name; this is checked too.
+"""
+import collections
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# From the ground up. Folders of one line do not include each other.
+FLOORS = [
+    ["libgvd/src/base"],
+    ["libgvd/src/mesh"],
+    ["libgvd/src/mesh/repair"],
+    ["libgvd/src/mesh/reading"],
+    ["libgvd/src/geodesic/field"],
+    ["libgvd/src/geodesic/marching"],
+    ["libgvd/src/geodesic/tracing", "libgvd/src/geodesic/sampling"],
+    ["libgvd/src/geodesic/windows"],
+    ["libgvd/src/diagram/graph"],
+    ["libgvd/src/diagram/assembly"],
+    ["libgvd/src/diagram/envelope", "libgvd/src/diagram/growth", "libgvd/src/diagram/evaluation"],
+    ["libgvd/src/diagram"],
+    ["libgvd/src/io/generators", "libgvd/src/io/writers"],
+    ["libgvd/src/io/view"],
+    ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
+    ["libgvd/remesh"],
+    ["apps/common"],
+    ["apps/segment", "apps/lloyd", "apps/remesh"],
+]
+FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
+
+# A public header lies in one folder for users; here is the folder that it belongs to.
+PUBLIC = {
+    "libgvd/src/base": "vec ids error progress",
+    "libgvd/src/mesh": "mesh surface_point surface_normal closest_point quality openmesh",
+    "libgvd/src/mesh/repair": "soup",
+    "libgvd/src/geodesic/field": "front",
+    "libgvd/src/geodesic/tracing": "geodesic_tracing log_map",
+    "libgvd/src/geodesic/sampling": "sampling",
+    "libgvd/src/geodesic/windows": "exact_field",
+    "libgvd/src/diagram/graph": "diagram",
+    "libgvd/src/diagram/evaluation": "check error_measure",
+    "libgvd/src/io/generators": "generator_list",
+    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/run_report",
+    "libgvd/src/io/view": "io/view",
+    "libgvd/segment": "segment",
+    "libgvd/lloyd": "lloyd",
+    "libgvd/remesh": "dual remesh",
+    "libgvd/verify": "verify",
+}
+PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+
+
+def sources():
+    return sorted(p for top in ("libgvd", "apps") for p in (ROOT / top).rglob("*.[ch]pp"))
+
+
+def folder_of(path):
+    """The folder of FLOORS that a source belongs to, or None."""
+    relative = path.relative_to(ROOT)
+    if "include" in relative.parts:
+        return PUBLIC_FOLDER.get(str(relative).split("include/", 1)[1])
+    for parent in relative.parents:
+        if str(parent) in FLOOR:
+            return str(parent)
+    return None
+
+
+def find_header(name, source):
+    """The file that an include names."""
+    for base in (source.parent, ROOT / "libgvd/src", ROOT / "apps"):
+        if (base / name).exists():
+            return base / name
+    public = [p for p in ROOT.glob(f"libgvd/**/include/{name}")]
+    return public[0] if public else None
+
+
+def check_file(path, edges):
+    """The findings in one file; adds its includes to `edges`."""
+    findings = []
+    name = path.relative_to(ROOT)
+    own = folder_of(path)
+    if own is None:
+        return [f"{name}: its folder has no floor; add it to FLOORS or PUBLIC in scripts/check_includes.py"]
+    for included in INCLUDE.findall(path.read_text()):
+        header = find_header(included, path)
+        other = folder_of(header) if header else None
+        if other is None:
+            findings.append(f"{name}: includes {included}, which has no floor")
+        elif other != own:
+            edges[own, other].append((path.name, header.name))
+            if FLOOR[other] >= FLOOR[own]:
+                findings.append(f"{name}: includes {included} of {other}, which is not below {own}")
+    return findings
+
+
+def check_names():
+    """Sources that neither have a header of their name nor implement a public header of their folder."""
+    findings = []
+    for path in sources():
+        if path.suffix != ".cpp" or path.with_suffix(".hpp").exists() or path.name == "main.cpp":
+            continue
+        if all(PUBLIC_FOLDER.get(name) != folder_of(path) for name in INCLUDE.findall(path.read_text())):
+            findings.append(f"{path.relative_to(ROOT)}: has no header of its name, and implements no public one")
+    return findings
+
+
+def main():
+    edges = collections.defaultdict(list)
+    findings = [finding for path in sources() for finding in check_file(path, edges)] + check_names()
+    if "--draw" in sys.argv[1:]:
+        for (own, other), names in sorted(edges.items()):
+            print(f"{own} -> {other}: {len(names)}")
+        return 0
+    for finding in findings:
+        print(finding)
+    print(f"{len(sources())} files, {len(findings)} findings")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

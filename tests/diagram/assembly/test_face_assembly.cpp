@@ -1,0 +1,277 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagram/assembly/face_assembly.hpp"
+#include "diagram/graph/face_pieces.hpp"
+#include "support/assembled_face.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+using test::AssembledFace;
+using test::BoundaryRun;
+
+namespace {
+
+/// Every crossing ends one arc, with the cells of its two runs on the right sides; every branch point ends three.
+void require_complete(const AssembledFace& face) {
+  for (const BoundaryCrossing& c : face.boundary) {
+    int ends = 0;
+    for (const FaceArc& arc : face.diagram.arcs) {
+      REQUIRE(arc.left != arc.right);
+      // Seen from the boundary inwards, the run before the crossing lies on the left.
+      if (arc.begin == at(c.id)) REQUIRE((++ends && arc.left == c.previous && arc.right == c.next));
+      if (arc.end == at(c.id)) REQUIRE((++ends && arc.left == c.next && arc.right == c.previous));
+    }
+    REQUIRE(ends == 1);
+  }
+  for (std::size_t b = 0; b < face.diagram.branches.size(); ++b) {
+    const BranchPointId id(static_cast<std::int64_t>(b));
+    std::vector<GeneratorId> cells;
+    for (const FaceArc& arc : face.diagram.arcs) {
+      if (arc.begin == at(id)) cells.push_back(arc.left);
+      if (arc.end == at(id)) cells.push_back(arc.right);
+    }
+    REQUIRE(cells.size() == 3);
+    REQUIRE((cells[0] != cells[1] && cells[1] != cells[2] && cells[2] != cells[0]));
+    for (const double coordinate : face.diagram.branches[id].bary) REQUIRE(coordinate >= -1e-12);
+  }
+}
+
+double signed_area(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c) {
+  return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+}
+
+/// No two arcs cross, beyond rounding.
+void require_apart(const AssembledFace& face) {
+  const auto& arcs = face.diagram.arcs;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    for (std::size_t j = i + 1; j < arcs.size(); ++j) {
+      const auto p = face.place(arcs[i].begin), q = face.place(arcs[i].end);
+      const auto r = face.place(arcs[j].begin), s = face.place(arcs[j].end);
+      const double pr = signed_area(p, q, r), ps = signed_area(p, q, s);
+      const double rp = signed_area(r, s, p), rq = signed_area(r, s, q);
+      const bool crosses = std::min(pr, ps) < -1e-12 && std::max(pr, ps) > 1e-12 && std::min(rp, rq) < -1e-12 &&
+                           std::max(rp, rq) > 1e-12;
+      REQUIRE_FALSE(crosses);
+    }
+  }
+}
+
+/// The pieces fill the face once, and each run of its boundary belongs to one piece of its own cell.
+void require_partition(const AssembledFace& face) {
+  double sum = 0;
+  const auto [pieces, piece_of_run] = face.pieces();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double area = area_share(pieces[i].corners);
+    REQUIRE(area >= -1e-12);
+    sum += area;
+    REQUIRE(std::count(piece_of_run.begin(), piece_of_run.end(), static_cast<int>(i)) > 0);
+  }
+  REQUIRE(piece_of_run.size() == face.boundary.size());
+  for (std::size_t run = 0; run < face.boundary.size(); ++run) {
+    REQUIRE(face.boundary[run].next == pieces.at(static_cast<std::size_t>(piece_of_run[run])).generator);
+  }
+  REQUIRE(sum == Approx(1).epsilon(1e-12));
+}
+
+void require_sound(const AssembledFace& face) {
+  require_complete(face);
+  require_apart(face);
+  require_partition(face);
+}
+
+}  // namespace
+
+TEST_CASE("no crossing: nothing is added") {
+  FaceDiagram diagram;
+  const std::vector<DistanceForm> forms;
+  assemble_face(FaceId(0), {}, FormMetric(forms), diagram);
+  CHECK(diagram.arcs.empty());
+  CHECK(diagram.branches.empty());
+}
+
+TEST_CASE("two crossings make one arc") {
+  for (const auto& runs :
+       {std::vector<BoundaryRun>{{0, 0.5, 1}, {1, 0.5, 0}}, {{0, 0.2, 1}, {0, 0.7, 0}}, {{2, 0.3, 0}, {2, 0.31, 1}}}) {
+    const AssembledFace face(runs, test::flat_forms(2));
+    require_sound(face);
+    CHECK(face.diagram.arcs.size() == 1);
+    CHECK(face.diagram.branches.empty());
+  }
+}
+
+TEST_CASE("three crossings make a branch point where the three forms agree") {
+  // Each generator is nearest at its own corner: the forms agree in the centre of gravity.
+  const std::vector<DistanceForm> forms{test::form(0, 0, 1, 1), test::form(1, 1, 0, 1), test::form(2, 1, 1, 0)};
+  const AssembledFace face({{0, 0.5, 1}, {1, 0.5, 2}, {2, 0.5, 0}}, forms);
+  require_sound(face);
+  REQUIRE(face.diagram.branches.size() == 1);
+  for (const double coordinate : face.diagram.branches[BranchPointId(0)].bary) CHECK(coordinate == Approx(1.0 / 3));
+}
+
+TEST_CASE("a branch point that is wanted outside of the face stays inside of it") {
+  const std::vector<DistanceForm> forms{test::form(0, 0, 5, 1), test::form(1, 1, 0.9, 1), test::form(2, 1, 1.2, 0)};
+  const AssembledFace face({{0, 0.5, 1}, {1, 0.5, 2}, {2, 0.5, 0}}, forms);
+  require_sound(face);
+  for (const double coordinate : face.diagram.branches[BranchPointId(0)].bary) CHECK(coordinate >= 1e-6);
+}
+
+TEST_CASE("four crossings of two cells: the nearer one in the middle is united") {
+  const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
+  for (const int near : {0, 1}) {
+    const std::vector<DistanceForm> forms{test::form(0, near == 0 ? 1 : 2, near == 0 ? 1 : 2, near == 0 ? 1 : 2),
+                                          test::form(1, 1.5, 1.5, 1.5)};
+    const AssembledFace face(runs, forms);
+    require_sound(face);
+    CHECK(face.diagram.arcs.size() == 2);
+    CHECK(face.diagram.branches.empty());
+    const auto [pieces, piece_of_run] = face.pieces();
+    CHECK(std::count_if(pieces.begin(), pieces.end(),
+                        [&](const auto& p) { return p.generator == GeneratorId(near); }) == 1);
+  }
+}
+
+TEST_CASE("four, five and six crossings of as many cells make two, three and four branch points") {
+  const std::vector<BoundaryRun> places{{0, 0.25, 0}, {0, 0.75, 0}, {1, 0.25, 0},
+                                        {1, 0.75, 0}, {2, 0.25, 0}, {2, 0.75, 0}};
+  for (std::size_t k = 4; k <= 6; ++k) {
+    std::vector<BoundaryRun> runs(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k));
+    for (std::size_t i = 0; i < k; ++i) runs[i].next = static_cast<int>(i);
+    const AssembledFace face(runs, test::flat_forms(static_cast<int>(k)));
+    require_sound(face);
+    CHECK(face.diagram.branches.size() == k - 2);
+    CHECK(face.diagram.arcs.size() == 2 * k - 3);
+  }
+}
+
+TEST_CASE("runs that meet nowhere get branch points amid the corners round them, and pieces with area") {
+  std::vector<DistanceForm> parallel;  // equally far nowhere
+  for (int g = 0; g < 5; ++g) parallel.push_back(test::form(g, g, g, g));
+  const AssembledFace face({{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.5, 3}, {2, 0.3, 4}, {2, 0.7, 0}}, parallel);
+  require_sound(face);
+  CHECK(face.diagram.branches.size() == 3);
+  for (const WorkingPiece& piece : face.pieces().pieces) CHECK(area_share(piece.corners) > 1e-3);
+}
+
+TEST_CASE("a run between two runs of one cell is closed off: a, b, a, c") {
+  const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 2}, {1, 0.8, 0}};
+  const std::vector<DistanceForm> near{test::form(0, 0, 0, 0), test::form(1, 1, 1, 1), test::form(2, 1, 1, 1)};
+  const AssembledFace united(runs, near);
+  require_sound(united);
+  CHECK(united.diagram.branches.empty());
+  const std::vector<DistanceForm> far{test::form(0, 2, 2, 2), test::form(1, 1, 1, 1.1), test::form(2, 1.1, 1, 1)};
+  const AssembledFace parted(runs, far);
+  require_sound(parted);
+  CHECK(parted.diagram.branches.size() == 2);
+}
+
+TEST_CASE("all crossings on one edge") {
+  for (int k = 2; k <= 6; ++k) {
+    for (int corner = 0; corner < 3; ++corner) {
+      std::vector<BoundaryRun> runs;
+      for (int i = 0; i < k; ++i) runs.push_back({corner, 0.1 + 0.8 * i / k, (i + 1) % k});
+      require_sound(AssembledFace(runs, test::flat_forms(k)));
+    }
+  }
+}
+
+TEST_CASE("crossings at their least distance from a corner and from each other") {
+  const double g = kCrossingGap;
+  require_sound(AssembledFace({{0, g, 1}, {2, 1 - g, 0}}, test::flat_forms(2)));
+  require_sound(AssembledFace({{0, g, 1}, {0, 2 * g, 2}, {0, 3 * g, 0}}, test::flat_forms(3)));
+  require_sound(AssembledFace({{0, 1 - g, 1}, {1, g, 2}, {1, 2 * g, 3}, {2, 0.5, 0}}, test::flat_forms(4)));
+}
+
+TEST_CASE("forms that agree everywhere, are infinite, huge or no number do not matter for completeness") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<BoundaryRun>> all{
+      {{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.4, 1}, {1, 0.8, 3}, {2, 0.5, 0}},
+      {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}},  // no three different cells in a row: only uniting helps
+      {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}, {2, 0.2, 1}, {2, 0.4, 0}}};
+  for (const auto& runs : all) {
+    for (const double value : {0.0, 1e-300, 1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+      std::vector<DistanceForm> forms;
+      for (int g = 0; g < 4; ++g) forms.push_back(test::form(g, value, value, value));
+      INFO("value " << value);
+      require_sound(AssembledFace(runs, forms));
+    }
+  }
+}
+
+TEST_CASE("random runs and random forms: always complete, apart and a partition") {
+  test::Random random(31);
+  for (int round = 0; round < 6000; ++round) {
+    const int count = 2 + random.below(7), cells = 2 + random.below(5);
+    const auto runs = test::random_runs(random, count, cells);
+    if (runs.empty()) continue;
+    std::vector<DistanceForm> forms;
+    for (int g = 0; g < cells; ++g) {
+      const double size = std::pow(10.0, random.real(-6, 6));
+      forms.push_back(test::form(g, size * random.real(-1, 1), size * random.real(-1, 1), size * random.real(-1, 1)));
+    }
+    INFO("round " << round);
+    require_sound(AssembledFace(runs, forms));
+  }
+}
+
+namespace {
+
+/// Says that it is sure, and lets paths come in anywhere.
+class ConfusedMetric final : public FaceMetric {
+ public:
+  ConfusedMetric(const std::vector<DistanceForm>& forms, test::Random& random) : forms_(forms), random_(random) {}
+  bool is_sure() const override { return true; }
+  double at(GeneratorId g, const Bary& p) const override { return forms_.at(g, p); }
+  std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
+    return forms_.equidistant(a, b, c, start);
+  }
+  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override {
+    const auto p = equidistant(a, b, c, {});
+    return p ? std::vector{*p} : std::vector<Bary>{};
+  }
+  double place_error(const BoundaryCrossing&) const override { return random_.below(2) == 0 ? 0 : random_.real(0, 3); }
+  std::optional<double> entry(GeneratorId, const Bary&) const override { return random_.real(0, 3); }
+  bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
+
+ private:
+  FormMetric forms_;
+  test::Random& random_;
+};
+
+}  // namespace
+
+TEST_CASE("paths that contradict each other, by rounding where all is a tie: still complete") {
+  test::Random random(11);
+  for (int trial = 0; trial < 3000; ++trial) {
+    CAPTURE(trial);
+    const auto runs = test::random_runs(random, 2 + random.below(14), 2 + random.below(5));
+    if (runs.empty()) continue;
+    const auto forms = test::flat_forms(7);
+    require_complete(AssembledFace(runs, ConfusedMetric(forms, random)));
+  }
+}
+
+TEST_CASE("the lower envelope of random linear forms comes back: branch points where three forms are least") {
+  test::Random random(32);
+  int branches = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const int cells = 2 + random.below(4);
+    std::vector<DistanceForm> forms;
+    for (int g = 0; g < cells; ++g)
+      forms.push_back(test::form(g, random.real(0, 1), random.real(0, 1), random.real(0, 1)));
+    const auto runs = test::envelope_runs(forms);
+    if (runs.size() < 2) continue;
+    const AssembledFace face(runs, forms);
+    INFO("round " << round);
+    require_sound(face);
+    if (runs.size() != 3) continue;
+    const auto& bary = face.diagram.branches[BranchPointId(0)].bary;
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i) values[i] = forms[static_cast<std::size_t>(runs[i].next)].at(bary);
+    if (*std::min_element(bary.begin(), bary.end()) < 1e-5) continue;  // moved inwards
+    ++branches;
+    REQUIRE(*std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end()) < 1e-9);
+  }
+  CHECK(branches > 100);
+}

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "diagram/envelope/bend_arcs.hpp"
+#include "support/catch.hpp"
+#include "support/hand_made_field.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+using test::HandMadeField;
+using test::through_side;
+
+namespace {
+
+const GeneratorId kA(0), kB(1);
+const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle, in its layout
+
+/// The arc between A, on its left, and B, from the point where they are equally far on side `from` to that on side
+/// `to`.
+struct BentArc {
+  HandMadeField field;
+  SourceMetric metric{field};
+  FaceMetric::Bary begin{}, end{};
+  std::vector<FaceMetric::Bary> inner;
+
+  BentArc(std::vector<FaceSource> sources, int from, int to, double tolerance) : field(std::move(sources)) {
+    metric.enter(test::make_triangle(), FaceId(0));
+    begin = meeting_on(from);
+    end = meeting_on(to);
+    FaceArc arc;
+    arc.left = kA;
+    arc.right = kB;
+    ArcBender(metric, tolerance).bend(arc, begin, end, inner);
+  }
+
+  double error(const FaceMetric::Bary& p) const { return metric.at(kA, p) - metric.at(kB, p); }
+
+  /// By bisection along the side, which has to change hands once.
+  FaceMetric::Bary meeting_on(int side) const {
+    const auto at = [side](double t) {
+      FaceMetric::Bary p{0, 0, 0};
+      p[std::size_t(side)] = 1 - t;
+      p[std::size_t((side + 1) % 3)] = t;
+      return p;
+    };
+    double low = 0, high = 1;
+    const bool rising = error(at(0)) < 0;
+    REQUIRE((error(at(1)) < 0) != rising);
+    for (int i = 0; i < 100; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((error(at(middle)) < 0) == rising ? low : high) = middle;
+    }
+    return at(low);
+  }
+
+  std::vector<Vec2> polyline() const {
+    std::vector<Vec2> points{metric.layout().at(begin)};
+    for (const auto& p : inner) points.push_back(metric.layout().at(p));
+    points.push_back(metric.layout().at(end));
+    return points;
+  }
+
+  /// The largest distance of the polyline from the bisector: the error by its gradient, at many points.
+  double farthest() const {
+    double worst = 0;
+    const auto points = polyline();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      for (int k = 1; k < 32; ++k) {
+        const Vec2 p = points[i] + k / 32.0 * (points[i + 1] - points[i]);
+        const auto a = metric.nearest(kA, p), b = metric.nearest(kB, p);
+        const Vec2 gradient = (p - a.from).normalized() - (p - b.from).normalized();
+        worst = std::max(worst, std::abs(a.distance - b.distance) / gradient.norm());
+      }
+    }
+    return worst;
+  }
+};
+
+/// A hyperbola from side 0 to side 2.
+std::vector<FaceSource> hyperbola() {
+  return {through_side(0, 2, {-0.3, 0.4}, k2, k0, 0.4), through_side(1, 1, {1.9, 0.7}, k1, k2, 0)};
+}
+
+/// The same, bent so that it leaves its chord by a tenth of its length.
+std::vector<FaceSource> strong_hyperbola() {
+  return {through_side(0, 2, {-0.356, 1.074}, k2, k0, 0), through_side(1, 0, {0.167, -0.0337}, k0, k1, 0.956)};
+}
+
+}  // namespace
+
+TEST_CASE("the inner points of a hyperbola lie on it") {
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    const BentArc arc(hyperbola(), 0, 2, tolerance);
+    for (const auto& p : arc.inner) {
+      // As near as a hundredth of the tolerance; the gradient of the difference is at most 2.
+      REQUIRE(std::abs(arc.error(p)) <= 2e-2 * tolerance + 1e-14);
+      for (const double coordinate : p) REQUIRE(coordinate >= 0);
+    }
+  }
+}
+
+TEST_CASE("straight pieces are within the tolerance of the bisector, and not many more than it takes") {
+  std::size_t before = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    INFO(tolerance);
+    const BentArc arc(hyperbola(), 0, 2, tolerance);
+    CHECK(arc.farthest() <= tolerance);
+    CHECK(arc.inner.size() >= before);
+    // A chord's distance falls with the square of its length, and halving costs a factor of two at most.
+    CHECK(double(arc.inner.size()) <= 2 + 4 * std::sqrt(1 / tolerance));
+    before = arc.inner.size();
+  }
+  CHECK(before > 50);
+}
+
+TEST_CASE("the inner points come in order") {
+  const BentArc arc(hyperbola(), 0, 2, 1e-5);
+  const auto points = arc.polyline();
+  const Vec2 along = (points.back() - points.front()).normalized();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) REQUIRE((points[i + 1] - points[i]).dot(along) > 0);
+}
+
+TEST_CASE("with equal offsets the bisector is straight, and stays as it is") {
+  for (const double offset : {0.0, 0.3}) {
+    const BentArc arc({through_side(0, 2, {-0.3, 0.4}, k2, k0, offset), through_side(1, 1, {1.9, 0.7}, k1, k2, offset)},
+                      0, 1, 1e-10);
+    CHECK(arc.inner.empty());
+  }
+}
+
+TEST_CASE("where another source of a generator comes first, the bisector has a corner, and is followed round it") {
+  // Side 0, y = 0: the left one sees the left half and the right one the right half of what lies behind it.
+  const auto sources = [] {
+    return std::vector{through_side(1, 1, {1.4, 1.3}, k1, k2, 0), through_side(0, 0, {0.4, -0.5}, k0, k1, 0),
+                       through_side(0, 0, {1.6, -0.2}, k0, k1, 0.1)};
+  };
+  const BentArc rough(sources(), 1, 2, 1e-2), fine(sources(), 1, 2, 1e-6);
+  CHECK(rough.farthest() <= 1e-2);
+  CHECK(fine.farthest() <= 1e-6);
+  CHECK(!fine.inner.empty());
+}
+TEST_CASE("a source that sees nothing near the chord counts where the bisector comes by it") {
+  const auto points = BentArc(strong_hyperbola(), 2, 0, 1e-3).polyline();
+  const Vec2 chord = points.back() - points.front(), along = chord.normalized();
+  const auto height = [&](const Vec2& p) { return std::abs(cross(along, p - points.front())); };
+  const Vec2 apex = *std::max_element(points.begin(), points.end(),
+                                      [&](const Vec2& p, const Vec2& q) { return height(p) < height(q); });
+  REQUIRE(height(apex) > 0.1 * chord.norm());
+  // A second image of A, from which the apex is seen through a slit in side 1, and no point near the chord.
+  const Vec2 image = apex + 2 * along, side = k2 - k1;
+  const auto on_side = [&](double turn) {
+    const Vec2 ray = -along + turn * turned_left(-along);
+    return Vec2(k1 + cross(image - k1, ray) / cross(side, ray) * side);
+  };
+  auto sources = strong_hyperbola();
+  const double lead = 0.01, known = sources[0].distance(apex);
+  sources.push_back(through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - lead - (apex - image).norm()));
+  const BentArc arc(sources, 2, 0, 1e-4);
+  REQUIRE(arc.metric.nearest(kA, apex).distance < known - 0.9 * lead);
+  CHECK(arc.farthest() <= 1e-4);
+}
+
+TEST_CASE("a generator that sees nothing of the arc counts by its ways round the end of what it sees") {
+  // A sees the corner k0 alone, past the slit from (0.05, 0) to (0.1, 0).
+  const BentArc arc(
+      {through_side(0, 0, {1.5, -0.05}, {0.05, 0}, {0.1, 0}, 0), through_side(1, 1, {1.9, 0.7}, k1, k2, 1.2)}, 0, 2,
+      1e-4);
+  CHECK_FALSE(arc.inner.empty());
+  CHECK(arc.farthest() <= 1e-4);
+}

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+
+#include "diagram/envelope/source_metric.hpp"
+#include "support/catch.hpp"
+#include "support/hand_made_field.hpp"
+#include "support/random.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+using test::from_corner;
+using test::HandMadeField;
+using test::through_side;
+
+namespace {
+
+const GeneratorId kA(0), kB(1), kC(2);
+const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle, in its layout
+
+/// One generator behind each side, through all of it.
+std::vector<FaceSource> three_behind_sides(double offset_a, double offset_b, double offset_c) {
+  return {through_side(0, 0, {0.9, -0.4}, k0, k1, offset_a), through_side(1, 1, {1.8, 1.1}, k1, k2, offset_b),
+          through_side(2, 2, {-0.3, 0.9}, k2, k0, offset_c)};
+}
+
+}  // namespace
+
+TEST_CASE("inside what a source sees the way is straight, beyond it goes round the end of the opening") {
+  const HandMadeField field({through_side(0, 0, {1, -1}, {0.9, 0}, {1.1, 0}, 0.25)});
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  CHECK(metric.nearest(kA, {1, 0.5}).distance == Approx(0.25 + 1.5).epsilon(1e-15));
+  const auto round_left = metric.nearest(kA, {0.5, 0.3}), round_right = metric.nearest(kA, {1.5, 0.2});
+  CHECK(round_left.distance == Approx(0.25 + std::hypot(0.1, 1) + std::hypot(0.4, 0.3)).epsilon(1e-15));
+  CHECK((round_left.from - Vec2(0.9, 0)).norm() == 0);
+  CHECK(round_right.distance == Approx(0.25 + std::hypot(0.1, 1) + std::hypot(0.4, 0.2)).epsilon(1e-15));
+  CHECK((round_right.from - Vec2(1.1, 0)).norm() == 0);
+}
+
+TEST_CASE("the nearest of a generator's sources counts, and no other generator's") {
+  const HandMadeField field({through_side(1, 0, {1, -0.1}, k0, k1, 0), through_side(0, 0, {1, -1}, k0, k1, 0.5),
+                             from_corner(0, 2, k2, 0.7), through_side(0, 1, {1.8, 1.1}, k1, k2, 2)});
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  test::Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.real(0, 1), v = random.real(0, 1 - u);
+    const std::array<double, 3> bary{u, v, 1 - u - v};
+    const Vec2 p = u * k0 + v * k1 + (1 - u - v) * k2;
+    const double expected =
+        std::min({0.5 + (p - Vec2(1, -1)).norm(), 0.7 + (p - k2).norm(), 2 + (p - Vec2(1.8, 1.1)).norm()});
+    REQUIRE(metric.at(kA, bary) == Approx(expected).epsilon(1e-14));
+  }
+  CHECK(std::isinf(metric.at(kC, {1, 0, 0})));
+  // What has no source is nowhere as near as the others.
+  const std::array<double, 3> centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
+  CHECK_FALSE(metric.equidistant(kC, kA, kB, centre).has_value());
+  CHECK_FALSE(metric.equidistant(kA, kB, kC, centre).has_value());
+}
+
+TEST_CASE("the way back leaves the face where the path came in") {
+  const HandMadeField field({through_side(0, 0, {1, -1}, {0.2, 0}, {1.8, 0}, 0), from_corner(1, 2, k2, 0.1),
+                             through_side(2, 1, {2, 1.5}, k1, k2, 0)});
+  SourceMetric metric(field);
+  const Mesh mesh = test::make_triangle();
+  metric.enter(mesh, FaceId(0));
+  const Vec2 p(0.8, 0.25);
+  const auto entry = metric.entry(kA, metric.bary(p));
+  REQUIRE(entry);
+  // The line from (1, -1) to (0.8, 0.25) meets y = 0 after 1 / 1.25 of its way; the side is 2 long.
+  CHECK(*entry == Approx((1 - 0.2 * (1 / 1.25)) / 2).epsilon(1e-14));
+  CHECK(*metric.entry(kB, metric.bary(p)) == 2);
+  const auto other = metric.entry(kC, metric.bary(p));
+  REQUIRE(other);
+  const Vec2 through = k1 + (*other - 1) * (k2 - k1), way = Vec2(2, 1.5) - p;
+  CHECK(std::abs(way.x() * (through - p).y() - way.y() * (through - p).x()) < 1e-14);
+  CHECK_FALSE(metric.entry(GeneratorId(9), metric.bary(p)));
+}
+
+TEST_CASE("an unsure metric knows no way back and no branch point") {
+  const HandMadeField field(three_behind_sides(0, 0, 0));
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  REQUIRE(p);
+  REQUIRE(metric.is_branch_point(kA, kB, kC, *p));
+  metric.set_sure(false);
+  CHECK_FALSE(metric.entry(kA, *p));
+  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, *p));
+}
+
+TEST_CASE("Newton's steps find the branch point from all over the face, offsets or not") {
+  test::Random random(4);
+  int found = 0;
+  for (int run = 0; run < 300; ++run) {
+    INFO("run " << run);
+    const bool plain = run % 3 == 0;
+    const auto offset = [&] { return plain ? 0 : random.real(0, 0.25); };
+    const auto sources = three_behind_sides(offset(), offset(), offset());
+    const HandMadeField field(sources);
+    SourceMetric metric(field);
+    metric.enter(test::make_triangle(), FaceId(0));
+    const double u = random.real(0, 1), v = random.real(0, 1 - u);
+    const auto bary = metric.equidistant(kA, kB, kC, {u, v, 1 - u - v});
+    if (!bary) continue;
+    ++found;
+    const Vec2 p = (*bary)[0] * k0 + (*bary)[1] * k1 + (*bary)[2] * k2;
+    const auto straight = [&](std::size_t i) { return sources[i].offset + (p - sources[i].image).norm(); };
+    if (*std::min_element(bary->begin(), bary->end()) < 0) continue;
+    REQUIRE(straight(0) == Approx(straight(1)).epsilon(1e-12));
+    REQUIRE(straight(0) == Approx(straight(2)).epsilon(1e-12));
+  }
+  CHECK(found >= 270);  // 285; assembly starts from several places
+}
+
+TEST_CASE("a branch point has its cells counter-clockwise round it, nobody nearer, and lies inside") {
+  auto sources = three_behind_sides(0, 0.05, 0.1);
+  const Mesh mesh = test::make_triangle();
+  const HandMadeField field(sources);
+  SourceMetric metric(field);
+  metric.enter(mesh, FaceId(0));
+  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  REQUIRE(p);
+  CHECK(metric.is_branch_point(kA, kB, kC, *p));
+  CHECK(metric.is_branch_point(kB, kC, kA, *p));
+  CHECK_FALSE(metric.is_branch_point(kB, kA, kC, *p));
+  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, {-0.1, 0.5, 0.6}));
+  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, {0, 0.5, 0.5}));
+
+  const double radius = metric.at(kA, *p);
+  for (const auto& [distance, expected] : {std::pair(0.99, false), std::pair(1.0, true), std::pair(1.01, true)}) {
+    const Vec2 at_p = metric.layout().at(*p);
+    auto four = sources;
+    four.push_back(from_corner(3, 0, k0, distance * radius - at_p.norm()));
+    const HandMadeField crowded(four);
+    SourceMetric other(crowded);
+    other.enter(mesh, FaceId(0));
+    CHECK(other.is_branch_point(kA, kB, kC, *p) == expected);
+  }
+}
+
+TEST_CASE("where three generators are never equally far, none is found") {
+  // All on one line, behind one side: their bisectors are parallel.
+  const HandMadeField field({through_side(0, 0, {0.5, -1}, k0, k1, 0), through_side(1, 0, {1, -1}, k0, k1, 0),
+                             through_side(2, 0, {1.5, -1}, k0, k1, 0)});
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  CHECK_FALSE((p && metric.is_branch_point(kA, kB, kC, *p)));
+}
+
+TEST_CASE("a place where the three are equally far is named, and none where a generator has no source") {
+  const HandMadeField field(three_behind_sides(0, 0, 0));
+  SourceMetric metric(field);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  REQUIRE(p);
+  const auto points = metric.meeting_points(kA, kB, kC);
+  CHECK(std::any_of(points.begin(), points.end(), [&](const auto& q) { return std::abs(q[0] - (*p)[0]) < 1e-9; }));
+  CHECK(metric.meeting_points(kA, kB, GeneratorId(7)).empty());
+}
+
+TEST_CASE("rounding moves a crossing far along its edge where its two generators nearly coincide") {
+  for (const double apart : {1e-2, 1e-5, 1e-8}) {
+    CAPTURE(apart);
+    const HandMadeField field(
+        {through_side(0, 0, {1 - apart / 2, -1}, k0, k1, 0), through_side(1, 0, {1 + apart / 2, -1}, k0, k1, 0)});
+    SourceMetric metric(field);
+    metric.enter(test::make_triangle(), FaceId(0));
+    const double error = metric.place_error({CrossingId(0), 0, 0.5, kA, kB});
+    // The difference of the distances changes by `apart` a unit of length, and the side is 2 long.
+    CHECK(error >= 1e-14 / (2 * apart));
+    CHECK(error <= 1e-13 / (2 * apart));
+  }
+}
+
+TEST_CASE("tied, each generator is behind by its symbolic offset; untied again, bit by bit as before") {
+  const HandMadeField field(three_behind_sides(0, 0.05, 0.1));
+  SourceMetric metric(field, 0.25);
+  metric.enter(test::make_triangle(), FaceId(0));
+  const std::array<double, 3> centre{0.3, 0.3, 0.4};
+  const double a = metric.at(kA, centre), c = metric.at(kC, centre);
+  metric.set_tied(true);
+  CHECK(metric.at(kA, centre) == a);
+  CHECK(metric.at(kC, centre) == Approx(c + 0.5).epsilon(1e-15));
+  metric.set_tied(false);
+  CHECK(metric.at(kC, centre) == c);
+  metric.set_tied(true);
+  metric.enter(test::make_triangle(), FaceId(0));
+  CHECK(metric.at(kC, centre) == c);
+}

@@ -1,0 +1,289 @@
+// The check of what has grown refuses whatever breaks one of its invariants: in gaps made by hand, and in real ones.
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "diagram/growth/growth.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/grown_gaps.hpp"
+#include "support/hand_made_gaps.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using test::CornerAndBranch;
+using test::Fan;
+using test::HandMade;
+using test::TwoAcross;
+using test::TwoBranches;
+
+TEST_CASE("gaps made by hand pass as they are") {
+  CHECK(CornerAndBranch().check());
+  CHECK(TwoBranches().check());
+  CHECK(TwoAcross().check());
+}
+
+TEST_CASE("an arc across another one is refused, though cells and degrees are right") {
+  CornerAndBranch x;
+  x.grown.nodes[5].bary = x.at_corners(0.94, 0.03, 0.03);
+  CHECK_FALSE(x.check());
+}
+
+TEST_CASE("a branch point outside of its face, or in another face, is refused") {
+  CornerAndBranch x;
+  x.grown.nodes[5].bary = x.at_corners(-0.01, 0.51, 0.5);
+  CHECK_FALSE(x.check());
+  CornerAndBranch y;
+  y.grown.nodes[5].face = Mesh::face(y.mesh.twin(Mesh::halfedge(y.f, 0)));
+  CHECK_FALSE(y.check());
+}
+
+TEST_CASE("cells that do not go round a branch point in the order of its arcs are refused") {
+  TwoBranches swapped;
+  std::swap(swapped.grown.arcs[2].left, swapped.grown.arcs[2].right);
+  CHECK_FALSE(swapped.check());
+  TwoBranches other;
+  other.grown.arcs[2].left = GeneratorId(3);
+  CHECK_FALSE(other.check());
+  TwoBranches exchanged;
+  std::swap(exchanged.grown.nodes[4].bary, exchanged.grown.nodes[5].bary);
+  CHECK_FALSE(exchanged.check());
+}
+
+TEST_CASE("crossings that come too close to each other, or to the ends of their edge, are refused") {
+  // The new crossings run from a to c or the other way round, as their edge does.
+  const auto place = [](TwoAcross& x, std::size_t n, double t) {
+    const bool along = x.mesh.from(x.mesh.halfedge(x.grown.nodes[n].crossing.edge)) == VertexId(x.a);
+    x.grown.nodes[n].crossing.t = along ? t : 1 - t;
+  };
+  for (const auto& [first, second, sound] :
+       {std::tuple(0.4, 0.4 + 2 * kCrossingGap, true), std::tuple(0.4, 0.4 + 0.5 * kCrossingGap, false),
+        std::tuple(2 * kCrossingGap, 0.6, true), std::tuple(0.5 * kCrossingGap, 0.6, false),
+        std::tuple(0.4, 1 - 2 * kCrossingGap, true), std::tuple(0.4, 1 - 0.5 * kCrossingGap, false)}) {
+    TwoAcross x;
+    place(x, 4, first), place(x, 5, second);
+    INFO(first << ", " << second);
+    CHECK(x.check() == sound);
+  }
+}
+
+TEST_CASE("crossings of one edge whose cells do not follow each other are refused") {
+  TwoAcross swapped;
+  std::swap(swapped.grown.nodes[4].crossing.t, swapped.grown.nodes[5].crossing.t);
+  CHECK_FALSE(swapped.check());
+  // The same on all three edges, rim included: 0 | 1, and 3 | 2.
+  TwoAcross broken;
+  const auto rename = [](GeneratorId& g) { g = g == GeneratorId(1) ? GeneratorId(3) : g; };
+  for (const std::size_t i : {1u, 3u}) rename(broken.items[i].before), rename(broken.items[i].after);
+  rename(broken.grown.nodes[5].crossing.before), rename(broken.grown.nodes[5].crossing.after);
+  for (const std::size_t i : {1u, 3u}) rename(broken.grown.arcs[i].left), rename(broken.grown.arcs[i].right);
+  CHECK_FALSE(broken.check());
+}
+
+TEST_CASE("an arc whose cells are not those of the crossing where it begins is refused") {
+  CornerAndBranch x;  // in the order of the branch point they are still right: all three turned by one
+  const std::array<std::pair<int, int>, 3> turned{std::pair(1, 2), {2, 0}, {0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    x.grown.arcs[i + 1].left = GeneratorId(turned[i].first);
+    x.grown.arcs[i + 1].right = GeneratorId(turned[i].second);
+  }
+  CHECK_FALSE(x.check());
+}
+
+TEST_CASE("a rim crossing that is left out, or whose arc runs outside of the gap, is refused") {
+  HandMade sound, outside, left_out;
+  const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
+  for (HandMade* x : {&sound, &outside, &left_out}) {
+    const HalfedgeId h = x->halfedge(a, b);
+    x->gap.faces = {Mesh::face(h)};
+    x->add_rim(a, b, 0.3, 0, 1);  // cell 1 pokes into the gap
+    x->add_rim(a, b, 0.6, 1, 0);
+    if (x != &left_out) x->add_rim_nodes();
+    if (x == &sound) x->add_arc(Mesh::face(h), 0, 1, 0, 1);
+    if (x == &outside) x->add_arc(Mesh::face(x->mesh.twin(h)), 0, 1, 1, 0);
+  }
+  CHECK(sound.check());
+  CHECK_FALSE(outside.check());
+  CHECK_FALSE(left_out.check());
+}
+
+TEST_CASE("a new crossing with both arcs in one face, and a rim crossing that stands for two, are refused") {
+  for (const bool both_below : {false, true}) {
+    HandMade x;
+    const int a = HandMade::at(1, 1), b = HandMade::at(2, 1), c = HandMade::at(2, 2), d = HandMade::at(1, 2);
+    const FaceId below = Mesh::face(x.halfedge(a, b)), above = Mesh::face(x.halfedge(c, d));
+    x.gap.faces = {std::min(below, above), std::max(below, above)};
+    x.add_inside(a, c, 0.4, 0, 1);  // cell 1 lies round the middle of the edge
+    x.add_inside(a, c, 0.6, 1, 0);
+    x.add_arc(below, 0, 1, 1, 0);
+    if (both_below) {
+      x.add_arc(below, 0, 1, 1, 0);
+    } else {
+      x.add_arc(above, 0, 1, 0, 1);
+    }
+    CHECK(x.check() != both_below);
+  }
+  TwoAcross twice;
+  twice.grown.nodes[1].rim = twice.grown.nodes[0].rim;
+  twice.grown.arcs[1].left = GeneratorId(0), twice.grown.arcs[1].right = GeneratorId(1);
+  CHECK_FALSE(twice.check());
+}
+
+TEST_CASE("an edge that contradicts the labels of its ends is refused") {
+  TwoAcross crossed;
+  crossed.label(crossed.c, 1);
+  CHECK_FALSE(crossed.check());
+  CornerAndBranch plain;
+  plain.items.erase(plain.items.begin() + 3, plain.items.end());  // nothing on c - a: 2 at c, and 3 at a
+  plain.grown.nodes.clear();
+  plain.grown.arcs.clear();
+  plain.items.erase(plain.items.begin(), plain.items.begin() + 3);
+  CHECK_FALSE(plain.check());
+}
+
+TEST_CASE("growth may pass a vertex on its other side, and then says that it moved") {
+  Fan as_labelled;
+  as_labelled.cross({{as_labelled.low, as_labelled.middle}, {as_labelled.left, as_labelled.middle}});
+  CHECK(as_labelled.check());
+  CHECK(as_labelled.grown.labels.empty());
+  const auto on_its_right = [](Fan& x) {
+    x.cross({{x.middle, x.right}, {x.middle, x.at(3, 2)}, {x.middle, x.at(3, 3)}, {x.middle, x.up}});
+  };
+  Fan moved;
+  on_its_right(moved);
+  CHECK(moved.check());
+  CHECK(moved.grown.labels == std::vector{std::pair(VertexId(moved.middle), GeneratorId(0))});
+  Fan generator(HandMade::at(2, 2));  // whose vertex can't move
+  on_its_right(generator);
+  CHECK_FALSE(generator.check());
+}
+
+namespace {
+
+/// Calls tamper(result, k) for k = 0, 1, .. on copies of a sound result until it says that there is no k-th place.
+void require_refused(const test::GrownGaps& g, std::size_t i,
+                     const std::function<bool(GrownGap&, std::size_t)>& tamper) {
+  for (std::size_t k = 0;; ++k) {
+    GrownGap tampered = *g.grown[i];
+    if (!tamper(tampered, k)) {
+      REQUIRE(k > 0);
+      return;
+    }
+    INFO("place " << k);
+    REQUIRE_FALSE(g.check(i, tampered));
+  }
+}
+
+/// The first gap that closed with at least two branch points and four crossings, or how many gaps there are.
+std::size_t find_rich_gap(const test::GrownGaps& g) {
+  std::size_t i = 0;
+  while (i < g.gaps.size() && !(g.grown[i] && test::count_nodes(*g.grown[i], GapNode::Kind::branch) >= 2 &&
+                                test::count_nodes(*g.grown[i], GapNode::Kind::crossing) >= 4)) {
+    ++i;
+  }
+  return i;
+}
+
+/// Generators on a mesh that leave such a gap.
+test::GrownGaps grow_with_rich_gap(const Mesh& mesh) {
+  unsigned seed = 0;
+  while (true) {
+    test::GrownGaps g(mesh, test::random_generators(mesh, 14, seed));
+    if (find_rich_gap(g) < g.gaps.size() || ++seed == 20) return g;
+  }
+}
+
+/// The k-th node of a kind, or nothing.
+GapNode* node_of(GrownGap& grown, GapNode::Kind kind, std::size_t k) {
+  for (GapNode& n : grown.nodes) {
+    if (n.kind == kind && k-- == 0) return &n;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("real gaps: whatever arc or node is tampered with, the check refuses it") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const test::GrownGaps g = grow_with_rich_gap(mesh);
+  const std::size_t i = find_rich_gap(g);
+  REQUIRE(i < g.gaps.size());
+  REQUIRE(g.check(i, *g.grown[i]));
+  const auto arc_at = [](GrownGap& grown, std::size_t k) { return k < grown.arcs.size() ? &grown.arcs[k] : nullptr; };
+  SECTION("an arc dropped") {
+    require_refused(g, i, [](GrownGap& grown, std::size_t k) {
+      if (k >= grown.arcs.size()) return false;
+      grown.arcs.erase(grown.arcs.begin() + static_cast<std::ptrdiff_t>(k));
+      return true;
+    });
+  }
+  SECTION("an arc twice") {
+    require_refused(g, i, [](GrownGap& grown, std::size_t k) {
+      if (k >= grown.arcs.size()) return false;
+      grown.arcs.push_back(GapArc(grown.arcs[k]));
+      return true;
+    });
+  }
+  SECTION("the cells of an arc swapped") {
+    require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+      if (GapArc* arc = arc_at(grown, k)) return std::swap(arc->left, arc->right), true;
+      return false;
+    });
+  }
+  SECTION("an arc of another cell") {
+    require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+      if (GapArc* arc = arc_at(grown, k)) return arc->left = GeneratorId(99), true;
+      return false;
+    });
+  }
+  SECTION("an arc in another face") {
+    require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+      GapArc* arc = arc_at(grown, k);
+      if (!arc) return false;
+      arc->face = arc->face == g.gaps[i].faces.front() ? g.gaps[i].faces.back() : g.gaps[i].faces.front();
+      return true;
+    });
+  }
+  SECTION("an arc turned round, with its cells left as they were") {
+    require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+      if (GapArc* arc = arc_at(grown, k)) return std::swap(arc->begin, arc->end), true;
+      return false;
+    });
+  }
+  SECTION("a branch point out of its face") {
+    using Bary = std::array<double, 3>;
+    for (const Bary& far : {Bary{3, -1, -1}, Bary{-1, 3, -1}, Bary{-1, -1, 3}, Bary{0.6, 0.6, -0.2}}) {
+      require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+        if (GapNode* node = node_of(grown, GapNode::Kind::branch, k)) return node->bary = far, true;
+        return false;
+      });
+    }
+  }
+  SECTION("the cells of a crossing swapped") {
+    require_refused(g, i, [](GrownGap& grown, std::size_t k) {
+      if (GapNode* node = node_of(grown, GapNode::Kind::crossing, k)) {
+        return std::swap(node->crossing.before, node->crossing.after), true;
+      }
+      return false;
+    });
+  }
+  SECTION("a crossing off its edge") {
+    for (const double t : {-0.1, 0.0, 1.0, 1.1}) {
+      require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+        if (GapNode* node = node_of(grown, GapNode::Kind::crossing, k)) return node->crossing.t = t, true;
+        return false;
+      });
+    }
+  }
+  SECTION("a rim crossing for another one") {
+    require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
+      GapNode* node = node_of(grown, GapNode::Kind::rim, k);
+      GapNode* next = node_of(grown, GapNode::Kind::rim, k + 1);
+      if (!node || !next) return false;
+      node->rim = next->rim;
+      return true;
+    });
+  }
+}

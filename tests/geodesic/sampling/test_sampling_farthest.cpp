@@ -1,0 +1,154 @@
+// Farthest points, and the marches and the field that find them (property 3 of gvd/sampling.hpp).
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "geodesic/marching/local_march.hpp"
+#include "geodesic/sampling/nearest_field.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/samples.hpp"
+
+using namespace gvd;
+using test::cover;
+using test::edge_distances;
+using test::kInfinity;
+using test::least_spacing;
+using test::sample;
+
+namespace {
+
+Mesh make_three_spheres() {
+  const Mesh sphere = test::make_sphere(1);
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int copy = 0; copy < 3; ++copy) {
+    for (const Vec3& p : sphere.positions()) positions.push_back(p / (1 + copy) + Vec3(3 * copy, 0, 0));
+    for (int f = 0; f < sphere.face_count(); ++f) {
+      auto face = sphere.vertices(FaceId(f));
+      for (VertexId& v : face) v = VertexId(v.value() + copy * sphere.vertex_count());
+      faces.push_back(face);
+    }
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+}  // namespace
+
+TEST_CASE("property 3: every component gets a point, in order, and none more than once before") {
+  const Mesh mesh = make_three_spheres();
+  const auto component = compute_face_components(mesh);
+  for (const int count : {1, 2, 3, 10}) {
+    const auto points = sample(mesh, Sampling::farthest, count, 4);
+    for (int i = 0; i < std::min(count, 3); ++i) CHECK(component[points[static_cast<std::size_t>(i)].face] == i);
+  }
+  std::set<int> covered;
+  for (const SurfacePoint& p : cover(mesh, 10)) covered.insert(component[p.face]);
+  CHECK(covered.size() == 3);
+}
+
+TEST_CASE("property 3: each point is the farthest from all before it, so the radii never rise") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto points = sample(mesh, Sampling::farthest, 60, 1);
+    const auto components = static_cast<std::size_t>(compute_mesh_summary(mesh).components);
+    NearestField field(mesh, Front::circle);
+    double before = kInfinity;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i >= components) {
+        double farthest = 0;
+        for (int v = 0; v < mesh.vertex_count(); ++v) farthest = std::max(farthest, field.distance(VertexId(v)));
+        const double here = field.distance(vertex(mesh, points[i]));
+        CHECK(here == farthest);
+        CHECK(here <= before);
+        before = here;
+      }
+      field.insert(points[i]);
+    }
+  }
+}
+
+TEST_CASE("inserting one by one gives the distances of each generator alone") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto points = sample(mesh, Sampling::random, 30, 2);
+    NearestField field(mesh, Front::circle);
+    LocalMarch march(mesh, Front::circle);
+    std::vector<double> nearest(static_cast<std::size_t>(mesh.vertex_count()), kInfinity);
+    for (const SurfacePoint& p : points) {
+      field.insert(p);
+      march.run(p, kInfinity);
+      for (int v = 0; v < mesh.vertex_count(); ++v) {
+        nearest[static_cast<std::size_t>(v)] =
+            std::min(nearest[static_cast<std::size_t>(v)], march.distance(VertexId(v)));
+      }
+    }
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      INFO(name << ", vertex " << v);
+      // Never nearer than alone; a front that stops one ring beyond its cell may lose a little near the border, and
+      // among slivers, where a straight path passes by vertices of other cells, up to a quarter.
+      const double loss = name == "sliver sphere" ? 0.25 : 0.05;
+      const double whole = nearest[static_cast<std::size_t>(v)], inserted = field.distance(VertexId(v));
+      CHECK(inserted >= whole * (1 - 1e-12));
+      CHECK(inserted <= whole * (1 + loss) + 0.05 * mesh.mean_edge_length());
+    }
+  }
+}
+
+TEST_CASE("a march on a flat mesh measures straight lines") {
+  const Mesh grid = test::make_grid(9, 7);
+  LocalMarch march(grid, Front::circle);
+  const auto starts = sample(grid, Sampling::random, 20, 1), ends = sample(grid, Sampling::random, 50, 2);
+  const SurfacePoint on_edge = edge_point(HalfedgeId(31), 0.3), on_vertex = vertex_point(grid, VertexId(25));
+  std::vector<SurfacePoint> all = starts;
+  all.insert(all.end(), {on_edge, on_vertex});
+  for (const SurfacePoint& start : all) {
+    march.run(start, kInfinity);
+    for (const SurfacePoint& end : ends) {
+      const double straight = (position(grid, start) - position(grid, end)).norm();
+      CHECK(march.distance(end) == Approx(straight).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("farthest points fill large faces before they crowd on small ones") {
+  // A long box: all vertices lie on its two ends.
+  Mesh box = test::make_plate(1, 1);
+  std::vector<Vec3> positions = box.positions();
+  for (Vec3& p : positions) p.z() *= 20;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < box.face_count(); ++f) faces.push_back(box.vertices(FaceId(f)));
+  box = Mesh(std::move(positions), std::move(faces));
+  const auto points = sample(box, Sampling::farthest, 8);
+  int inside = 0;
+  for (const SurfacePoint& p : points) inside += position(box, p).z() > 2 && position(box, p).z() < 18;
+  CHECK(inside >= 4);
+}
+
+TEST_CASE("distances are geodesic: a thin plate's two sides are far apart") {
+  const int n = 20;
+  const Mesh plate = test::make_plate(n);
+  const auto is_top = [&](const SurfacePoint& p) { return position(plate, p).z() > 0.005; };
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const auto points = sample(plate, Sampling::farthest, 2, seed);
+    const Vec3 p = position(plate, points[0]), q = position(plate, points[1]);
+    // Every start has a point of the plate that far: over the rim to the other side, or across to the far corner.
+    const auto distance = edge_distances(plate, {points[0]});
+    const double far = distance[vertex(plate, points[1]).index()];
+    CHECK(far >= 0.9 * *std::max_element(distance.begin(), distance.end()) / std::numbers::sqrt2);
+    const double rim = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
+    if (rim > 0.4) CHECK(is_top(points[0]) != is_top(points[1]));
+    if (rim > 0.4) CHECK((p - q).norm() < 0.6 * far);
+  }
+  // Poisson points keep their spacing on each side, and know nothing of the other side, which is much nearer than that.
+  const auto points = sample(plate, Sampling::poisson, 100, 1);
+  int near_in_space = 0;
+  for (const SurfacePoint& p : points) {
+    for (const SurfacePoint& q : points) {
+      near_in_space += is_top(p) && !is_top(q) && (position(plate, p) - position(plate, q)).norm() < 0.06;
+    }
+  }
+  CHECK(near_in_space > 5);
+  CHECK(least_spacing(plate, points) > 0.08);
+}

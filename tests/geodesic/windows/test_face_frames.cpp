@@ -1,0 +1,143 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geodesic/field/face_layout.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/saddle_fan.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// `corners` equal triangles, an even number, round vertex 0 with the given total angle; their rim goes up and down. In
+/// an open fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
+Mesh make_fan(int corners, double total, bool closed) {
+  // Neighbours on the rim are 2 pi / corners apart seen from above, one up and one down.
+  const double step = 2 * std::numbers::pi / corners;
+  const double across = std::sqrt((1 + std::cos(total / corners)) / (1 + std::cos(step)));
+  const double up = std::sqrt(1 - across * across);
+  std::vector<Vec3> positions{{0, 0, 0}};
+  for (int i = 0; i < corners; ++i) {
+    positions.emplace_back(across * std::cos(i * step), across * std::sin(i * step), i % 2 == 0 ? up : -up);
+  }
+  // An open fan ends in a copy of the first rim vertex.
+  if (!closed) positions.push_back(positions[1]);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 1; i <= corners; ++i) {
+    const int next = closed && i == corners ? 1 : i + 1;
+    faces.push_back({VertexId(0), VertexId(i), VertexId(next)});
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+VertexKind kind_in_fan(int corners, double half_turns, bool closed) {
+  return FaceFrames(make_fan(corners, half_turns * std::numbers::pi, closed)).kind[VertexId(0)];
+}
+
+}  // namespace
+
+// Rounding says on which side of a multiple of pi the sum of the angles comes out, so every case is met with many fans.
+
+TEST_CASE("a vertex inside is flat at two pi only") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 2 + 1e-6, true) == VertexKind::saddle);
+    CHECK(kind_in_fan(corners, 3, true) == VertexKind::saddle);
+  }
+}
+
+TEST_CASE("a vertex inside with an angle of four pi is a saddle, as flat as its sine looks") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 4, true) == VertexKind::saddle);
+  }
+}
+
+TEST_CASE("a boundary vertex with an angle of three pi is a reflex one") {
+  for (int corners = 8; corners <= 60; corners += 2) {
+    INFO(corners << " corners");
+    CHECK(kind_in_fan(corners, 3, false) == VertexKind::reflex);
+    CHECK(kind_in_fan(corners, 2.5, false) == VertexKind::reflex);
+  }
+}
+
+TEST_CASE("a flat fan is flat inside, and convex with a side left out") {
+  for (int corners = 4; corners <= 60; ++corners) {
+    const double step = 2 * std::numbers::pi / corners;
+    std::vector<Vec3> positions{{0, 0, 0}};
+    for (int i = 0; i < corners; ++i) positions.emplace_back(std::cos(i * step), std::sin(i * step), 0);
+    std::vector<std::array<VertexId, 3>> faces;
+    for (int i = 1; i <= corners; ++i) faces.push_back({VertexId(0), VertexId(i), VertexId(i % corners + 1)});
+    INFO(corners << " corners");
+    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexId(0)] == VertexKind::flat);
+    if (corners % 2 != 0) continue;
+    faces.resize(static_cast<std::size_t>(corners / 2));
+    positions.resize(static_cast<std::size_t>(corners / 2 + 2));
+    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexId(0)] == VertexKind::plain);
+  }
+}
+
+TEST_CASE("a needle keeps the digits of its angles, whichever corner comes first") {
+  // A right angle at the short side, in a direction where every coordinate is rounded.
+  const Vec3 along = Vec3(0.3, 0.5, 0.7).normalized(), across = Vec3(0.7, 0, -0.3).normalized();
+  for (const double width : {1e-6, 1e-9, 1e-12}) {
+    for (int turn = 0; turn < 3; ++turn) {
+      INFO(width << " " << turn);
+      const std::array<Vec3, 3> corner{Vec3(0, 0, 0), width * across, width * across + along};
+      std::vector<Vec3> positions;
+      for (int i = 0; i < 3; ++i) positions.push_back(corner[static_cast<std::size_t>((i + turn) % 3)]);
+      const FaceFrames frames(Mesh(positions, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+      const FaceFrame& f = frames.frame[FaceId(0)];
+      const auto at = [&](int i) { return static_cast<std::size_t>((i - turn + 3) % 3); };
+      CHECK(frames.has_needles);
+      CHECK(f.sine[at(1)] == Approx(1).epsilon(1e-13));
+      CHECK(f.sine[at(2)] / width == Approx(1).epsilon(3e-4));  // the width of the corner itself is rounded
+      for (int i = 0; i < 3; ++i) {
+        CHECK(f.sine[at(i)] * f.sine[at(i)] + f.cosine[at(i)] * f.cosine[at(i)] == Approx(1).epsilon(1e-13));
+      }
+    }
+  }
+}
+
+TEST_CASE("a face without area has angles all the same, however short its sides are") {
+  for (const double step : {0.5, 1e-3, 1e-9, 1e-13}) {
+    const FaceFrames frames(
+        Mesh({{0, 0, 0}, {step, 0, 0}, {1, 0, 0}}, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+    const FaceFrame& f = frames.frame[FaceId(0)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(f.sine[i] > 0);
+      CHECK(f.sine[i] <= 1e-12);
+    }
+  }
+}
+
+TEST_CASE("no direction is straight on at a vertex with less of an angle than pi, and the search for it ends") {
+  const auto face = [](int a, int b) { return std::array{VertexId(0), VertexId(a), VertexId(b)}; };
+  const FaceFrames frames(
+      Mesh({{0, 0, 1}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, -0.1, 0}}, {face(1, 2), face(2, 3), face(3, 1)}));
+  const VertexFan fan(frames);
+  CHECK_FALSE(fan.straight_left({0, {}}).valid());
+  CHECK_FALSE(fan.straight_right({0, {}}).valid());
+}
+
+TEST_CASE("a turn back is no grazing") {
+  CHECK(Rotation{1, 1e-12}.is_grazing());
+  CHECK_FALSE(Rotation{-1, 1e-12}.is_grazing());
+  CHECK_FALSE(Rotation{1, 1e-6}.is_grazing());
+}
+
+TEST_CASE("a face with one short side is laid out with all digits of the long ones") {
+  const std::array<Vec3, 3> corner{Vec3(0.1, 0.2, 0.3), Vec3(0.1 + 1e-7, 0.2 + 1e-7, 0.3), Vec3(0.7, 1.1, 0.4)};
+  for (std::size_t first = 0; first < 3; ++first) {
+    const Mesh mesh({corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]},
+                    {std::array{VertexId(0), VertexId(1), VertexId(2)}});
+    const FaceLayout layout(mesh, FaceId(0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(FaceId(0), static_cast<int>(i)));
+      CHECK(std::abs((layout.corner[(i + 1) % 3] - layout.corner[i]).norm() - length) < 1e-15);
+    }
+  }
+}

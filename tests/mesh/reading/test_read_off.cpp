@@ -1,0 +1,69 @@
+#include "mesh/reading/soup_files.hpp"
+
+using namespace gvd;
+using namespace gvd::test;
+
+namespace {
+
+PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat::off, "file"); }
+
+}  // namespace
+
+TEST_CASE("OFF: a tetrahedron, however its header looks") {
+  require_tetrahedron(parse(kOff));
+  const std::string body = kOff.substr(kOff.find("0 0 0"));
+  for (const std::string header :
+       {"OFF 4 4 6\n", "OFF\n\n# comment\n 4 4 6 # counts\n", "4 4 6\n", "# first\nOFF # kind\n4 4\n",
+        "OFF\r\n4\t4 0\r\n", "NOFF\n4 4 0\n", "STCNOFF\n4 4 0\n"}) {
+    INFO(header);
+    require_tetrahedron(parse(header + body));
+  }
+}
+
+TEST_CASE("OFF: colours of vertices and faces are read over") {
+  const PolygonSoup soup =
+      parse("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n\n# between\n0 1 0 1 1 1 1\n3 0 1 2 0.5 1 1");
+  CHECK(soup.positions[2] == Vec3(0, 1, 0));
+  CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
+}
+
+TEST_CASE("OFF: a vertex or a face may go on in the next lines") {
+  const PolygonSoup soup =
+      parse("OFF\n4 2 0\n0 0\n0\n1 0 0 255 0 0 255\n1\n# between\n\n1 # y\n0\n0 1 0\n4 0 1\n 2 3 # last\n3\n0\n1\n2");
+  CHECK(soup.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2, 3, 0, 1, 2});
+  CHECK(soup.first_corner == std::vector<std::size_t>{0, 4, 7});
+}
+
+TEST_CASE("OFF: lines after the last face are noted") {
+  CHECK(parse(kOff + "3 0 1 2\n# comment\n").notes == std::vector<std::string>{"1 line after the last face left out"});
+  CHECK(parse(kOff + "\n# comment\n").notes.empty());
+}
+
+TEST_CASE("OFF: bad bytes are refused with their line") {
+  const auto refused = [](const std::string& bytes, const std::string& part) {
+    require_refused(bytes, MeshFormat::off, part);
+  };
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "file:5: vertex 2 has too few numbers, or goes on to line 6");
+  refused("OFF\n3 1 0\n0.0 0 0\n1 0 0\n0 1\n", "ends after line 5, and coordinate z is missing");
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "file:6: face 0 refers to vertex 3, and there are 3");
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "file:6: face 0 refers to vertex -1");
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "ends after line 6, and a corner of the face is missing");
+  refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2 1 0\n",
+          "file:6: face 0 has too few numbers, or goes on to line 7");
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "file:6: face 0 has -3 corners");
+  refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after line 6, and face 1 of 2 is missing");
+  refused("OFF\n3 1 0\n0.0 0 0\n10.0 0 0\n", "ends after line 4, and vertex 2 of 3 is missing");
+  refused("OFF\n4000000000 1 0\n0 0 0\n", "file:2: the number of vertices is 4000000000, and the file has only 6 more");
+  refused("OFF\n1 999999999999999 0\n0 0 0\n", "file:2: the number of faces is 999999999999999");
+  refused("OFF\n-3 1 0\n", "file:2: the number of vertices is -3");
+  refused("OFF\n3.5 1 0\n", "file:2: the number of vertices is '3.5', and should be a whole number");
+  refused("OFF\n", "the counts of vertices and faces are missing");
+  refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "3 vertices and no face");
+  refused("OFF BINARY\n", "binary OFF");
+  refused("4OFF\n1 1 0\n", "outside three dimensions");
+  refused("ply\n", "file:1: the first line of an OFF file should be OFF, and is 'ply'");
+  refused("# only\n", "holds no OFF header");
+  require_refused("OFF\n1 1 0\nnan 0 0\n1 0\n", MeshFormat::off, "file:3: coordinate x of vertex 0",
+                  ErrorCode::precondition);
+}

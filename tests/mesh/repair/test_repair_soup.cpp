@@ -1,0 +1,314 @@
+#include <random>
+
+#include "mesh/reading/soup_files.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+using Polygons = std::vector<std::vector<std::int32_t>>;
+
+PolygonSoup make_soup(std::vector<Vec3> positions, const Polygons& polygons) {
+  PolygonSoup soup;
+  soup.positions = std::move(positions);
+  for (const auto& polygon : polygons) {
+    soup.corners.insert(soup.corners.end(), polygon.begin(), polygon.end());
+    soup.first_corner.push_back(soup.corners.size());
+  }
+  return soup;
+}
+
+const std::vector<Vec3> kPoints{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {1, 1, 1}};
+
+PolygonSoup points_soup(std::size_t vertices, const Polygons& polygons) {
+  return make_soup({kPoints.begin(), kPoints.begin() + static_cast<std::ptrdiff_t>(vertices)}, polygons);
+}
+
+// Repairs, requires exactly one kind of defect, and requires `error` to refuse it naming the same element.
+CheckedMesh require_repaired(const PolygonSoup& soup, DefectKind kind, std::int64_t count, std::int64_t first) {
+  CheckedMesh checked = build_mesh(soup);
+  REQUIRE(checked.defects.defects.size() == 1);
+  CHECK(checked.defects.defects[0].kind == kind);
+  CHECK(checked.defects.count(kind) == count);
+  CHECK(checked.defects.defects[0].first == first);
+  CHECK(checked.defects.messages.front() == checked.defects.defects[0].message);
+  try {
+    build_mesh(soup, DefectPolicy::error);
+    FAIL("accepted under DefectPolicy::error");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::precondition);
+    CHECK(error.element() == first);
+  }
+  return checked;
+}
+
+void require_refused(const PolygonSoup& soup, const std::string& part, std::int64_t element,
+                     DefectPolicy policy = DefectPolicy::repair) {
+  try {
+    build_mesh(soup, policy);
+    FAIL("accepted, expected: " << part);
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::precondition);
+    CHECK(error.element() == element);
+    CHECK_THAT(error.what(), Catch::Matchers::Contains(part));
+  }
+}
+
+PolygonSoup soup_of(const Mesh& mesh) {
+  PolygonSoup soup;
+  soup.positions = mesh.positions();
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    for (const VertexId v : mesh.vertices(FaceId(f))) soup.corners.push_back(v.value());
+    soup.first_corner.push_back(soup.corners.size());
+  }
+  return soup;
+}
+
+double area(const Mesh& mesh) { return compute_mesh_summary(mesh).area; }
+
+// A strip of `n` quads whose ends are joined, with a half twist or without.
+PolygonSoup make_band(int n, bool twisted, double offset = 0) {
+  PolygonSoup soup;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * i / n;
+    const double half = twisted ? angle / 2 : 0;
+    for (const double side : {-0.3, 0.3}) {
+      const double r = 1 + side * std::cos(half);
+      soup.positions.emplace_back(offset + r * std::cos(angle), r * std::sin(angle),
+                                  side * std::sin(half) + (twisted ? 0 : side));
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    const bool cross = twisted && j == 0;
+    for (const int v : {2 * i, 2 * j + cross, 2 * j + !cross, 2 * i + 1}) soup.corners.push_back(v);
+    soup.first_corner.push_back(soup.corners.size());
+  }
+  return soup;
+}
+
+void append(PolygonSoup& soup, const PolygonSoup& more) {
+  const auto shift = static_cast<std::int32_t>(soup.positions.size());
+  soup.positions.insert(soup.positions.end(), more.positions.begin(), more.positions.end());
+  for (std::size_t p = 0; p < more.polygon_count(); ++p) {
+    for (const std::int32_t v : more.polygon(p)) soup.corners.push_back(v + shift);
+    soup.first_corner.push_back(soup.corners.size());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a soup without defects becomes the same mesh") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const CheckedMesh checked = build_mesh(soup_of(mesh), DefectPolicy::error);
+    CHECK(checked.defects.defects.empty());
+    CHECK(checked.mesh.positions() == mesh.positions());
+    REQUIRE(checked.mesh.face_count() == mesh.face_count());
+    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+      REQUIRE(checked.mesh.vertices(FaceId(f)) == mesh.vertices(FaceId(f)));
+      REQUIRE(checked.input_polygon[FaceId(f)] == f);
+    }
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      REQUIRE(checked.mesh_vertex[static_cast<std::size_t>(v)] == VertexId(v));
+      REQUIRE(checked.input_vertex[VertexId(v)] == v);
+    }
+  }
+}
+
+TEST_CASE("unwelded: equal coordinates are one vertex, and -0 is 0") {
+  PolygonSoup soup =
+      make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 1, -0.0}, {1, -0.0, 0}, {1, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  CHECK(build_mesh(soup).mesh.vertex_count() == 6);
+  CHECK(build_mesh(soup).defects.coincident_vertices == 2);
+  soup.unwelded = true;
+  const CheckedMesh checked = require_repaired(soup, DefectKind::unwelded_vertices, 2, 3);
+  CHECK(checked.mesh.vertex_count() == 4);
+  CHECK(checked.mesh_vertex[3] == checked.mesh_vertex[2]);
+}
+
+TEST_CASE("zero-length edge: its ends are welded and the surface stays closed up") {
+  // Two triangles joined by a collapsed quad: the edge 1-4 has length 0.
+  const PolygonSoup soup =
+      make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 4, 2}, {4, 3, 2}});
+  const CheckedMesh checked = build_mesh(soup);
+  CHECK(checked.defects.count(DefectKind::zero_length_edges) == 1);
+  CHECK(checked.defects.count(DefectKind::degenerate_faces) == 1);
+  CHECK(checked.mesh.face_count() == 2);
+  CHECK(compute_mesh_summary(checked.mesh).boundary_loops == 1);
+  CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 1);
+  CHECK(checked.mesh_vertex[4] == checked.mesh_vertex[1]);
+  require_refused(soup, "1 edge of length 0, first the one between vertices 1 and 4 in face 1", 1, DefectPolicy::error);
+}
+
+TEST_CASE("degenerate faces: a corner that repeats") {
+  CHECK(
+      require_repaired(points_soup(3, {{0, 1, 2}, {0, 1, 1}}), DefectKind::degenerate_faces, 1, 1).mesh.face_count() ==
+      1);
+  CHECK(
+      require_repaired(points_soup(3, {{0, 1}, {0, 1, 2}, {}}), DefectKind::degenerate_faces, 2, 0).mesh.face_count() ==
+      1);
+  CHECK(require_repaired(points_soup(3, {{0, 1, 2, 2}}), DefectKind::degenerate_faces, 1, 0).mesh.face_count() == 1);
+  CHECK(require_repaired(points_soup(4, {{0, 1, 3, 1, 2}, {3, 2, 1}}), DefectKind::degenerate_faces, 1, 0)
+            .mesh.face_count() == 2);
+  require_refused(points_soup(3, {{0, 1, 0}, {2, 2, 2}}), "every face is degenerate", 0);
+}
+
+TEST_CASE("three points on a line are legal and counted") {
+  const PolygonSoup soup = make_soup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}});
+  const CheckedMesh checked = build_mesh(soup, DefectPolicy::error);
+  CHECK(checked.mesh.face_count() == 3);
+  CHECK(checked.defects.zero_area_faces == 1);
+}
+
+TEST_CASE("duplicate faces go, in either direction") {
+  CHECK(require_repaired(points_soup(4, {{0, 1, 2}, {0, 3, 1}, {1, 2, 0}}), DefectKind::duplicate_faces, 1, 2)
+            .mesh.face_count() == 2);
+  CHECK(
+      require_repaired(points_soup(4, {{0, 1, 2}, {0, 3, 1}, {0, 2, 1}, {0, 1, 3}}), DefectKind::duplicate_faces, 2, 2)
+          .mesh.face_count() == 2);
+  CHECK(require_repaired(points_soup(3, {{0, 1, 2}, {1, 2, 0}}), DefectKind::duplicate_faces, 1, 1).mesh.face_count() ==
+        1);
+}
+
+TEST_CASE("two faces back to back are a closed surface and stay") {
+  const CheckedMesh checked = build_mesh(points_soup(3, {{0, 1, 2}, {0, 2, 1}}), DefectPolicy::error);
+  CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 2);
+  const CheckedMesh quads =
+      build_mesh(make_soup({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {0, 3, 2, 1}}));
+  CHECK(quads.defects.defects.empty());
+  CHECK(compute_mesh_summary(quads.mesh).euler_characteristic == 2);
+}
+
+TEST_CASE("orientation: the minority of each component is flipped") {
+  PolygonSoup soup = soup_of(test::make_sphere(1));
+  for (const std::size_t f : {4U, 17U, 30U}) std::swap(soup.corners[3 * f], soup.corners[3 * f + 1]);
+  const CheckedMesh checked = require_repaired(soup, DefectKind::inconsistent_orientation, 3, 4);
+  CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 2);
+  // Of two against each other the first one stays.
+  const CheckedMesh two =
+      require_repaired(points_soup(4, {{0, 1, 2}, {0, 1, 3}}), DefectKind::inconsistent_orientation, 1, 1);
+  CHECK(two.mesh.vertices(FaceId(0)) == std::array{VertexId(0), VertexId(1), VertexId(2)});
+}
+
+TEST_CASE("a surface with one side is refused, unless it is dropped") {
+  PolygonSoup soup = make_band(9, true);
+  require_refused(soup, "the component of face 0 has only one side", 0);
+  require_refused(soup, "the largest component, that of face 0, has only one side", 0, DefectPolicy::largest);
+  append(soup, soup_of(test::make_sphere(1)));
+  CHECK(compute_mesh_summary(build_mesh(soup, DefectPolicy::largest).mesh).euler_characteristic == 2);
+  CHECK(compute_mesh_summary(build_mesh(make_band(9, false)).mesh).boundary_loops == 2);
+}
+
+TEST_CASE("an edge of three faces: the fin comes off, the closed body stays closed") {
+  PolygonSoup soup = make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, -1, -1}},
+                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 1, 4}});
+  const CheckedMesh checked = require_repaired(soup, DefectKind::nonmanifold_edges, 1, 0);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  CHECK(summary.components == 2);
+  CHECK(summary.boundary_loops == 1);
+  CHECK(summary.vertices == 7);
+  CHECK(checked.input_vertex[VertexId(5)] == 0);
+  CHECK(checked.input_vertex[VertexId(6)] == 1);
+  CHECK(checked.mesh_vertex[0] == VertexId(0));
+  CHECK_THAT(checked.defects.messages[0],
+             Catch::Matchers::Contains("between vertices 0 and 1 (3 faces, one is face 0)"));
+}
+
+TEST_CASE("a vertex that joins two fans is cut") {
+  const PolygonSoup soup = points_soup(5, {{0, 1, 2}, {0, 3, 4}});
+  const CheckedMesh checked = require_repaired(soup, DefectKind::nonmanifold_vertices, 1, 0);
+  CHECK(checked.mesh.vertex_count() == 6);
+  CHECK(checked.input_vertex[VertexId(5)] == 0);
+}
+
+TEST_CASE("unused vertices are dropped and the maps say so") {
+  const CheckedMesh checked = require_repaired(points_soup(5, {{1, 2, 4}}), DefectKind::unused_vertices, 2, 0);
+  CHECK(checked.mesh_vertex == std::vector<VertexId>{VertexId(), VertexId(0), VertexId(1), VertexId(), VertexId(2)});
+  CHECK(checked.input_vertex.raw() == std::vector<std::int32_t>{1, 2, 4});
+}
+
+TEST_CASE("largest: the component with the largest area, of equals the first") {
+  PolygonSoup soup = soup_of(test::make_two_components());
+  const CheckedMesh all = build_mesh(soup);
+  const CheckedMesh checked = build_mesh(soup, DefectPolicy::largest);
+  CHECK(compute_mesh_summary(all.mesh).components == 2);
+  CHECK(compute_mesh_summary(checked.mesh).components == 1);
+  CHECK(checked.defects.count(DefectKind::dropped_components) == 1);
+  CHECK(area(checked.mesh) > 0.5 * area(all.mesh));
+  PolygonSoup twins = points_soup(3, {{0, 1, 2}});
+  append(twins, points_soup(3, {{0, 1, 2}}));
+  CHECK(build_mesh(twins, DefectPolicy::largest).input_polygon[FaceId(0)] == 0);
+}
+
+TEST_CASE("soups that no repair makes right are refused with the first element") {
+  PolygonSoup soup = points_soup(3, {{0, 1, 2}});
+  soup.positions[1].x() = NAN;
+  require_refused(soup, "vertex 1 has a coordinate that is not finite", 1);
+  soup.positions[1].x() = 1e80;
+  require_refused(soup, "vertex 1 has a coordinate beyond 1e+75", 1);
+  soup.positions = {{0, 0, 0}, {1e-80, 0, 0}, {0, 1e-80, 0}};
+  require_refused(soup, "smaller than 1e-75", 0);
+  soup.positions.assign(3, Vec3(1, 2, 3));
+  require_refused(soup, "all vertices are at one position", 0);
+  require_refused(points_soup(3, {{0, 1, 2}, {0, 1, 3}}), "face 1 refers to vertex 3", 1);
+  require_refused(points_soup(3, {}), "no face", -1);
+  CHECK_NOTHROW(build_mesh(make_soup({{0, 0, 0}, {1e-320, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
+}
+
+TEST_CASE("the result is the same twice, and building it again changes nothing") {
+  std::mt19937 random(3);
+  PolygonSoup soup = points_soup(6, {});
+  for (int f = 0; f < 9; ++f) {
+    for (int i = 0; i < 3; ++i) soup.corners.push_back(static_cast<std::int32_t>(random() % 6));
+    soup.first_corner.push_back(soup.corners.size());
+  }
+  try {
+    const Mesh first = build_mesh(soup, DefectPolicy::largest).mesh;
+    CHECK(soup_of(first).corners == soup_of(build_mesh(soup, DefectPolicy::largest).mesh).corners);
+    CHECK(soup_of(first).corners == soup_of(build_mesh(soup_of(first), DefectPolicy::error).mesh).corners);
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::precondition);
+  }
+}
+
+TEST_CASE("random triangles: the surface keeps its points or is refused") {
+  std::mt19937 random(11);
+  int built = 0;
+  for (int round = 0; round < 4000; ++round) {
+    PolygonSoup soup;
+    const auto vertices = 4 + random() % 5;
+    for (std::size_t v = 0; v < vertices; ++v) soup.positions.emplace_back(random() % 97, random() % 89, random() % 83);
+    const auto faces = 1 + random() % 9;
+    for (std::size_t f = 0; f < faces; ++f) {
+      for (int i = 0; i < 3; ++i) soup.corners.push_back(static_cast<std::int32_t>(random() % vertices));
+      soup.first_corner.push_back(soup.corners.size());
+    }
+    INFO("round " << round);
+    try {
+      const CheckedMesh checked = build_mesh(soup);
+      ++built;
+      double kept = 0;
+      std::vector<char> seen(soup.polygon_count(), 0);
+      for (std::int32_t f = 0; f < checked.mesh.face_count(); ++f) {
+        kept += checked.mesh.area(FaceId(f));
+        seen[static_cast<std::size_t>(checked.input_polygon[FaceId(f)])] = 1;
+      }
+      double given = 0;
+      for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
+        const auto at = [&](std::size_t i) { return soup.positions[static_cast<std::size_t>(soup.polygon(p)[i])]; };
+        if (seen[p]) given += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+      }
+      REQUIRE(kept == Approx(given));
+      const auto dropped = std::count(seen.begin(), seen.end(), 0);
+      REQUIRE(dropped ==
+              checked.defects.count(DefectKind::degenerate_faces) + checked.defects.count(DefectKind::duplicate_faces));
+    } catch (const Error& error) {
+      REQUIRE(error.code() == ErrorCode::precondition);
+      REQUIRE_THAT(error.what(),
+                   Catch::Matchers::Contains("only one side") || Catch::Matchers::Contains("every face is"));
+    }
+  }
+  CHECK(built > 2000);
+}

@@ -1,0 +1,45 @@
+#include "part_coincident_corners.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// One parent, cut in two triangles at vertices 2 and 3; vertices 0 and 1 are the input's.
+CutTriangles make_cut(std::vector<Vec3> positions) {
+  CutTriangles cut;
+  cut.positions = std::move(positions);
+  cut.faces = {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(3)}};
+  cut.parent = IdVector<FaceId, FaceId>(2, FaceId(0));
+  return cut;
+}
+
+}  // namespace
+
+TEST_CASE("parting: corners with places of their own stay") {
+  CutTriangles cut = make_cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  const std::vector<Vec3> before = cut.positions;
+  CHECK(part_coincident_corners(cut, 2, 1e-15) == 0);
+  CHECK(cut.positions == before);
+}
+
+TEST_CASE("parting: an added vertex moves along the longest edge, away from one of the input") {
+  CutTriangles cut = make_cut({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(part_coincident_corners(cut, 2, 1e-3) == 1);
+  CHECK(cut.positions[1] == Vec3(1, 0, 0));
+  CHECK((cut.positions[2] - Vec3(1, 0, 0)).norm() == Approx(1e-3));
+  CHECK(cut.positions[3] == Vec3(0, 1, 0));
+}
+
+TEST_CASE("parting: vertices of the input stay in one place") {
+  CutTriangles cut = make_cut({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const std::vector<Vec3> before = cut.positions;
+  CHECK(part_coincident_corners(cut, 2, 1e-3) == 0);
+  CHECK(cut.positions == before);
+}
+
+TEST_CASE("parting: where a whole parent is in one place, there is no way to go, and no round is in vain") {
+  CutTriangles cut = make_cut(std::vector<Vec3>(4, Vec3(1, 2, 3)));
+  CHECK(part_coincident_corners(cut, 2, 1e-3) == 0);
+  CHECK(cut.positions == std::vector<Vec3>(4, Vec3(1, 2, 3)));
+}
