@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Fails where a file includes upwards: every folder has a floor, and includes only from its own folder and floors below.
 
-    scripts/check_includes.py [--draw]     --draw prints which folder includes which instead
+    scripts/check_includes.py             the check, and whether docs/developer/floors.svg shows today's floors
+    scripts/check_includes.py --svg       prints that drawing
+    scripts/check_includes.py --list      prints which folder includes which, and how often
 
 A private header that declares what a source defines bears that source's name; this is checked too.
 """
@@ -55,6 +57,8 @@ PUBLIC = {
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
+
+DRAWING = "docs/developer/floors.svg"
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
@@ -113,10 +117,43 @@ def check_names():
     return findings
 
 
+def draw_floors():
+    """The table of floors as an SVG drawing, the ground floor at the bottom."""
+    width, height, gap, margin = 860, 34, 8, 12
+    total = len(FLOORS) * (height + gap) + 2 * margin - gap
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{total}" viewBox="0 0 {width} {total}" '
+           'font-family="sans-serif" font-size="14">', f'<rect width="{width}" height="{total}" fill="#ffffff"/>']
+    for floor, folders in enumerate(FLOORS):
+        y = total - margin - (floor + 1) * height - floor * gap
+        room = (width - 2 * margin - (len(folders) - 1) * gap) / len(folders)
+        for i, folder in enumerate(folders):
+            x = margin + i * (room + gap)
+            # A colour for each subject: base and mesh, geodesic, diagram, io, the parts beside libgvd, the commands.
+            words = folder.split("/")
+            subject = words[2] if folder.startswith("libgvd/src") else words[0]
+            colour = {"base": "#e3e3e3", "mesh": "#d9e8f5", "geodesic": "#d8efdc", "diagram": "#fbe6c8",
+                      "io": "#ecdff2", "libgvd": "#f7d9d9", "apps": "#fff4b8"}[subject]
+            out.append(f'<rect x="{x:.1f}" y="{y}" width="{room:.1f}" height="{height}" rx="4" fill="{colour}" '
+                       'stroke="#777777"/>')
+            out.append(f'<text x="{x + room / 2:.1f}" y="{y + 22}" text-anchor="middle">'
+                       f'{folder.removeprefix("libgvd/src/")}</text>')
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+def check_drawing():
+    path = ROOT / DRAWING
+    if path.exists() and path.read_text() == draw_floors():
+        return []
+    return [f"{DRAWING}: is not what scripts/check_includes.py --svg prints; write it anew"]
+
+
 def main():
+    if "--svg" in sys.argv[1:]:
+        print(draw_floors(), end="")
+        return 0
     edges = collections.defaultdict(list)
-    findings = [finding for path in sources() for finding in check_file(path, edges)] + check_names()
-    if "--draw" in sys.argv[1:]:
+    findings = [finding for path in sources() for finding in check_file(path, edges)] + check_names() + check_drawing()
+    if "--list" in sys.argv[1:]:
         for (own, other), names in sorted(edges.items()):
             print(f"{own} -> {other}: {len(names)}")
         return 0
