@@ -32,7 +32,7 @@ help:
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make format    lay out the sources with clang-format"
-	@echo "make lint      check layout and names with clang-format and clang-tidy"
+	@echo "make lint      check layout and names with clang-format and clang-tidy, and the links in the documents"
 	@echo "make clean     remove the build trees and the demo's output"
 
 build:
@@ -87,6 +87,7 @@ format:
 
 lint:
 	@$(install_deps) build test lint
+	@scripts/check_links.py
 	@$(sources) | xargs clang-format --dry-run -Werror
 	@$(configure) development build-development
 	@run-clang-tidy -quiet -p build-development -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'

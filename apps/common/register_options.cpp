@@ -63,7 +63,8 @@ void register_generators(CLI::App& cli, GeneratorOptions& generators) {
       ->needs(cli.get_option("-n"))
       ->group(group);
   add_number<std::uint64_t>(cli, "--seed", generators.seed, kAnyWhole, "Seed of the choice (default: 0)")->group(group);
-  cli.add_option("--generators", generators.file, "A list of generators: text, .csv or .json; see docs/generators.md")
+  cli.add_option("--generators", generators.file,
+                 "A list of generators: text, .csv or .json; see docs/guide/generators.md")
       ->type_name("FILE")
       ->group(group);
   const auto store_vertices = [&generators](const std::vector<std::string>& lists) {

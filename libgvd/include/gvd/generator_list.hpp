@@ -33,7 +33,7 @@ struct GeneratorList {
   std::vector<GeneratorEntry> entries;
 };
 
-/// How a list is written; docs/generators.md describes each.
+/// How a list is written; docs/guide/generators.md describes each.
 enum class GeneratorFormat { text, csv, json };
 
 /// .json and .csv by extension, text otherwise.

@@ -12,7 +12,7 @@
 
 namespace gvd {
 
-/// The file formats of a mesh or diagram that is written. docs/formats.md says what each one carries.
+/// The file formats of a mesh or diagram that is written. docs/guide/formats.md says what each one carries.
 enum class OutputFormat { ply, obj, off, stl, vtp, glb, json };
 
 /// The format of an extension, with or without its dot, in upper or lower case.

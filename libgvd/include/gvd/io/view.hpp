@@ -43,7 +43,7 @@ struct ViewOptions {
 };
 
 /// The picture of a diagram, with its figures: size, topology, length of the bisectors, and the Euler count, which
-/// says how many of the meetings of cells that the topology demands are there (docs/viewer.md).
+/// says how many of the meetings of cells that the topology demands are there (docs/guide/viewer.md).
 /// Cost: O(n) time and memory.
 ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram);
 

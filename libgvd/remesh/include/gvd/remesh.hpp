@@ -62,8 +62,8 @@ struct RemeshResult {
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
 /// Where the dual of the given generators is no proper mesh (check_dual, find_flipped_faces), generators are added at
-/// the places that fail, one for each place in a round, and the diagram is built again. docs/remesh.md says where they
-/// go. None is ever removed or moved.
+/// the places that fail, one for each place in a round, and the diagram is built again. docs/guide/remesh.md says where
+/// they go. None is ever removed or moved.
 ///
 /// At a boundary of the mesh, a bisector that ends there becomes a boundary edge: the coarse boundary runs through the
 /// generators whose cells touch the boundary, so it lies inside of it unless these generators are on it.

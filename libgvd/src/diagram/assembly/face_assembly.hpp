@@ -17,7 +17,7 @@ namespace gvd {
 ///
 /// Where the metric knows a branch point for sure, it is taken first, and as it is.
 /// `boundary` has 0 or at least 2 crossings; `metric` knows the generators on it.
-/// Source: sections 4.2 and 4.3; closed by construction, see docs/algorithm.md.
+/// Source: sections 4.2 and 4.3; closed by construction, see docs/developer/algorithm.md.
 /// Cost: O(k^5) for k crossings at worst (k rounds, each over all pairs of runs and all cells there); k is seldom
 /// above 4.
 void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric,

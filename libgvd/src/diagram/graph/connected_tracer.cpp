@@ -11,7 +11,7 @@
 namespace gvd {
 namespace {
 
-/// Rounds of local repair before the last resort; on the meshes of docs/performance.md one or two are taken.
+/// Rounds of local repair before the last resort; on the meshes of docs/notes/performance.md one or two are taken.
 constexpr int kMaxRounds = 12;
 
 }  // namespace

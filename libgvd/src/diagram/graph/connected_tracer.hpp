@@ -13,7 +13,7 @@ namespace gvd {
 /// does not, growth gives way, vertices take the label of a neighbour and edges are crossed at most once; then the
 /// faces are closed again. The last resort, after a number of rounds, is a diagram whose cells are connected by
 /// construction.
-/// Source: the paper leaves this open; see docs/algorithm.md.
+/// Source: the paper leaves this open; see docs/developer/algorithm.md.
 class ConnectedTracer {
  public:
   virtual ~ConnectedTracer() = default;

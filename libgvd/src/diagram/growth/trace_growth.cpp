@@ -49,7 +49,8 @@ class GrowthTracer final : public ConnectedTracer {
 
   /// With planar fronts the rough crossings interpolate distances, and unfolding makes them better. With circles they
   /// come from sources that were unfolded over the very edge, the same for both of its faces: there is nothing to
-  /// refine or weld, and images unfolded over other edges would make them worse (docs/performance.md has the figures).
+  /// refine or weld, and images unfolded over other edges would make them worse (docs/notes/performance.md has the
+  /// figures).
   void refine(Crossings& crossings) const {
     if (front_ == Front::circle) return;
     weld_crossings(refine_bisectors(working_, table_, labels_, crossings, progress_), crossings);

@@ -41,7 +41,7 @@ struct PropagationOptions {
 /// taken changes no distance, but for rounding, and it is the same for any number of threads (window_rounds.hpp); (4)
 /// of generators that tie at a vertex, to 2e-14 of the distance, the first one is its label, in whatever parts the mesh
 /// is cut. Cost: O(windows); about 5 to 16 a face on curved meshes, 2 where flat parts are refined. Memory: 130 to 350
-/// bytes a face on such meshes, 460 and more with a single generator (docs/performance.md). Where all faces are
+/// bytes a face on such meshes, 460 and more with a single generator (docs/notes/performance.md). Where all faces are
 /// needles, paths tie all over: up to O(faces) windows a face were seen.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);

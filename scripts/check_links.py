@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Fails where a Markdown file links to a file or heading of the repository that is not there, or a source names such a page.
+
+    scripts/check_links.py
+
+Links to other sites are not followed.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
+INLINE_CODE = re.compile(r"`[^`\n]*`")
+LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)|(?:src|srcset|href)=\"([^\"]+)\"|^\[[^\]]+\]:\s+(\S+)", re.MULTILINE)
+HEADING = re.compile(r"^#+ +(.*?) *#*$", re.MULTILINE)
+PAGE_IN_SOURCE = re.compile(r"\b(?:docs|bench|data|web)/[\w/-]*[\w-]+\.md\b")
+SOURCES = ("*.cpp", "*.hpp", "*.js", "*.mjs", "*.sh", "*.py", "*.cmake", "*.txt", "Makefile", "*.md")
+
+
+def tracked(*patterns):
+    """Files that git knows or could add, so that a page under work is checked too."""
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *patterns],
+                            cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
+
+
+def anchors(page):
+    """The names under which the headings of a page can be linked to, as GitHub makes them."""
+    found = set()
+    for heading in HEADING.findall(FENCE.sub("", page.read_text())):
+        text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+        anchor = re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
+        repeats = sum(known == anchor or re.fullmatch(re.escape(anchor) + r"-\d+", known) is not None for known in found)
+        found.add(f"{anchor}-{repeats}" if repeats else anchor)
+    return found
+
+
+def check_link(page, link):
+    """What is wrong with a link of a page, or None."""
+    if re.match(r"[a-z][a-z0-9+.-]*:|//", link):
+        return None
+    path, _, anchor = link.partition("#")
+    target = (page.parent / path).resolve() if path else page
+    if not target.exists():
+        return f"links to {link}, which is not there"
+    if ROOT != target and ROOT not in target.parents:
+        return f"links to {link}, which is outside the repository"
+    if anchor and target.suffix == ".md" and anchor not in anchors(target):
+        return f"links to {link}, a heading that {target.name} does not have"
+    return None
+
+
+def check_page(page):
+    """The findings in the links of a Markdown file."""
+    text = INLINE_CODE.sub("", FENCE.sub("", page.read_text()))
+    links = [next(filter(None, groups)) for groups in LINK.findall(text)]
+    return [finding for finding in (check_link(page, link) for link in links) if finding]
+
+
+def check_names(source):
+    """The findings in the pages that a source, or the text of a page, names by their path."""
+    names = set(PAGE_IN_SOURCE.findall(source.read_text()))
+    return [f"names {name}, which is not there" for name in sorted(names) if not (ROOT / name).exists()]
+
+
+def main():
+    pages = tracked("*.md")
+    findings = [f"{page.relative_to(ROOT)}: {finding}" for page in pages for finding in check_page(page)]
+    sources = tracked(*SOURCES)
+    findings += [f"{source.relative_to(ROOT)}: {finding}" for source in sources for finding in check_names(source)]
+    for finding in findings:
+        print(finding)
+    print(f"{len(pages)} pages, {len(findings)} findings")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
