@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagram/envelope/arc_meetings.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"
@@ -36,7 +36,7 @@ void check_outlines(const Diagram& diagram) {
       const auto &from = piece.corners[i], &to = piece.corners[(i + 1) % n];
       outline.push_back({{from[1], from[2]}, {to[1], to[2]}, 0});
     }
-    ArcMeetings meetings;
+    ArcIntersections meetings;
     INFO("generator " << piece.generator.value() << " in face " << piece.face.value());
     CHECK(meetings.find(outline).empty());
   }

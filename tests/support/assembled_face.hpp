@@ -33,14 +33,14 @@ struct AssembledFace {
   FaceDiagram diagram;
 
   AssembledFace(const std::vector<BoundaryRun>& runs, const std::vector<DistanceForm>& forms)
-      : AssembledFace(runs, FormMetric(forms)) {}
-  AssembledFace(const std::vector<BoundaryRun>& runs, const FaceMetric& metric) {
+      : AssembledFace(runs, FormDistances(forms)) {}
+  AssembledFace(const std::vector<BoundaryRun>& runs, const FaceDistances& distances) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const int previous = runs[(i + runs.size() - 1) % runs.size()].next;
       boundary.push_back({CrossingId(static_cast<std::int64_t>(i)), runs[i].corner, runs[i].t, GeneratorId(previous),
                           GeneratorId(runs[i].next)});
     }
-    assemble_face(FaceId(0), boundary, metric, diagram);
+    assemble_face(FaceId(0), boundary, distances, diagram);
   }
 
   WorkingPieces pieces() const { return pieces_of(diagram.arcs); }

@@ -86,7 +86,7 @@ void require_sound(const AssembledFace& face) {
 TEST_CASE("no crossing: nothing is added") {
   FaceDiagram diagram;
   const std::vector<DistanceForm> forms;
-  assemble_face(FaceId(0), {}, FormMetric(forms), diagram);
+  assemble_face(FaceId(0), {}, FormDistances(forms), diagram);
   CHECK(diagram.arcs.empty());
   CHECK(diagram.branches.empty());
 }
@@ -218,24 +218,26 @@ TEST_CASE("random runs and random forms: always complete, apart and a partition"
 namespace {
 
 /// Says that it is sure, and lets paths come in anywhere.
-class ConfusedMetric final : public FaceMetric {
+class ConfusedMetric final : public FaceDistances {
  public:
   ConfusedMetric(const std::vector<DistanceForm>& forms, test::Random& random) : forms_(forms), random_(random) {}
-  bool is_sure() const override { return true; }
+  bool can_confirm() const override { return true; }
   double at(GeneratorId g, const Bary& p) const override { return forms_.at(g, p); }
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
     return forms_.equidistant(a, b, c, start);
   }
-  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override {
+  std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const override {
     const auto p = equidistant(a, b, c, {});
     return p ? std::vector{*p} : std::vector<Bary>{};
   }
-  double place_error(const BoundaryCrossing&) const override { return random_.below(2) == 0 ? 0 : random_.real(0, 3); }
+  double crossing_error(const BoundaryCrossing&) const override {
+    return random_.below(2) == 0 ? 0 : random_.real(0, 3);
+  }
   std::optional<double> entry(GeneratorId, const Bary&) const override { return random_.real(0, 3); }
   bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 
  private:
-  FormMetric forms_;
+  FormDistances forms_;
   test::Random& random_;
 };
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "diagram/envelope/arc_meetings.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
 #include "diagram/envelope/erase_loops.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -18,7 +18,7 @@ bool meets_itself(const Polyline& polyline) {
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     segments.push_back({{polyline[i - 1][1], polyline[i - 1][2]}, {polyline[i][1], polyline[i][2]}, 0});
   }
-  ArcMeetings meetings;
+  ArcIntersections meetings;
   return !meetings.find(segments).empty();
 }
 

@@ -6,9 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "diagram/assembly/face_metric.hpp"
+#include "diagram/assembly/face_distances.hpp"
 #include "diagram/assembly/face_polygon.hpp"
-#include "diagram/assembly/face_runs.hpp"
+#include "diagram/assembly/label_intervals.hpp"
 
 namespace gvd {
 
@@ -16,9 +16,9 @@ namespace gvd {
 /// The metric and the runs must outlive it.
 class BranchSearch {
  public:
-  using Bary = FaceMetric::Bary;
+  using Bary = FaceDistances::Bary;
 
-  BranchSearch(const FaceMetric& metric, FaceRuns& runs) : metric_(metric), runs_(runs) {}
+  BranchSearch(const FaceDistances& distances, LabelIntervals& runs) : distances_(distances), runs_(runs) {}
 
   /// A run that meets the runs before and after it in a point that the metric is sure of.
   struct Triple {
@@ -26,9 +26,9 @@ class BranchSearch {
     Bary point;
   };
   /// One of the polygon's, if there is one. What was looked for in vain is not looked for again.
-  std::optional<Triple> find_sure(const FacePolygon& polygon);
+  std::optional<Triple> find_confirmed(const FacePolygon& polygon);
   /// Runs have been united: paths may come by more of them now, and what failed is worth another look.
-  void forget() { tried_.clear(); }
+  void clear_failed_searches() { tried_.clear(); }
 
   /// A point that is equally far from the generators of run i and its neighbours, looked for from `start` on; it may
   /// lie outside of the face.
@@ -41,10 +41,10 @@ class BranchSearch {
  private:
   enum class Search : std::uint8_t { nearby, everywhere };
   bool is_new_try(const FacePolygon& polygon, std::size_t i, Search search);
-  std::optional<Bary> sure_point(const FacePolygon& polygon, std::size_t i, const Bary& start);
+  std::optional<Bary> confirmed_point(const FacePolygon& polygon, std::size_t i, const Bary& start);
 
-  const FaceMetric& metric_;
-  FaceRuns& runs_;
+  const FaceDistances& distances_;
+  LabelIntervals& runs_;
   std::set<std::tuple<Search, int, int, int>> tried_;  // searches for a branch point of three runs that found none
 };
 

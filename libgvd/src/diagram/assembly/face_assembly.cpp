@@ -10,7 +10,7 @@
 
 #include "diagram/assembly/branch_search.hpp"
 #include "diagram/assembly/face_polygon.hpp"
-#include "diagram/assembly/face_runs.hpp"
+#include "diagram/assembly/label_intervals.hpp"
 
 namespace gvd {
 namespace {
@@ -33,13 +33,14 @@ constexpr double kShort = 1e-12, kShortOfGuess = 0.125, kByTie = 1e-9;
 
 class FaceAssembly {
  public:
-  FaceAssembly(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric, FaceDiagram& diagram)
+  FaceAssembly(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
+               FaceDiagram& diagram)
       : face_(f),
         boundary_(boundary),
-        metric_(metric),
+        distances_(distances),
         diagram_(diagram),
-        runs_(boundary, metric),
-        search_(metric, runs_) {}
+        runs_(boundary, distances),
+        search_(distances, runs_) {}
 
   void run() {
     FacePolygon polygon;
@@ -60,7 +61,7 @@ class FaceAssembly {
   void solve(const FacePolygon& polygon) {
     if (polygon.size() == 2) return join(polygon[0], polygon[1], polygon[1].next, polygon[0].next);
     if (part_linked_runs(polygon)) return;
-    if (const auto sure = search_.find_sure(polygon)) {
+    if (const auto sure = search_.find_confirmed(polygon)) {
       polygon.size() == 3 ? join_three(polygon, sure->point) : close_run(polygon, sure->run, sure->point);
     } else if (const auto pairs = pairs_to_unite(polygon); !pairs.empty()) {
       unite(polygon, pairs);
@@ -88,7 +89,7 @@ class FaceAssembly {
   /// Joins the two runs of each pair to one piece, which parts the polygon.
   void unite(const FacePolygon& polygon, const std::vector<Pair>& pairs) {
     for (const Pair& pair : pairs) runs_.unite(polygon[pair.i].run, polygon[pair.j].run);
-    search_.forget();
+    search_.clear_failed_searches();
     part_linked_runs(polygon);
   }
 
@@ -134,7 +135,7 @@ class FaceAssembly {
     }
     // A sure metric has ruled out every triple by now: two runs of one cell are one piece, though their paths come in
     // by different sides.
-    const bool must = metric_.is_sure() || !triple_exists(polygon);
+    const bool must = distances_.can_confirm() || !triple_exists(polygon);
     if (chosen.empty() && !pairs.empty() && must) chosen.push_back(pairs.front());
     return chosen;
   }
@@ -158,9 +159,9 @@ class FaceAssembly {
     const Bary between = mix(middle(polygon, i), middle(polygon, j), 0.5);
     double others = std::numeric_limits<double>::infinity();
     for (const PolygonCorner& c : polygon) {
-      if (c.next != polygon[i].next) others = std::min(others, metric_.at(c.next, between));
+      if (c.next != polygon[i].next) others = std::min(others, distances_.at(c.next, between));
     }
-    const double own = metric_.at(polygon[i].next, between);
+    const double own = distances_.at(polygon[i].next, between);
     return std::isinf(own) ? own : own - others;
   }
 
@@ -172,7 +173,7 @@ class FaceAssembly {
   }
 
   /// How far a triangle may be turned the wrong way round.
-  double beyond() const { return metric_.is_sure() ? kTurnedByTie : 0; }
+  double beyond() const { return distances_.can_confirm() ? kTurnedByTie : 0; }
 
   /// The point nearest to `wanted` on the way to it from `safe` that `valid` accepts.
   template <class Valid>
@@ -195,7 +196,7 @@ class FaceAssembly {
     const bool whole = boundary_.size() == 3;
     const Bary safe = centre(polygon);
     const auto valid = [&](const Bary& p) {
-      return whole ? *std::min_element(p.begin(), p.end()) >= (metric_.is_sure() ? kInsideExactly : kInside)
+      return whole ? *std::min_element(p.begin(), p.end()) >= (distances_.can_confirm() ? kInsideExactly : kInside)
                    : is_inside(polygon, p, beyond());
     };
     const auto wanted = search_.guess(polygon, 1, safe);
@@ -253,19 +254,19 @@ class FaceAssembly {
 
   FaceId face_;
   const std::vector<BoundaryCrossing>& boundary_;
-  const FaceMetric& metric_;
+  const FaceDistances& distances_;
   FaceDiagram& diagram_;
-  FaceRuns runs_;
+  LabelIntervals runs_;
   BranchSearch search_;
   std::vector<FacePolygon> open_;  // what is left to do
 };
 
 }  // namespace
 
-void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric,
+void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
                    FaceDiagram& diagram) {
   if (boundary.empty()) return;
-  FaceAssembly(f, boundary, metric, diagram).run();
+  FaceAssembly(f, boundary, distances, diagram).run();
 }
 
 }  // namespace gvd

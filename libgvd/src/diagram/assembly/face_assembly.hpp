@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagram/assembly/face_metric.hpp"
+#include "diagram/assembly/face_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
@@ -20,7 +20,7 @@ namespace gvd {
 /// Source: sections 4.2 and 4.3; closed by construction, see docs/developer/algorithm.md.
 /// Cost: O(k^5) for k crossings at worst (k rounds, each over all pairs of runs and all cells there); k is seldom
 /// above 4.
-void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric,
+void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
                    FaceDiagram& diagram);
 
 }  // namespace gvd

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagram/assembly/face_metric.hpp"
+#include "diagram/assembly/face_distances.hpp"
 
 namespace gvd {
 namespace {

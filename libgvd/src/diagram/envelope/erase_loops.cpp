@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/plane.hpp"
-#include "diagram/envelope/arc_meetings.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
 
 namespace gvd {
 namespace {
@@ -33,7 +33,7 @@ bool erase_once(std::vector<Bary>& polyline) {
     const Bary from = kept.back(), to = polyline[i];
     std::size_t last = n;  // the farthest segment that the one to point i meets begins at this point
     for (std::size_t j = i + 1; j + 1 < n; ++j) {
-      if (do_meet(segment(from, to), segment(polyline[j], polyline[j + 1]))) last = j;
+      if (may_intersect(segment(from, to), segment(polyline[j], polyline[j + 1]))) last = j;
     }
     if (last == n) {
       kept.push_back(to);

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "diagram/envelope/edge_envelope.hpp"
-#include "diagram/envelope/face_closer.hpp"
+#include "diagram/envelope/exact_face_assembler.hpp"
 #include "diagram/graph/connected_tracer.hpp"
 
 namespace gvd {
@@ -94,12 +94,13 @@ class EnvelopeTracer final : public ConnectedTracer {
       return count * count;
     };
     const auto close = [&](const Chunk& chunk) {
-      FaceCloser closer(mesh_, traced.crossings, field_, tie_step_, tolerance_);
+      ExactFaceAssembler closer(mesh_, traced.crossings, field_, tie_step_, tolerance_);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) closer.close(faces[i]);
       return closer.take_result();
     };
     report.straightened_faces = 0;
-    for (const ClosedFaces& part : parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
+    for (const AssembledFaces& part :
+         parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
       traced.faces.append(part.diagram);
       report.straightened_faces += part.straightened;
     }

@@ -101,7 +101,7 @@ void assemble_faces(const MarchedLabels& marched, const Crossings& crossings, co
     }
     const FaceForms forms{marched.mesh, f, marched.front, face_forms(marched, f, boundary)};
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
-    assemble_face(f, boundary, FormMetric(forms.forms), diagram);
+    assemble_face(f, boundary, FormDistances(forms.forms), diagram);
     measure_branches(forms, first_arc, first_branch, diagram);
   }
 }

@@ -40,22 +40,22 @@ struct FaceSource {
   GeneratorId generator;
   HalfedgeId halfedge;  ///< the side that they come through; for a corner the halfedge that leaves it
   bool is_corner;
-  double reach_begin, reach_end;  ///< distance from the generator to the opening's two ends
+  double distance_begin, distance_end;  ///< distance from the generator to the opening's two ends
 
   /// The last straight piece of a path, and its length in all.
-  struct Reach {
+  struct Path {
     double distance;
     Vec2 from;
   };
   /// The shortest path of this source to p: straight where p can be seen through the opening, round its end elsewhere.
   /// A path of the surface in any case, so an upper bound; continuous in p.
-  Reach reach(const Vec2& p) const {
+  Path shortest_path(const Vec2& p) const {
     const Vec2 ray = p - image;
-    if (cross(ray, begin - image) < 0) return {reach_begin + (p - begin).norm(), begin};
-    if (cross(ray, end - image) > 0) return {reach_end + (p - end).norm(), end};
+    if (cross(ray, begin - image) < 0) return {distance_begin + (p - begin).norm(), begin};
+    if (cross(ray, end - image) > 0) return {distance_end + (p - end).norm(), end};
     return {offset + ray.norm(), image};
   }
-  double distance(const Vec2& p) const { return reach(p).distance; }
+  double distance(const Vec2& p) const { return shortest_path(p).distance; }
   /// Where that path enters: the point of the opening next to the straight line from the image.
   Vec2 entry(const Vec2& p) const;
 };

@@ -26,15 +26,6 @@ void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId
   }
 }
 
-Vec2 FaceSource::entry(const Vec2& p) const {
-  if (is_corner) return image;
-  // The areas that the line from the image to p cuts off on both sides: >= 0 where it stays inside of the interval.
-  const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
-  if (to_begin <= 0) return begin;
-  if (to_end <= 0) return end;
-  return begin + to_begin / (to_begin + to_end) * (end - begin);
-}
-
 void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
                           std::vector<FaceSource>& sources) {
   sources.clear();

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/assembly/face_metric.hpp"
+#include "diagram/assembly/face_distances.hpp"
 #include "geodesic/field/distance_field.hpp"
 #include "geodesic/field/face_layout.hpp"
 
@@ -18,21 +18,21 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
 }
 
 /// Whether the path of a source to p is shorter than `best`, which it then replaces.
-inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Reach& best) {
+inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Path& best) {
   // No path of a source is shorter than the straight one.
   const double rest = best.distance - source.offset;
   if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) return false;
-  const auto reach = source.reach(p);
-  if (!(reach.distance < best.distance)) return false;
-  best = reach;
+  const auto path = source.shortest_path(p);
+  if (!(path.distance < best.distance)) return false;
+  best = path;
   return true;
 }
 
 /// Distances inside one face, from the sources that a solver knows there: as good as the solver.
-class SourceMetric final : public FaceMetric {
+class SourceDistances final : public FaceDistances {
  public:
   /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges.
-  explicit SourceMetric(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
+  explicit SourceDistances(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
 
   /// Makes this the metric of face f.
   void enter(const Mesh& mesh, FaceId f);
@@ -44,29 +44,29 @@ class SourceMetric final : public FaceMetric {
   /// The shortest path over some sources, and the one that it comes from; null, and infinite, where there is none.
   struct Nearest {
     const FaceSource* source;
-    FaceSource::Reach reach;
+    FaceSource::Path path;
   };
   static Nearest nearest(std::span<const FaceSource> sources, const Vec2& p);
   /// The shortest path from generator g to p.
-  FaceSource::Reach nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).reach; }
+  FaceSource::Path nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).path; }
   /// The distance to the nearest of all generators.
-  double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).reach.distance; }
+  double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).path.distance; }
   Bary bary(const Vec2& p) const;
 
   /// Whether each generator is behind by its symbolic offset, so that the crossings on the edges and what lies between
   /// them decide every tie alike. Not so where a face has just been entered.
-  void set_tied(bool tied);
+  void set_symbolic_offsets(bool tied);
   /// False makes assembly take every point for a guess.
-  void set_sure(bool sure) { sure_ = sure; }
-  bool is_sure() const override { return sure_; }
+  void set_can_confirm(bool sure) { can_confirm_ = sure; }
+  bool can_confirm() const override { return can_confirm_; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
 
   /// The distance itself, mesh units.
   double at(GeneratorId g, const Bary& p) const override;
   /// Newton's method on the differences of the distances. Nothing where it does not converge.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
-  std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
-  double place_error(const BoundaryCrossing& crossing) const override;
+  std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
+  double crossing_error(const BoundaryCrossing& crossing) const override;
   /// Inside the face, with no other generator nearer, and the three directions counter-clockwise.
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
@@ -75,7 +75,7 @@ class SourceMetric final : public FaceMetric {
 
   const DistanceField& field_;
   double tie_step_;
-  bool sure_ = true, tied_ = false;
+  bool can_confirm_ = true, has_offsets_ = false;
   std::optional<FaceLayout> layout_;
   std::vector<FaceSource> sources_;  // by generator
   std::vector<FaceSource> others_;   // the same, tied where these are not, and the other way round; or empty

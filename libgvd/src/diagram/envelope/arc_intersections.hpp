@@ -15,10 +15,10 @@ struct ArcSegment {
 };
 
 /// Whether two segments cross or touch elsewhere than where both end, or rounding leaves that open.
-bool do_meet(const ArcSegment& s, const ArcSegment& o);
+bool may_intersect(const ArcSegment& s, const ArcSegment& o);
 
 /// Which arcs of a face meet. A face after the other is looked at with the same object, which saves allocations.
-class ArcMeetings {
+class ArcIntersections {
  public:
   using Pair = std::pair<std::int32_t, std::int32_t>;
 

@@ -15,7 +15,7 @@ namespace gvd {
 /// to another. Here each triple of sources is solved for itself, and no ridge is met.
 /// Cost: O(k^3) time and memory for k sources of a generator: 6 to 18 on the average of the meshes measured, hundreds
 /// beside needles.
-std::vector<Vec2> meeting_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
-                                 std::span<const FaceSource> c);
+std::vector<Vec2> equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                                     std::span<const FaceSource> c);
 
 }  // namespace gvd

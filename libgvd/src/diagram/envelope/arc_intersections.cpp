@@ -1,4 +1,4 @@
-#include "diagram/envelope/arc_meetings.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +26,7 @@ bool overlap(const Vec2& low, const Vec2& high, const Vec2& other_low, const Vec
 
 }  // namespace
 
-bool do_meet(const ArcSegment& s, const ArcSegment& o) {
+bool may_intersect(const ArcSegment& s, const ArcSegment& o) {
   if (!overlap(s.from.cwiseMin(s.to), s.from.cwiseMax(s.to), o.from.cwiseMin(o.to), o.from.cwiseMax(o.to)))
     return false;
   if (s.from == o.from || s.from == o.to || s.to == o.from || s.to == o.to) return false;
@@ -34,7 +34,7 @@ bool do_meet(const ArcSegment& s, const ArcSegment& o) {
          side_of(o.from, o.to, s.from) * side_of(o.from, o.to, s.to) <= 0;
 }
 
-const std::vector<ArcMeetings::Pair>& ArcMeetings::find(const std::vector<ArcSegment>& segments) {
+const std::vector<ArcIntersections::Pair>& ArcIntersections::find(const std::vector<ArcSegment>& segments) {
   found_.clear();
   if (segments.empty()) return found_;
   build(segments);
@@ -44,7 +44,7 @@ const std::vector<ArcMeetings::Pair>& ArcMeetings::find(const std::vector<ArcSeg
   return found_;
 }
 
-void ArcMeetings::build(const std::vector<ArcSegment>& segments) {
+void ArcIntersections::build(const std::vector<ArcSegment>& segments) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   segments_ = &segments;
   leaves_ = std::bit_ceil(segments.size());
@@ -59,7 +59,7 @@ void ArcMeetings::build(const std::vector<ArcSegment>& segments) {
   }
 }
 
-void ArcMeetings::look_within(std::size_t node) {
+void ArcIntersections::look_within(std::size_t node) {
   if (is_segment(node)) return;
   look_within(2 * node);
   look_within(2 * node + 1);
@@ -67,12 +67,12 @@ void ArcMeetings::look_within(std::size_t node) {
 }
 
 /// Both nodes are of one level of the tree.
-void ArcMeetings::look_between(std::size_t node, std::size_t other) {
+void ArcIntersections::look_between(std::size_t node, std::size_t other) {
   const Box &box = boxes_[node], &second = boxes_[other];
   if (!overlap(box.low, box.high, second.low, second.high)) return;
   if (is_segment(node)) {
     const ArcSegment &s = (*segments_)[node - leaves_], &o = (*segments_)[other - leaves_];
-    if (do_meet(s, o)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
+    if (may_intersect(s, o)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
     return;
   }
   for (const std::size_t child : {2 * node, 2 * node + 1}) {

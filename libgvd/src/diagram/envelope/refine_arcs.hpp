@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/envelope/source_metric.hpp"
+#include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
@@ -15,22 +15,22 @@ namespace gvd {
 /// A bisector is made of pieces of hyperbolas, straight where the two offsets agree, with a corner wherever the
 /// source that reaches it first changes. A straight piece that is too far off, as the bisector's directions at its ends
 /// and looks at a few places show, is parted by a point of the bisector.
-class ArcBender {
+class ArcRefiner {
  public:
-  using Bary = FaceMetric::Bary;
+  using Bary = FaceDistances::Bary;
 
   /// `metric` has to outlive this. No straight piece will be farther than `tolerance` (mesh units) from the bisector.
-  ArcBender(const SourceMetric& metric, double tolerance) : metric_(metric), tolerance_(tolerance) {}
+  ArcRefiner(const SourceDistances& distances, double tolerance) : distances_(distances), tolerance_(tolerance) {}
 
   /// Appends the inner points of the arc from `begin` to `end`, in the face that the metric has entered, to `points`.
   /// Cost: O(points) looks at the sources that are seen from near the arc; three where the bisector is straight.
-  void bend(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points);
+  void refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points);
 
  private:
   /// What the two generators look like from a point.
   struct View {
     Vec2 point;
-    FaceSource::Reach left, right;
+    FaceSource::Path left, right;
     /// Whether a source of each sees the point.
     bool is_known() const { return std::isfinite(left.distance) && std::isfinite(right.distance); }
     double error() const { return left.distance - right.distance; }
@@ -50,12 +50,12 @@ class ArcBender {
   };
 
   /// A source, and the part of the strip along the arc in which it may see something, mesh units.
-  struct Seeing {
+  struct VisibleSource {
     const FaceSource* source;
     double first, last;
   };
   /// The arc at work, and how far from it looks are sure to see what is the nearest.
-  struct Strip {
+  struct SearchBand {
     Vec2 from, along, across;  // the last two are unit vectors
     double length, width;      // the strip goes on by its width beyond both ends
     double place(const Vec2& p) const { return (p - from).dot(along); }
@@ -66,21 +66,21 @@ class ArcBender {
     bool is_all() const { return std::isinf(width); }
   };
 
-  void find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const;
-  bool bend(const OnBisector& begin, const OnBisector& end, int halvings);
+  void collect_visible_sources(GeneratorId g, std::vector<VisibleSource>& seeing) const;
+  bool refine(const OnBisector& begin, const OnBisector& end, int halvings);
   static double height_by_ends(const OnBisector& begin, const OnBisector& end);
   View look(const Vec2& p) const;
-  static FaceSource::Reach nearest(const std::vector<Seeing>& seeing, double place, const Vec2& p);
+  static FaceSource::Path nearest(const std::vector<VisibleSource>& seeing, double place, const Vec2& p);
   bool is_near(const View& view) const;
   bool is_near_quarters(const Vec2& begin, const Vec2& chord) const;
   std::optional<Vec2> likely_corner(const OnBisector& begin, const OnBisector& end) const;
   std::optional<OnBisector> moved_across(View view, const Vec2& along) const;
   std::pair<double, double> room(const Vec2& p, const Vec2& way) const;
 
-  const SourceMetric& metric_;
+  const SourceDistances& distances_;
   double tolerance_;
-  Strip strip_{};
-  std::vector<Seeing> left_, right_;  // what may be the nearest in the strip
+  SearchBand band_{};
+  std::vector<VisibleSource> left_, right_;  // what may be the nearest in the strip
   std::vector<Bary>* points_ = nullptr;
 };
 

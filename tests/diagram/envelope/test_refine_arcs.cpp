@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagram/envelope/bend_arcs.hpp"
+#include "diagram/envelope/refine_arcs.hpp"
 #include "support/catch.hpp"
 #include "support/hand_made_field.hpp"
 #include "support/tiny_meshes.hpp"
@@ -21,26 +21,26 @@ const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle,
 /// `to`.
 struct BentArc {
   HandMadeField field;
-  SourceMetric metric{field};
-  FaceMetric::Bary begin{}, end{};
-  std::vector<FaceMetric::Bary> inner;
+  SourceDistances distances{field};
+  FaceDistances::Bary begin{}, end{};
+  std::vector<FaceDistances::Bary> inner;
 
   BentArc(std::vector<FaceSource> sources, int from, int to, double tolerance) : field(std::move(sources)) {
-    metric.enter(test::make_triangle(), FaceId(0));
+    distances.enter(test::make_triangle(), FaceId(0));
     begin = meeting_on(from);
     end = meeting_on(to);
     FaceArc arc;
     arc.left = kA;
     arc.right = kB;
-    ArcBender(metric, tolerance).bend(arc, begin, end, inner);
+    ArcRefiner(distances, tolerance).refine(arc, begin, end, inner);
   }
 
-  double error(const FaceMetric::Bary& p) const { return metric.at(kA, p) - metric.at(kB, p); }
+  double error(const FaceDistances::Bary& p) const { return distances.at(kA, p) - distances.at(kB, p); }
 
   /// By bisection along the side, which has to change hands once.
-  FaceMetric::Bary meeting_on(int side) const {
+  FaceDistances::Bary meeting_on(int side) const {
     const auto at = [side](double t) {
-      FaceMetric::Bary p{0, 0, 0};
+      FaceDistances::Bary p{0, 0, 0};
       p[std::size_t(side)] = 1 - t;
       p[std::size_t((side + 1) % 3)] = t;
       return p;
@@ -56,9 +56,9 @@ struct BentArc {
   }
 
   std::vector<Vec2> polyline() const {
-    std::vector<Vec2> points{metric.layout().at(begin)};
-    for (const auto& p : inner) points.push_back(metric.layout().at(p));
-    points.push_back(metric.layout().at(end));
+    std::vector<Vec2> points{distances.layout().at(begin)};
+    for (const auto& p : inner) points.push_back(distances.layout().at(p));
+    points.push_back(distances.layout().at(end));
     return points;
   }
 
@@ -69,7 +69,7 @@ struct BentArc {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       for (int k = 1; k < 32; ++k) {
         const Vec2 p = points[i] + k / 32.0 * (points[i + 1] - points[i]);
-        const auto a = metric.nearest(kA, p), b = metric.nearest(kB, p);
+        const auto a = distances.nearest(kA, p), b = distances.nearest(kB, p);
         const Vec2 gradient = (p - a.from).normalized() - (p - b.from).normalized();
         worst = std::max(worst, std::abs(a.distance - b.distance) / gradient.norm());
       }
@@ -158,7 +158,7 @@ TEST_CASE("a source that sees nothing near the chord counts where the bisector c
   const double lead = 0.01, known = sources[0].distance(apex);
   sources.push_back(through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - lead - (apex - image).norm()));
   const BentArc arc(sources, 2, 0, 1e-4);
-  REQUIRE(arc.metric.nearest(kA, apex).distance < known - 0.9 * lead);
+  REQUIRE(arc.distances.nearest(kA, apex).distance < known - 0.9 * lead);
   CHECK(arc.farthest() <= 1e-4);
 }
 

@@ -1,4 +1,4 @@
-#include "diagram/envelope/face_closer.hpp"
+#include "diagram/envelope/exact_face_assembler.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ constexpr double kTurned = 1e-11;
 
 /// Whether an inner point of an arc lies within the face. Where a bisector runs along a side, by a tie, or beyond it by
 /// rounding, points that are looked for in the face come to lie on the side, and not on the bisector.
-bool lies_inside(const FaceMetric::Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
+bool lies_inside(const FaceDistances::Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
 
-Vec2 in_plane(const FaceMetric::Bary& p) { return {p[1], p[2]}; }
+Vec2 in_plane(const FaceDistances::Bary& p) { return {p[1], p[2]}; }
 
 /// Whether two straight arcs cross, beyond rounding.
 bool cross_each_other(const ArcSegment& s, const ArcSegment& o) {
@@ -35,13 +35,13 @@ bool cross_each_other(const ArcSegment& s, const ArcSegment& o) {
 
 }  // namespace
 
-void FaceCloser::close(FaceId f) {
+void ExactFaceAssembler::close(FaceId f) {
   FaceDiagram& faces = closed_.diagram;
   const Before before{faces.arcs.size(), faces.branches.size(), faces.points.size()};
   boundary_crossings(mesh_, crossings_, f, boundary_);
-  metric_.enter(mesh_, f);
+  distances_.enter(mesh_, f);
   assemble(f);
-  for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) bend(faces.arcs[i]);
+  for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) refine(faces.arcs[i]);
   bool straightened = false;
   while (FaceArc* arc = most_met(before)) {
     keep_apart(*arc);
@@ -51,9 +51,9 @@ void FaceCloser::close(FaceId f) {
     faces.arcs.resize(before.arcs);
     faces.branches.resize(before.branches);
     faces.points.resize(before.points);
-    metric_.set_sure(false);
+    distances_.set_can_confirm(false);
     assemble(f);
-    metric_.set_sure(true);
+    distances_.set_can_confirm(true);
     straightened = true;
   }
   closed_.straightened += straightened;
@@ -61,14 +61,14 @@ void FaceCloser::close(FaceId f) {
 }
 
 /// Where crossings meet, ties are decided as on the edges; bisectors bend as they are.
-void FaceCloser::assemble(FaceId f) {
-  metric_.set_tied(boundary_.size() > 2);
-  assemble_face(f, boundary_, metric_, closed_.diagram);
-  metric_.set_tied(false);
+void ExactFaceAssembler::assemble(FaceId f) {
+  distances_.set_symbolic_offsets(boundary_.size() > 2);
+  assemble_face(f, boundary_, distances_, closed_.diagram);
+  distances_.set_symbolic_offsets(false);
 }
 
 /// Of the bent arcs that meet others or themselves the one that does most; null where none does.
-FaceArc* FaceCloser::most_met(const Before& before) {
+FaceArc* ExactFaceAssembler::most_met(const Before& before) {
   if (!may_meet(before)) return nullptr;
   outline(before);
   const auto& meetings = meetings_.find(segments_);
@@ -91,9 +91,9 @@ FaceArc* FaceCloser::most_met(const Before& before) {
 }
 
 /// Takes the loops out of an arc; one without loops becomes straight.
-void FaceCloser::keep_apart(FaceArc& arc) {
+void ExactFaceAssembler::keep_apart(FaceArc& arc) {
   const auto inner = closed_.diagram.inner_points(arc);
-  std::vector<FaceMetric::Bary> polyline{place(arc.begin)};
+  std::vector<FaceDistances::Bary> polyline{place(arc.begin)};
   polyline.insert(polyline.end(), inner.begin(), inner.end());
   polyline.push_back(place(arc.end));
   arc.point_count = 0;
@@ -103,7 +103,7 @@ void FaceCloser::keep_apart(FaceArc& arc) {
 }
 
 /// Straight arcs of an assembly don't meet; and a lone arc has no room for it that goes on towards its end all the way.
-bool FaceCloser::may_meet(const Before& before) const {
+bool ExactFaceAssembler::may_meet(const Before& before) const {
   const std::vector<FaceArc>& arcs = closed_.diagram.arcs;
   if (arcs.size() == before.arcs + 1) return !advances(arcs.back());
   return std::any_of(arcs.begin() + static_cast<std::ptrdiff_t>(before.arcs), arcs.end(),
@@ -111,7 +111,7 @@ bool FaceCloser::may_meet(const Before& before) const {
 }
 
 /// Whether every piece of the arc leads towards its end.
-bool FaceCloser::advances(const FaceArc& arc) const {
+bool ExactFaceAssembler::advances(const FaceArc& arc) const {
   if (arc.point_count < 2) return true;
   Vec2 last = in_plane(place(arc.begin));
   const Vec2 end = in_plane(place(arc.end)), chord = end - last;
@@ -121,24 +121,24 @@ bool FaceCloser::advances(const FaceArc& arc) const {
 }
 
 /// Puts the segments of the face's arcs into segments_.
-void FaceCloser::outline(const Before& before) {
+void ExactFaceAssembler::outline(const Before& before) {
   const FaceDiagram& faces = closed_.diagram;
   segments_.clear();
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) {
     const FaceArc& arc = faces.arcs[i];
     Vec2 last = in_plane(place(arc.begin));
-    const auto go_to = [&](const FaceMetric::Bary& p) {
+    const auto go_to = [&](const FaceDistances::Bary& p) {
       segments_.push_back({last, in_plane(p), static_cast<std::int32_t>(i - before.arcs)});
       last = in_plane(p);
     };
-    for (const FaceMetric::Bary& p : faces.inner_points(arc)) go_to(p);
+    for (const FaceDistances::Bary& p : faces.inner_points(arc)) go_to(p);
     go_to(place(arc.end));
   }
 }
 
 /// Whether a piece is turned inside out, or straight arcs cross. True arcs don't; rounding can bring it about where
 /// nearly everything is a tie. Straight arcs of the assembly's convex steps never do.
-bool FaceCloser::are_turned(const Before& before) {
+bool ExactFaceAssembler::are_turned(const Before& before) {
   const FaceDiagram& faces = closed_.diagram;
   segments_.clear();
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) {
@@ -155,17 +155,17 @@ bool FaceCloser::are_turned(const Before& before) {
                      [](const WorkingPiece& piece) { return area_share(piece.corners) < -kTurned; });
 }
 
-FaceMetric::Bary FaceCloser::place(const ArcEnd& end) const {
+FaceDistances::Bary ExactFaceAssembler::place(const ArcEnd& end) const {
   if (end.branch.valid()) return closed_.diagram.branches[end.branch].bary;
   return std::find_if(boundary_.begin(), boundary_.end(), [&](const auto& c) { return c.id == end.crossing; })->bary();
 }
 
-void FaceCloser::bend(FaceArc& arc) {
-  std::vector<FaceMetric::Bary>& points = closed_.diagram.points;
+void ExactFaceAssembler::refine(FaceArc& arc) {
+  std::vector<FaceDistances::Bary>& points = closed_.diagram.points;
   const std::size_t first = points.size();
-  bender_.bend(arc, place(arc.begin), place(arc.end), points);
+  refiner_.refine(arc, place(arc.begin), place(arc.end), points);
   points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
-                              [](const FaceMetric::Bary& p) { return !lies_inside(p); }),
+                              [](const FaceDistances::Bary& p) { return !lies_inside(p); }),
                points.end());
   arc.first_point = static_cast<std::int32_t>(first);
   arc.point_count = static_cast<std::int32_t>(points.size() - first);
@@ -174,7 +174,7 @@ void FaceCloser::bend(FaceArc& arc) {
 /// Distance of the new branch points to the generators that meet there: the least of the paths that the face knows.
 /// They are equally long; but of a generator that nearly coincides with another, or nearly lies on a side, the face may
 /// know a roundabout one only, or none.
-void FaceCloser::measure_branches(const Before& before) {
+void ExactFaceAssembler::measure_branches(const Before& before) {
   FaceDiagram& faces = closed_.diagram;
   for (std::size_t b = before.branches; b < faces.branches.size(); ++b) {
     const BranchPointId id(static_cast<std::int64_t>(b));
@@ -182,9 +182,9 @@ void FaceCloser::measure_branches(const Before& before) {
     for (std::size_t a = before.arcs; a < faces.arcs.size(); ++a) {
       const FaceArc& arc = faces.arcs[a];
       if (arc.begin != at(id) && arc.end != at(id)) continue;
-      least = std::min(least, metric_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary));
+      least = std::min(least, distances_.at(arc.begin == at(id) ? arc.left : arc.right, faces.branches[id].bary));
     }
-    faces.branches[id].distance = std::isfinite(least) ? least : metric_.nearest_of_all(faces.branches[id].bary);
+    faces.branches[id].distance = std::isfinite(least) ? least : distances_.nearest_of_all(faces.branches[id].bary);
   }
 }
 

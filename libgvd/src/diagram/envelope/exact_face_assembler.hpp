@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/envelope/arc_meetings.hpp"
-#include "diagram/envelope/bend_arcs.hpp"
-#include "diagram/envelope/source_metric.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
+#include "diagram/envelope/refine_arcs.hpp"
+#include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "diagram/graph/face_pieces.hpp"
@@ -16,7 +16,7 @@
 namespace gvd {
 
 /// Faces whose crossings are joined.
-struct ClosedFaces {
+struct AssembledFaces {
   FaceDiagram diagram;
   std::int64_t straightened = 0;  ///< faces with an arc that would have met itself or another one
 };
@@ -28,19 +28,19 @@ struct ClosedFaces {
 /// when they are bent, some stay straight; and where straight ones cross too, because the distances contradict each
 /// other, the face is assembled by convex steps alone.
 /// Cost: O(points of the bisectors), and what the assembly takes where a face has many crossings.
-class FaceCloser {
+class ExactFaceAssembler {
  public:
-  FaceCloser(const FaceCloser&) = delete;
-  FaceCloser& operator=(const FaceCloser&) = delete;
+  ExactFaceAssembler(const ExactFaceAssembler&) = delete;
+  ExactFaceAssembler& operator=(const ExactFaceAssembler&) = delete;
   /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units, as on the edges.
-  FaceCloser(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tie_step,
-             double tolerance)
-      : mesh_(mesh), crossings_(crossings), metric_(field, tie_step), bender_(metric_, tolerance) {}
+  ExactFaceAssembler(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tie_step,
+                     double tolerance)
+      : mesh_(mesh), crossings_(crossings), distances_(field, tie_step), refiner_(distances_, tolerance) {}
 
   /// Appends face f to the result; faces come in ascending order.
   void close(FaceId f);
 
-  ClosedFaces take_result() { return std::move(closed_); }
+  AssembledFaces take_result() { return std::move(closed_); }
 
  private:
   /// What the result held before the face at work.
@@ -49,9 +49,9 @@ class FaceCloser {
   };
 
   void assemble(FaceId f);
-  void bend(FaceArc& arc);
+  void refine(FaceArc& arc);
   void keep_apart(FaceArc& arc);
-  FaceMetric::Bary place(const ArcEnd& end) const;
+  FaceDistances::Bary place(const ArcEnd& end) const;
   bool may_meet(const Before& before) const;
   bool advances(const FaceArc& arc) const;
   void outline(const Before& before);
@@ -61,13 +61,13 @@ class FaceCloser {
 
   const Mesh& mesh_;
   const Crossings& crossings_;
-  SourceMetric metric_;  // of the face at work
-  ArcBender bender_;
+  SourceDistances distances_;  // of the face at work
+  ArcRefiner refiner_;
   std::vector<BoundaryCrossing> boundary_;
   std::vector<ArcSegment> segments_;
-  ArcMeetings meetings_;
+  ArcIntersections meetings_;
   WorkingPieces pieces_;
-  ClosedFaces closed_;
+  AssembledFaces closed_;
 };
 
 }  // namespace gvd

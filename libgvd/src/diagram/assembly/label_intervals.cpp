@@ -1,4 +1,4 @@
-#include "diagram/assembly/face_runs.hpp"
+#include "diagram/assembly/label_intervals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@ constexpr double kNearCrossing = 1e-9;
 
 }  // namespace
 
-void FaceRuns::unite_by_paths() {
+void LabelIntervals::unite_by_paths() {
   for (std::size_t i = 0; i < boundary_.size(); ++i) {
-    const auto entry = metric_.entry(boundary_[i].next, middle_of_run(i));
+    const auto entry = distances_.entry(boundary_[i].next, middle_of_run(i));
     if (!entry) return;
     const int run = run_at(*entry);
     if (boundary_[static_cast<std::size_t>(run)].next == boundary_[i].next) unite(run, static_cast<int>(i));
@@ -21,7 +21,7 @@ void FaceRuns::unite_by_paths() {
 }
 
 /// The run that contains a place on the boundary, counted as corner + t.
-int FaceRuns::run_at(double where) const {
+int LabelIntervals::run_at(double where) const {
   const auto after = std::upper_bound(boundary_.begin(), boundary_.end(), where,
                                       [](double w, const BoundaryCrossing& c) { return w < c.corner + c.t; });
   const auto i = static_cast<std::size_t>(after - boundary_.begin());
@@ -29,7 +29,7 @@ int FaceRuns::run_at(double where) const {
 }
 
 /// A point half way along run i on the boundary.
-std::array<double, 3> FaceRuns::middle_of_run(std::size_t i) const {
+std::array<double, 3> LabelIntervals::middle_of_run(std::size_t i) const {
   const double begin = place(i), end = place((i + 1) % boundary_.size());
   const double half = 0.5 * (begin + end + (end > begin ? 0 : 3));
   const double where = half < 3 ? half : half - 3;
@@ -40,8 +40,8 @@ std::array<double, 3> FaceRuns::middle_of_run(std::size_t i) const {
   return bary;
 }
 
-bool FaceRuns::comes_by(int run, const std::array<double, 3>& p) {
-  const auto entry = metric_.entry(boundary_[static_cast<std::size_t>(run)].next, p);
+bool LabelIntervals::path_enters_through(int run, const std::array<double, 3>& p) {
+  const auto entry = distances_.entry(boundary_[static_cast<std::size_t>(run)].next, p);
   if (!entry) return false;
   const auto belongs = [&](std::size_t other) { return are_one_piece(static_cast<int>(other), run); };
   const auto n = boundary_.size(), entered = static_cast<std::size_t>(run_at(*entry));
@@ -58,9 +58,9 @@ bool FaceRuns::comes_by(int run, const std::array<double, 3>& p) {
   return false;
 }
 
-bool FaceRuns::is_near_crossing(double where, std::size_t i) const {
+bool LabelIntervals::is_near_crossing(double where, std::size_t i) const {
   const double apart = std::abs(where - place(i));
-  return std::min(apart, 3 - apart) <= std::max(kNearCrossing, metric_.place_error(boundary_[i]));
+  return std::min(apart, 3 - apart) <= std::max(kNearCrossing, distances_.crossing_error(boundary_[i]));
 }
 
 }  // namespace gvd

@@ -16,37 +16,37 @@ namespace gvd {
 inline constexpr double kBeyondFace = 1e-9, kInsideFace = 2e-12;
 
 /// What the assembly of a face asks of the distances inside it.
-class FaceMetric {
+class FaceDistances {
  public:
   using Bary = std::array<double, 3>;
-  virtual ~FaceMetric() = default;
+  virtual ~FaceDistances() = default;
 
   /// Whether entry() and is_branch_point() can say anything.
-  virtual bool is_sure() const = 0;
+  virtual bool can_confirm() const = 0;
   /// A number that tells how far generator g is from p; smaller is nearer, between generators at one point.
   virtual double at(GeneratorId g, const Bary& p) const = 0;
   /// A point that is equally far from the three, looked for from `start` on; it may lie outside of the face.
   virtual std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const = 0;
   /// Where the three may be equally far: a sure metric names every such point of the face, and others.
-  virtual std::vector<Bary> meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const = 0;
+  virtual std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const = 0;
   /// Where the shortest path from g to p comes into the face: at corner + t on the halfedge of that corner; nothing
   /// where the metric does not know. A path of g stays in g's cell, so the boundary there and p belong to one piece.
   virtual std::optional<double> entry(GeneratorId g, const Bary& p) const = 0;
   /// How far rounding may have moved a crossing along its edge, as a part of the edge: far where the two generators
   /// nearly coincide.
-  virtual double place_error(const BoundaryCrossing& crossing) const = 0;
+  virtual double crossing_error(const BoundaryCrossing& crossing) const = 0;
   /// Whether p is known to be a branch point of the diagram, with the three cells counter-clockwise round it: then it
   /// is taken as it is.
   virtual bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const = 0;
 };
 
 /// Distance forms: good guesses, and never sure.
-class FormMetric final : public FaceMetric {
+class FormDistances final : public FaceDistances {
  public:
   /// `forms`: ascending by generator, each once.
-  explicit FormMetric(const std::vector<DistanceForm>& forms) : forms_(forms) {}
+  explicit FormDistances(const std::vector<DistanceForm>& forms) : forms_(forms) {}
 
-  bool is_sure() const override { return false; }
+  bool can_confirm() const override { return false; }
   double at(GeneratorId g, const Bary& p) const override { return form(g).at(p); }
 
   /// The forms are linear, so this is a 2 x 2 system.
@@ -65,9 +65,9 @@ class FormMetric final : public FaceMetric {
     return p;
   }
 
-  std::vector<Bary> meeting_points(GeneratorId, GeneratorId, GeneratorId) const override { return {}; }
+  std::vector<Bary> equidistant_points(GeneratorId, GeneratorId, GeneratorId) const override { return {}; }
   std::optional<double> entry(GeneratorId, const Bary&) const override { return std::nullopt; }
-  double place_error(const BoundaryCrossing&) const override { return 0; }
+  double crossing_error(const BoundaryCrossing&) const override { return 0; }
   bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 
  private:

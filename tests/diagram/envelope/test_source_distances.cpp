@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagram/envelope/source_metric.hpp"
+#include "diagram/envelope/source_distances.hpp"
 #include "support/catch.hpp"
 #include "support/hand_made_field.hpp"
 #include "support/random.hpp"
@@ -27,10 +27,10 @@ std::vector<FaceSource> three_behind_sides(double offset_a, double offset_b, dou
 
 TEST_CASE("inside what a source sees the way is straight, beyond it goes round the end of the opening") {
   const HandMadeField field({through_side(0, 0, {1, -1}, {0.9, 0}, {1.1, 0}, 0.25)});
-  SourceMetric metric(field);
-  metric.enter(test::make_triangle(), FaceId(0));
-  CHECK(metric.nearest(kA, {1, 0.5}).distance == Approx(0.25 + 1.5).epsilon(1e-15));
-  const auto round_left = metric.nearest(kA, {0.5, 0.3}), round_right = metric.nearest(kA, {1.5, 0.2});
+  SourceDistances distances(field);
+  distances.enter(test::make_triangle(), FaceId(0));
+  CHECK(distances.nearest(kA, {1, 0.5}).distance == Approx(0.25 + 1.5).epsilon(1e-15));
+  const auto round_left = distances.nearest(kA, {0.5, 0.3}), round_right = distances.nearest(kA, {1.5, 0.2});
   CHECK(round_left.distance == Approx(0.25 + std::hypot(0.1, 1) + std::hypot(0.4, 0.3)).epsilon(1e-15));
   CHECK((round_left.from - Vec2(0.9, 0)).norm() == 0);
   CHECK(round_right.distance == Approx(0.25 + std::hypot(0.1, 1) + std::hypot(0.4, 0.2)).epsilon(1e-15));
@@ -40,8 +40,8 @@ TEST_CASE("inside what a source sees the way is straight, beyond it goes round t
 TEST_CASE("the nearest of a generator's sources counts, and no other generator's") {
   const HandMadeField field({through_side(1, 0, {1, -0.1}, k0, k1, 0), through_side(0, 0, {1, -1}, k0, k1, 0.5),
                              from_corner(0, 2, k2, 0.7), through_side(0, 1, {1.8, 1.1}, k1, k2, 2)});
-  SourceMetric metric(field);
-  metric.enter(test::make_triangle(), FaceId(0));
+  SourceDistances distances(field);
+  distances.enter(test::make_triangle(), FaceId(0));
   test::Random random(1);
   for (int i = 0; i < 200; ++i) {
     const double u = random.real(0, 1), v = random.real(0, 1 - u);
@@ -49,44 +49,44 @@ TEST_CASE("the nearest of a generator's sources counts, and no other generator's
     const Vec2 p = u * k0 + v * k1 + (1 - u - v) * k2;
     const double expected =
         std::min({0.5 + (p - Vec2(1, -1)).norm(), 0.7 + (p - k2).norm(), 2 + (p - Vec2(1.8, 1.1)).norm()});
-    REQUIRE(metric.at(kA, bary) == Approx(expected).epsilon(1e-14));
+    REQUIRE(distances.at(kA, bary) == Approx(expected).epsilon(1e-14));
   }
-  CHECK(std::isinf(metric.at(kC, {1, 0, 0})));
+  CHECK(std::isinf(distances.at(kC, {1, 0, 0})));
   // What has no source is nowhere as near as the others.
   const std::array<double, 3> centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
-  CHECK_FALSE(metric.equidistant(kC, kA, kB, centre).has_value());
-  CHECK_FALSE(metric.equidistant(kA, kB, kC, centre).has_value());
+  CHECK_FALSE(distances.equidistant(kC, kA, kB, centre).has_value());
+  CHECK_FALSE(distances.equidistant(kA, kB, kC, centre).has_value());
 }
 
 TEST_CASE("the way back leaves the face where the path came in") {
   const HandMadeField field({through_side(0, 0, {1, -1}, {0.2, 0}, {1.8, 0}, 0), from_corner(1, 2, k2, 0.1),
                              through_side(2, 1, {2, 1.5}, k1, k2, 0)});
-  SourceMetric metric(field);
+  SourceDistances distances(field);
   const Mesh mesh = test::make_triangle();
-  metric.enter(mesh, FaceId(0));
+  distances.enter(mesh, FaceId(0));
   const Vec2 p(0.8, 0.25);
-  const auto entry = metric.entry(kA, metric.bary(p));
+  const auto entry = distances.entry(kA, distances.bary(p));
   REQUIRE(entry);
   // The line from (1, -1) to (0.8, 0.25) meets y = 0 after 1 / 1.25 of its way; the side is 2 long.
   CHECK(*entry == Approx((1 - 0.2 * (1 / 1.25)) / 2).epsilon(1e-14));
-  CHECK(*metric.entry(kB, metric.bary(p)) == 2);
-  const auto other = metric.entry(kC, metric.bary(p));
+  CHECK(*distances.entry(kB, distances.bary(p)) == 2);
+  const auto other = distances.entry(kC, distances.bary(p));
   REQUIRE(other);
   const Vec2 through = k1 + (*other - 1) * (k2 - k1), way = Vec2(2, 1.5) - p;
   CHECK(std::abs(way.x() * (through - p).y() - way.y() * (through - p).x()) < 1e-14);
-  CHECK_FALSE(metric.entry(GeneratorId(9), metric.bary(p)));
+  CHECK_FALSE(distances.entry(GeneratorId(9), distances.bary(p)));
 }
 
 TEST_CASE("an unsure metric knows no way back and no branch point") {
   const HandMadeField field(three_behind_sides(0, 0, 0));
-  SourceMetric metric(field);
-  metric.enter(test::make_triangle(), FaceId(0));
-  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  SourceDistances distances(field);
+  distances.enter(test::make_triangle(), FaceId(0));
+  const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
   REQUIRE(p);
-  REQUIRE(metric.is_branch_point(kA, kB, kC, *p));
-  metric.set_sure(false);
-  CHECK_FALSE(metric.entry(kA, *p));
-  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, *p));
+  REQUIRE(distances.is_branch_point(kA, kB, kC, *p));
+  distances.set_can_confirm(false);
+  CHECK_FALSE(distances.entry(kA, *p));
+  CHECK_FALSE(distances.is_branch_point(kA, kB, kC, *p));
 }
 
 TEST_CASE("Newton's steps find the branch point from all over the face, offsets or not") {
@@ -98,10 +98,10 @@ TEST_CASE("Newton's steps find the branch point from all over the face, offsets 
     const auto offset = [&] { return plain ? 0 : random.real(0, 0.25); };
     const auto sources = three_behind_sides(offset(), offset(), offset());
     const HandMadeField field(sources);
-    SourceMetric metric(field);
-    metric.enter(test::make_triangle(), FaceId(0));
+    SourceDistances distances(field);
+    distances.enter(test::make_triangle(), FaceId(0));
     const double u = random.real(0, 1), v = random.real(0, 1 - u);
-    const auto bary = metric.equidistant(kA, kB, kC, {u, v, 1 - u - v});
+    const auto bary = distances.equidistant(kA, kB, kC, {u, v, 1 - u - v});
     if (!bary) continue;
     ++found;
     const Vec2 p = (*bary)[0] * k0 + (*bary)[1] * k1 + (*bary)[2] * k2;
@@ -117,23 +117,23 @@ TEST_CASE("a branch point has its cells counter-clockwise round it, nobody neare
   auto sources = three_behind_sides(0, 0.05, 0.1);
   const Mesh mesh = test::make_triangle();
   const HandMadeField field(sources);
-  SourceMetric metric(field);
-  metric.enter(mesh, FaceId(0));
-  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  SourceDistances distances(field);
+  distances.enter(mesh, FaceId(0));
+  const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
   REQUIRE(p);
-  CHECK(metric.is_branch_point(kA, kB, kC, *p));
-  CHECK(metric.is_branch_point(kB, kC, kA, *p));
-  CHECK_FALSE(metric.is_branch_point(kB, kA, kC, *p));
-  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, {-0.1, 0.5, 0.6}));
-  CHECK_FALSE(metric.is_branch_point(kA, kB, kC, {0, 0.5, 0.5}));
+  CHECK(distances.is_branch_point(kA, kB, kC, *p));
+  CHECK(distances.is_branch_point(kB, kC, kA, *p));
+  CHECK_FALSE(distances.is_branch_point(kB, kA, kC, *p));
+  CHECK_FALSE(distances.is_branch_point(kA, kB, kC, {-0.1, 0.5, 0.6}));
+  CHECK_FALSE(distances.is_branch_point(kA, kB, kC, {0, 0.5, 0.5}));
 
-  const double radius = metric.at(kA, *p);
+  const double radius = distances.at(kA, *p);
   for (const auto& [distance, expected] : {std::pair(0.99, false), std::pair(1.0, true), std::pair(1.01, true)}) {
-    const Vec2 at_p = metric.layout().at(*p);
+    const Vec2 at_p = distances.layout().at(*p);
     auto four = sources;
     four.push_back(from_corner(3, 0, k0, distance * radius - at_p.norm()));
     const HandMadeField crowded(four);
-    SourceMetric other(crowded);
+    SourceDistances other(crowded);
     other.enter(mesh, FaceId(0));
     CHECK(other.is_branch_point(kA, kB, kC, *p) == expected);
   }
@@ -143,21 +143,21 @@ TEST_CASE("where three generators are never equally far, none is found") {
   // All on one line, behind one side: their bisectors are parallel.
   const HandMadeField field({through_side(0, 0, {0.5, -1}, k0, k1, 0), through_side(1, 0, {1, -1}, k0, k1, 0),
                              through_side(2, 0, {1.5, -1}, k0, k1, 0)});
-  SourceMetric metric(field);
-  metric.enter(test::make_triangle(), FaceId(0));
-  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
-  CHECK_FALSE((p && metric.is_branch_point(kA, kB, kC, *p)));
+  SourceDistances distances(field);
+  distances.enter(test::make_triangle(), FaceId(0));
+  const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  CHECK_FALSE((p && distances.is_branch_point(kA, kB, kC, *p)));
 }
 
 TEST_CASE("a place where the three are equally far is named, and none where a generator has no source") {
   const HandMadeField field(three_behind_sides(0, 0, 0));
-  SourceMetric metric(field);
-  metric.enter(test::make_triangle(), FaceId(0));
-  const auto p = metric.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
+  SourceDistances distances(field);
+  distances.enter(test::make_triangle(), FaceId(0));
+  const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
   REQUIRE(p);
-  const auto points = metric.meeting_points(kA, kB, kC);
+  const auto points = distances.equidistant_points(kA, kB, kC);
   CHECK(std::any_of(points.begin(), points.end(), [&](const auto& q) { return std::abs(q[0] - (*p)[0]) < 1e-9; }));
-  CHECK(metric.meeting_points(kA, kB, GeneratorId(7)).empty());
+  CHECK(distances.equidistant_points(kA, kB, GeneratorId(7)).empty());
 }
 
 TEST_CASE("rounding moves a crossing far along its edge where its two generators nearly coincide") {
@@ -165,9 +165,9 @@ TEST_CASE("rounding moves a crossing far along its edge where its two generators
     CAPTURE(apart);
     const HandMadeField field(
         {through_side(0, 0, {1 - apart / 2, -1}, k0, k1, 0), through_side(1, 0, {1 + apart / 2, -1}, k0, k1, 0)});
-    SourceMetric metric(field);
-    metric.enter(test::make_triangle(), FaceId(0));
-    const double error = metric.place_error({CrossingId(0), 0, 0.5, kA, kB});
+    SourceDistances distances(field);
+    distances.enter(test::make_triangle(), FaceId(0));
+    const double error = distances.crossing_error({CrossingId(0), 0, 0.5, kA, kB});
     // The difference of the distances changes by `apart` a unit of length, and the side is 2 long.
     CHECK(error >= 1e-14 / (2 * apart));
     CHECK(error <= 1e-13 / (2 * apart));
@@ -176,16 +176,16 @@ TEST_CASE("rounding moves a crossing far along its edge where its two generators
 
 TEST_CASE("tied, each generator is behind by its symbolic offset; untied again, bit by bit as before") {
   const HandMadeField field(three_behind_sides(0, 0.05, 0.1));
-  SourceMetric metric(field, 0.25);
-  metric.enter(test::make_triangle(), FaceId(0));
+  SourceDistances distances(field, 0.25);
+  distances.enter(test::make_triangle(), FaceId(0));
   const std::array<double, 3> centre{0.3, 0.3, 0.4};
-  const double a = metric.at(kA, centre), c = metric.at(kC, centre);
-  metric.set_tied(true);
-  CHECK(metric.at(kA, centre) == a);
-  CHECK(metric.at(kC, centre) == Approx(c + 0.5).epsilon(1e-15));
-  metric.set_tied(false);
-  CHECK(metric.at(kC, centre) == c);
-  metric.set_tied(true);
-  metric.enter(test::make_triangle(), FaceId(0));
-  CHECK(metric.at(kC, centre) == c);
+  const double a = distances.at(kA, centre), c = distances.at(kC, centre);
+  distances.set_symbolic_offsets(true);
+  CHECK(distances.at(kA, centre) == a);
+  CHECK(distances.at(kC, centre) == Approx(c + 0.5).epsilon(1e-15));
+  distances.set_symbolic_offsets(false);
+  CHECK(distances.at(kC, centre) == c);
+  distances.set_symbolic_offsets(true);
+  distances.enter(test::make_triangle(), FaceId(0));
+  CHECK(distances.at(kC, centre) == c);
 }

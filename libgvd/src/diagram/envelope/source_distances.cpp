@@ -1,11 +1,11 @@
-#include "diagram/envelope/source_metric.hpp"
+#include "diagram/envelope/source_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "diagram/envelope/meeting_points.hpp"
+#include "diagram/envelope/equidistant_points.hpp"
 
 namespace gvd {
 namespace {
@@ -42,11 +42,11 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
 
 }  // namespace
 
-void SourceMetric::enter(const Mesh& mesh, FaceId f) {
+void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, *layout_, found_);
   others_.clear();
-  tied_ = false;
+  has_offsets_ = false;
   order_.clear();
   for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
   std::sort(order_.begin(), order_.end());
@@ -56,9 +56,9 @@ void SourceMetric::enter(const Mesh& mesh, FaceId f) {
 }
 
 /// The most likely one of each generator comes first: then most of the others are passed over without a square root.
-void SourceMetric::bring_nearest_forward() {
+void SourceDistances::bring_nearest_forward() {
   const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
-  FaceSource::Reach best{};
+  FaceSource::Path best{};
   for (std::size_t i = 0, first = 0; i < sources_.size(); ++i) {
     if (i == 0 || sources_[i].generator != sources_[first].generator) {
       first = i;
@@ -68,22 +68,22 @@ void SourceMetric::bring_nearest_forward() {
   }
 }
 
-void SourceMetric::set_tied(bool tied) {
-  if (tied == tied_) return;
+void SourceDistances::set_symbolic_offsets(bool tied) {
+  if (tied == has_offsets_) return;
   if (others_.empty()) {
     others_ = sources_;
     for (FaceSource& source : others_) {
       const double tie = tie_step_ * static_cast<double>(source.generator.value());
       source.offset += tie;
-      source.reach_begin += tie;
-      source.reach_end += tie;
+      source.distance_begin += tie;
+      source.distance_end += tie;
     }
   }
   std::swap(sources_, others_);
-  tied_ = tied;
+  has_offsets_ = tied;
 }
 
-std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
+std::span<const FaceSource> SourceDistances::sources(GeneratorId g) const {
   // By halving: one large face beside hundreds of small cells has thousands of sources.
   const auto begin = std::partition_point(sources_.begin(), sources_.end(),
                                           [g](const FaceSource& source) { return source.generator < g; });
@@ -91,23 +91,23 @@ std::span<const FaceSource> SourceMetric::sources(GeneratorId g) const {
   return {begin, end};
 }
 
-SourceMetric::Nearest SourceMetric::nearest(std::span<const FaceSource> sources, const Vec2& p) {
+SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> sources, const Vec2& p) {
   Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
   for (const FaceSource& source : sources) {
-    if (take_nearer(source, p, best.reach)) best.source = &source;
+    if (take_nearer(source, p, best.path)) best.source = &source;
   }
   return best;
 }
 
-FaceMetric::Bary SourceMetric::bary(const Vec2& p) const {
+FaceDistances::Bary SourceDistances::bary(const Vec2& p) const {
   const auto& corner = layout_->corner;
   const double v = cross(p - corner[0], corner[2] - corner[0]) / layout_->twice_area;
   const double w = cross(corner[1] - corner[0], p - corner[0]) / layout_->twice_area;
   return {1 - v - w, v, w};
 }
 
-std::optional<double> SourceMetric::entry(GeneratorId g, const Bary& bary) const {
-  if (!sure_) return std::nullopt;
+std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) const {
+  if (!can_confirm_) return std::nullopt;
   const Vec2 p = layout_->at(bary);
   const Nearest best = nearest(sources(g), p);
   if (best.source == nullptr) return std::nullopt;
@@ -118,13 +118,13 @@ std::optional<double> SourceMetric::entry(GeneratorId g, const Bary& bary) const
   return side + std::clamp((best.source->entry(p) - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
 }
 
-double SourceMetric::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }
+double SourceDistances::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }
 
-std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, GeneratorId b, GeneratorId c,
-                                                          const Bary& start) const {
+std::optional<FaceDistances::Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, GeneratorId c,
+                                                                const Bary& start) const {
   struct State {
     Vec2 p;
-    FaceSource::Reach a, b, c;
+    FaceSource::Path a, b, c;
     Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
     double size() const { return error().cwiseAbs().maxCoeff(); }
   };
@@ -153,9 +153,10 @@ std::optional<FaceMetric::Bary> SourceMetric::equidistant(GeneratorId a, Generat
   return moved_inside(bary(now.p));
 }
 
-std::vector<FaceMetric::Bary> SourceMetric::meeting_points(GeneratorId a, GeneratorId b, GeneratorId c) const {
+std::vector<FaceDistances::Bary> SourceDistances::equidistant_points(GeneratorId a, GeneratorId b,
+                                                                     GeneratorId c) const {
   std::vector<Bary> found;
-  for (const Vec2& p : gvd::meeting_points(sources(a), sources(b), sources(c))) {
+  for (const Vec2& p : gvd::equidistant_points(sources(a), sources(b), sources(c))) {
     const Bary at = bary(p);
     if (!(*std::min_element(at.begin(), at.end()) > -kBeyondFace)) continue;
     const auto [least, most] = std::minmax({this->at(a, at), this->at(b, at), this->at(c, at)});
@@ -164,7 +165,7 @@ std::vector<FaceMetric::Bary> SourceMetric::meeting_points(GeneratorId a, Genera
   return found;
 }
 
-double SourceMetric::place_error(const BoundaryCrossing& crossing) const {
+double SourceDistances::crossing_error(const BoundaryCrossing& crossing) const {
   const Vec2 p = layout_->at(crossing.bary());
   const auto before = nearest(crossing.previous, p), after = nearest(crossing.next, p);
   const double rate =
@@ -174,15 +175,15 @@ double SourceMetric::place_error(const BoundaryCrossing& crossing) const {
   return kCrossingError * before.distance / (rate * length);
 }
 
-bool SourceMetric::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {
-  if (!sure_ || *std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
+bool SourceDistances::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {
+  if (!can_confirm_ || *std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
   const Vec2 p = layout_->at(bary);
-  const auto reach_a = nearest(a, p), reach_b = nearest(b, p), reach_c = nearest(c, p);
+  const auto path_a = nearest(a, p), path_b = nearest(b, p), path_c = nearest(c, p);
   for (const FaceSource& s : sources_) {
     if (s.generator == a || s.generator == b || s.generator == c) continue;
-    if (s.reach(p).distance < reach_a.distance * (1 - kTie)) return false;
+    if (s.shortest_path(p).distance < path_a.distance * (1 - kTie)) return false;
   }
-  const Vec2 u = direction(p, reach_a.from), v = direction(p, reach_b.from), w = direction(p, reach_c.from);
+  const Vec2 u = direction(p, path_a.from), v = direction(p, path_b.from), w = direction(p, path_c.from);
   return cross(v - u, w - u) > 0;
 }
 

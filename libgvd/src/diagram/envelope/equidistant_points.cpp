@@ -1,4 +1,4 @@
-#include "diagram/envelope/meeting_points.hpp"
+#include "diagram/envelope/equidistant_points.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -39,8 +39,8 @@ void append_common_points(const Plane& first, const Plane& second, const Vec2& t
 
 }  // namespace
 
-std::vector<Vec2> meeting_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
-                                 std::span<const FaceSource> c) {
+std::vector<Vec2> equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                                     std::span<const FaceSource> c) {
   std::vector<Vec2> points;
   for (const FaceSource& first : a) {
     for (const FaceSource& second : b) {

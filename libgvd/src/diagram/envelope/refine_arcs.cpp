@@ -1,4 +1,4 @@
-#include "diagram/envelope/bend_arcs.hpp"
+#include "diagram/envelope/refine_arcs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,9 +37,9 @@ constexpr double kBeside = 0.05;
 
 }  // namespace
 
-double ArcBender::View::rounding() const { return kDistanceRounding * left.distance; }
+double ArcRefiner::View::rounding() const { return kDistanceRounding * left.distance; }
 
-double ArcBender::View::way_to_meeting(const Vec2& across, double precision) const {
+double ArcRefiner::View::way_to_meeting(const Vec2& across, double precision) const {
   const Vec2 left_way = point - left.from, right_way = point - right.from;
   const double lead = error() - left_way.norm() + right_way.norm();
   double s = 0;
@@ -56,47 +56,47 @@ double ArcBender::View::way_to_meeting(const Vec2& across, double precision) con
 
 /// How far the straight lines on from the two ends get from the chord. A bisector with one corner gets no farther, even
 /// where an end is a corner too and says nothing of what follows.
-double ArcBender::height_by_ends(const OnBisector& begin, const OnBisector& end) {
+double ArcRefiner::height_by_ends(const OnBisector& begin, const OnBisector& end) {
   const Vec2 chord = end.point - begin.point;
   return std::max(std::abs(cross(begin.way, chord)) / begin.way.norm(),
                   std::abs(cross(end.way, chord)) / end.way.norm());
 }
 
-void ArcBender::bend(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
-  const Vec2 from = metric_.layout().at(begin), to = metric_.layout().at(end), chord = to - from;
+void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
+  const Vec2 from = distances_.layout().at(begin), to = distances_.layout().at(end), chord = to - from;
   const double length = chord.norm();
   if (length <= tolerance_) return;
   points_ = &points;
   const std::size_t before = points.size();
   for (const double width : {kBeside * length, std::numeric_limits<double>::infinity()}) {
-    strip_ = {from, chord / length, turned_left(chord) / length, length, width};
-    find_seeing(arc.left, left_);
-    find_seeing(arc.right, right_);
+    band_ = {from, chord / length, turned_left(chord) / length, length, width};
+    collect_visible_sources(arc.left, left_);
+    collect_visible_sources(arc.right, right_);
     points.resize(before);
     const View first = look(from), last = look(to);
-    if (first.is_known() && last.is_known() && bend(OnBisector(first), OnBisector(last), 0)) return;
+    if (first.is_known() && last.is_known() && refine(OnBisector(first), OnBisector(last), 0)) return;
   }
 }
 
 /// What sees something in the strip. A ray past an end of an opening parts the plane in what is seen past it and what
 /// is not; on the strip that is a matter of the place along it, and of its width at the most.
-void ArcBender::find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const {
+void ArcRefiner::collect_visible_sources(GeneratorId g, std::vector<VisibleSource>& seeing) const {
   seeing.clear();
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const FaceSource& s : metric_.sources(g)) {
+  for (const FaceSource& s : distances_.sources(g)) {
     double first = -infinity, last = infinity;
-    if (!s.is_corner && !strip_.is_all()) {
-      const Vec2 start = strip_.from - s.image;
+    if (!s.is_corner && !band_.is_all()) {
+      const Vec2 start = band_.from - s.image;
       for (const Vec2& rim : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
         // Seen at place t where at_start + rate t + (slack at most) >= 0.
-        const double at_start = cross(start, rim), rate = cross(strip_.along, rim);
-        const double slack = strip_.width * std::abs(cross(strip_.across, rim));
+        const double at_start = cross(start, rim), rate = cross(band_.along, rim);
+        const double slack = band_.width * std::abs(cross(band_.across, rim));
         const double place = -(at_start + slack) / rate;
         if (rate > 0) first = std::max(first, place);
         if (rate < 0) last = std::min(last, place);
       }
     }
-    if (first <= std::min(last, strip_.length + strip_.width) && last >= -strip_.width) {
+    if (first <= std::min(last, band_.length + band_.width) && last >= -band_.width) {
       seeing.push_back({&s, first, last});
     }
   }
@@ -104,7 +104,7 @@ void ArcBender::find_seeing(GeneratorId g, std::vector<Seeing>& seeing) const {
 
 /// Appends the inner points between begin and end, if the straight piece between them is not near enough. False where
 /// the bisector leaves the strip.
-bool ArcBender::bend(const OnBisector& begin, const OnBisector& end, int halvings) {
+bool ArcRefiner::refine(const OnBisector& begin, const OnBisector& end, int halvings) {
   const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
   const double length = chord.norm();
   if (halvings >= kMostHalvings || length <= tolerance_) return true;
@@ -116,22 +116,22 @@ bool ArcBender::bend(const OnBisector& begin, const OnBisector& end, int halving
   const View view = look(guess);
   if (is_flat && is_near(view)) return true;
   const auto on = moved_across(view, chord / length);
-  if (!on) return strip_.is_all();
-  if (!strip_.contains(on->point)) return false;
+  if (!on) return band_.is_all();
+  if (!band_.contains(on->point)) return false;
   if (!is_low && height(on->point) <= kShown * tolerance_ && is_near_quarters(begin.point, chord)) return true;
-  if (!bend(begin, *on, halvings + 1)) return false;
-  points_->push_back(metric_.bary(on->point));
-  return bend(*on, end, halvings + 1);
+  if (!refine(begin, *on, halvings + 1)) return false;
+  points_->push_back(distances_.bary(on->point));
+  return refine(*on, end, halvings + 1);
 }
 
-ArcBender::View ArcBender::look(const Vec2& p) const {
-  const double place = strip_.place(p);
+ArcRefiner::View ArcRefiner::look(const Vec2& p) const {
+  const double place = band_.place(p);
   return {p, nearest(left_, place, p), nearest(right_, place, p)};
 }
 
-FaceSource::Reach ArcBender::nearest(const std::vector<Seeing>& seeing, double place, const Vec2& p) {
-  FaceSource::Reach best{std::numeric_limits<double>::infinity(), p};
-  for (const Seeing& s : seeing) {
+FaceSource::Path ArcRefiner::nearest(const std::vector<VisibleSource>& seeing, double place, const Vec2& p) {
+  FaceSource::Path best{std::numeric_limits<double>::infinity(), p};
+  for (const VisibleSource& s : seeing) {
     if ((place < s.first) | (place > s.last)) continue;
     take_nearer(*s.source, p, best);
   }
@@ -139,19 +139,19 @@ FaceSource::Reach ArcBender::nearest(const std::vector<Seeing>& seeing, double p
 }
 
 /// Whether the bisector passes by a sample of a straight piece, as the view from there shows.
-bool ArcBender::is_near(const View& view) const {
+bool ArcRefiner::is_near(const View& view) const {
   // The way to the bisector is the error by the gradient.
   return std::abs(view.error()) <= 8 * view.rounding() + kShown * tolerance_ * view.gradient().norm();
 }
 
-bool ArcBender::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
+bool ArcRefiner::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
   return std::all_of(kSamples.begin(), kSamples.end(),
                      [&](double sample) { return is_near(look(begin + sample * chord)); });
 }
 
 /// Where a bisector of two straight pieces has its corner: the straight lines on from its two ends meet there. Nothing
 /// where they meet near an end, beyond it, far from the chord or outside of the face.
-std::optional<Vec2> ArcBender::likely_corner(const OnBisector& begin, const OnBisector& end) const {
+std::optional<Vec2> ArcRefiner::likely_corner(const OnBisector& begin, const OnBisector& end) const {
   const Vec2 chord = end.point - begin.point;
   const double t = cross(chord, end.way) / cross(begin.way, end.way);
   const Vec2 corner = begin.point + t * begin.way;
@@ -159,14 +159,14 @@ std::optional<Vec2> ArcBender::likely_corner(const OnBisector& begin, const OnBi
   const bool between =
       where > kNearEnd && where < 1 - kNearEnd && (corner - begin.point - where * chord).norm() < chord.norm();
   if (!between) return std::nullopt;
-  const auto bary = metric_.bary(corner);
+  const auto bary = distances_.bary(corner);
   if (*std::min_element(bary.begin(), bary.end()) < 0) return std::nullopt;
   return corner;
 }
 
 /// How far one can go from p along `way`, and against it, without leaving the face.
-std::pair<double, double> ArcBender::room(const Vec2& p, const Vec2& way) const {
-  const auto bary = metric_.bary(p), rate = metric_.layout().bary_rate(way);
+std::pair<double, double> ArcRefiner::room(const Vec2& p, const Vec2& way) const {
+  const auto bary = distances_.bary(p), rate = distances_.layout().bary_rate(way);
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const double b = std::max(0.0, bary[i]);
@@ -178,7 +178,7 @@ std::pair<double, double> ArcBender::room(const Vec2& p, const Vec2& way) const 
 
 /// The point of the bisector straight across a chord along `along` from the point of a view; nothing where the face
 /// ends before it.
-std::optional<ArcBender::OnBisector> ArcBender::moved_across(View view, const Vec2& along) const {
+std::optional<ArcRefiner::OnBisector> ArcRefiner::moved_across(View view, const Vec2& along) const {
   const Vec2 start = view.point, across = turned_left(along);  // where the left generator gains
   auto [low, high] = room(start, across);
   double s = 0;

@@ -4,17 +4,17 @@
 #include <vector>
 
 #include "base/union_find.hpp"
-#include "diagram/assembly/face_metric.hpp"
+#include "diagram/assembly/face_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 
 namespace gvd {
 
 /// The runs of labels round a face, run i from crossing i to the next one, and which of them are known to be one piece
 /// of a cell. The boundary and the metric must outlive it.
-class FaceRuns {
+class LabelIntervals {
  public:
-  FaceRuns(const std::vector<BoundaryCrossing>& boundary, const FaceMetric& metric)
-      : boundary_(boundary), metric_(metric), pieces_(boundary.size()) {}
+  LabelIntervals(const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances)
+      : boundary_(boundary), distances_(distances), pieces_(boundary.size()) {}
 
   /// Unites the runs of one generator that are known to be one piece: the shortest path to the middle of the one comes
   /// into the face through the other.
@@ -25,7 +25,7 @@ class FaceRuns {
   bool are_one_piece(int run, int other) { return piece(run) == piece(other); }
 
   /// Whether the shortest path to p of run's generator comes into the face by that run, or by one of its piece.
-  bool comes_by(int run, const std::array<double, 3>& p);
+  bool path_enters_through(int run, const std::array<double, 3>& p);
 
  private:
   double place(std::size_t crossing) const { return boundary_[crossing].corner + boundary_[crossing].t; }
@@ -34,7 +34,7 @@ class FaceRuns {
   bool is_near_crossing(double where, std::size_t i) const;
 
   const std::vector<BoundaryCrossing>& boundary_;
-  const FaceMetric& metric_;
+  const FaceDistances& distances_;
   UnionFind pieces_;
 };
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagram/envelope/arc_meetings.hpp"
+#include "diagram/envelope/arc_intersections.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -9,7 +9,7 @@ using namespace gvd;
 
 namespace {
 
-using Pairs = std::vector<ArcMeetings::Pair>;
+using Pairs = std::vector<ArcIntersections::Pair>;
 
 /// The segments of polylines, one arc each.
 std::vector<ArcSegment> segments_of(const std::vector<std::vector<Vec2>>& arcs) {
@@ -22,7 +22,7 @@ std::vector<ArcSegment> segments_of(const std::vector<std::vector<Vec2>>& arcs) 
 }
 
 Pairs meetings_of(const std::vector<std::vector<Vec2>>& arcs) {
-  ArcMeetings meetings;
+  ArcIntersections meetings;
   return meetings.find(segments_of(arcs));
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("what rounding leaves open counts as met, what is beyond it does not")
 
 TEST_CASE("as every pair of segments by itself, for random arcs of many lengths and sizes") {
   test::Random random(3);
-  ArcMeetings meetings;
+  ArcIntersections meetings;
   for (int round = 0; round < 400; ++round) {
     std::vector<std::vector<Vec2>> arcs(static_cast<std::size_t>(1 + random.below(5)));
     for (auto& arc : arcs) {
@@ -70,7 +70,8 @@ TEST_CASE("as every pair of segments by itself, for random arcs of many lengths 
     Pairs expected;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (do_meet(segments[i], segments[j])) expected.push_back(std::minmax({segments[i].arc, segments[j].arc}));
+        if (may_intersect(segments[i], segments[j]))
+          expected.push_back(std::minmax({segments[i].arc, segments[j].arc}));
       }
     }
     std::sort(expected.begin(), expected.end());
