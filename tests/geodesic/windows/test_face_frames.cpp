@@ -5,7 +5,7 @@
 
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/windows/face_frames.hpp"
-#include "geodesic/windows/saddle_fan.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;

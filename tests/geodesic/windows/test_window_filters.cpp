@@ -45,9 +45,9 @@ TEST_CASE("equal paths do not drop each other") {
 }
 
 TEST_CASE("a path is news where it is shorter by more than rounding") {
-  CHECK(is_news(1 - 1e-14, 1));
-  CHECK_FALSE(is_news(1 - 2e-16, 1));
-  CHECK(is_news(1, std::numeric_limits<double>::infinity()));
+  CHECK(is_shorter_beyond_rounding(1 - 1e-14, 1));
+  CHECK_FALSE(is_shorter_beyond_rounding(1 - 2e-16, 1));
+  CHECK(is_shorter_beyond_rounding(1, std::numeric_limits<double>::infinity()));
 }
 
 TEST_CASE("a window is left to a vertex where the two tie, and not where the window is shorter") {
@@ -56,20 +56,21 @@ TEST_CASE("a window is left to a vertex where the two tie, and not where the win
   CHECK_FALSE(is_left_to_vertex(1, 2, 0.5 + 1e-13, 1.5 * 1.5));
 }
 
-TEST_CASE("paths that meet a face again are told by their milestone, or by their number") {
+TEST_CASE("paths that meet a face again are told by their cycle_check_face, or by their number") {
   Origin origin{0, 0, 1, 7, 0};
   CHECK(is_crossed_twice(origin, 7, 100));
   CHECK_FALSE(is_crossed_twice(origin, 8, 100));
   origin.crossed = 100;
   CHECK(is_crossed_twice(origin, 8, 100));
-  // Round a cycle of any length, after any way to it: the milestone is met again before three times both are over.
+  // Round a cycle of any length, after any way to it: the cycle_check_face is met again before three times both are
+  // over.
   for (int cycle = 1; cycle < 40; ++cycle) {
     for (int before = 0; before < 40; ++before) {
       Origin way{0, 0, 1, 0, 0};
       int step = 1;
       const auto face_at = [&](int i) { return i < before ? i : before + (i - before) % cycle; };
       for (; !is_crossed_twice(way, face_at(step), 1000000); ++step) {
-        if (is_milestone(++way.crossed)) way.milestone = face_at(step);
+        if (is_cycle_check_step(++way.crossed)) way.cycle_check_face = face_at(step);
         REQUIRE(step < 4 * (cycle + before) + 4);
       }
       CHECK(step >= cycle);

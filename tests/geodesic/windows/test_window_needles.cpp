@@ -53,7 +53,7 @@ TEST_CASE("thin windows that join make one that holds both, in whatever order th
       ++count;
       CHECK(w.begin == left.begin);
       CHECK(w.end == right.end);
-      CHECK(origin.milestone == -1);  // only some of the paths have crossed it
+      CHECK(origin.cycle_check_face == -1);  // only some of the paths have crossed it
     });
     CHECK(count == 1);
   }

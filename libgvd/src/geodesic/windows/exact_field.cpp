@@ -9,9 +9,9 @@
 
 #include "geodesic/tracing/locate_in_face.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/trace_shortest_path.hpp"
-#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 

@@ -42,9 +42,9 @@ constexpr double kThinSine = 0.05;
 
 VertexKind kind_of(const Turning& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;
-  if (total.least_sine < kRounding) return VertexKind::blurred;
+  if (total.least_sine < kRounding) return VertexKind::ambiguous;
   if (total.least_sine < kNeedleSine && total.is_near(straight, kRounding / total.least_sine)) {
-    return VertexKind::blurred;
+    return VertexKind::ambiguous;
   }
   if (total.is_near(straight, kFlatAngle)) return boundary ? VertexKind::plain : VertexKind::flat;
   if (total.half_turns < straight) return VertexKind::plain;

@@ -30,7 +30,7 @@ enum class VertexKind : std::uint8_t {
   reflex,  ///< on the boundary with theta > pi: a pseudo-source
   /// One of needles, so that rounding hides on which side of straight theta lies, and opens gaps between the windows
   /// that pass on both sides of it: a pseudo-source in all directions, which is never wrong.
-  blurred,
+  ambiguous,
 };
 
 /// An angle this close to 2 pi (or pi, on the boundary), in radians, is taken for it. The sum of a dozen angles is

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/windows/part_propagation.hpp"
-#include "geodesic/windows/window_rounds.hpp"
+#include "geodesic/windows/partition_propagator.hpp"
+#include "geodesic/windows/propagation_rounds.hpp"
 
 namespace gvd {
 namespace {
@@ -18,7 +18,7 @@ class Propagation {
   Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
       : progress_(progress), parallel_(options.threads, silent_), state_(mesh, options, parallel_) {
     for (std::int32_t part = 0; part < state_.parts.count(); ++part) {
-      parts_.push_back(make_part_propagation(state_, part));
+      partitions_.push_back(make_partition_propagation(state_, part));
     }
   }
 
@@ -28,14 +28,14 @@ class Propagation {
       part(state_.parts.of_halfedge(state_.mesh.halfedge(v).value())).start_vertex(v.value(), g, d);
       return;
     }
-    for (const WindowParts::Place& place : state_.parts.places(shared)) {
+    for (const MeshPartitions::Place& place : state_.parts.places(shared)) {
       part(place.part).start_vertex(place.vertex, g, d);
     }
   }
 
   WindowField run() {
-    WindowRounds(parts_, state_.mail, state_.bucket_width, parallel_).run([&] { report(); });
-    for (const auto& part : parts_) {
+    PropagationRounds(partitions_, state_.mail, state_.bucket_width, parallel_).run([&] { report(); });
+    for (const auto& part : partitions_) {
       state_.field.carried += part->carried();
       state_.field.events += part->events();
     }
@@ -45,12 +45,12 @@ class Propagation {
   }
 
  private:
-  PartPropagation& part(std::int32_t i) { return *parts_[static_cast<std::size_t>(i)]; }
+  PartitionPropagation& part(std::int32_t i) { return *partitions_[static_cast<std::size_t>(i)]; }
 
   /// Reports once in so many windows: rounds can be many, and short.
   void report() {
     std::int64_t carried = 0;
-    for (const auto& part : parts_) carried += part->carried();
+    for (const auto& part : partitions_) carried += part->carried();
     if (carried < next_report_) return;
     next_report_ = carried + kProgressStride;
     const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
@@ -59,8 +59,8 @@ class Propagation {
 
   void keep_windows() {
     const StepPart end{"distances"};
-    std::vector<BlockList<KeptWindow>> kept(parts_.size());
-    parallel_.run(parts_.size(), end, [&](std::size_t i) { kept[i] = parts_[i]->finish(); });
+    std::vector<BlockList<KeptWindow>> kept(partitions_.size());
+    parallel_.run(partitions_.size(), end, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
     state_.field.windows = EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
   }
 
@@ -80,7 +80,7 @@ class Propagation {
   const Progress silent_;
   const ParallelChunks parallel_;
   PropagationState state_;
-  std::vector<std::unique_ptr<PartPropagation>> parts_;
+  std::vector<std::unique_ptr<PartitionPropagation>> partitions_;
   std::int64_t next_report_ = kProgressStride;
 };
 

@@ -34,7 +34,7 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
     : mesh(of_mesh),
       keep(options.keep),
       frames(mesh, parallel),
-      parts(mesh, options.part_faces, frames),
+      parts(mesh, options.partition_faces, frames),
       field(parts.place_count()),
       mail(parts.count()),
       bucket_width((frames.has_needles ? kFineBucketWidth : kBucketWidth) * mesh.mean_edge_length()),

@@ -7,11 +7,11 @@
 
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/mesh_partitions.hpp"
+#include "geodesic/windows/partition_messages.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "geodesic/windows/window_filters.hpp"
-#include "geodesic/windows/window_mail.hpp"
-#include "geodesic/windows/window_parts.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -19,8 +19,8 @@ namespace gvd {
 /// What is known of the distances in a face.
 enum class FaceState : std::uint8_t {
   open,
-  quiet,  ///< they are settled and have one label
-  mixed,  ///< they have several labels, or had so at some time
+  single_label,  ///< they are settled and have one label
+  multi_label,   ///< they have several labels, or had so at some time
 };
 
 /// The path with which a vertex last sent windows.
@@ -37,7 +37,7 @@ struct PropagationState {
   const Mesh& mesh;
   KeepWindows keep;
   FaceFrames frames;
-  WindowParts parts;
+  MeshPartitions parts;
   WindowField field;  // its arrays hold all places of vertices
   Mailboxes mail;
   double bucket_width;  // of the parts' queues

@@ -41,7 +41,7 @@ class WaitingWindows {
     added.offset = origin.offset;
     added.generator = origin.generator;
     added.crossed = origin.crossed;
-    added.milestone = origin.milestone;
+    added.cycle_check_face = origin.cycle_check_face;
     added.joins = origin.joins;
     added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
@@ -70,7 +70,7 @@ class WaitingWindows {
     while (place >= 0) {
       Window& w = at(place);
       const Rays rays = w.rays;
-      const Origin origin{w.offset, w.generator, w.crossed, w.milestone, w.joins};
+      const Origin origin{w.offset, w.generator, w.crossed, w.cycle_check_face, w.joins};
       const std::int32_t next = w.next;
       if (next >= 0) prefetch(&at(next));
       w.next = free_;
@@ -95,7 +95,7 @@ class WaitingWindows {
     std::int32_t next;  // in the list, or -1
     float key;          // in the first window of a list: that of the halfedge in the queue, times key_unit_
     std::int32_t crossed;
-    std::int32_t milestone;
+    std::int32_t cycle_check_face;
     std::uint8_t joins;
   };
   static_assert(sizeof(Window) == 64);
@@ -158,7 +158,7 @@ class WaitingWindows {
   static void unite(Window& w, const Rays& rays, const Origin& origin) {
     w.rays.begin = std::min(w.rays.begin, rays.begin);
     w.rays.end = std::max(w.rays.end, rays.end);
-    if (w.milestone != origin.milestone) w.milestone = -1;
+    if (w.cycle_check_face != origin.cycle_check_face) w.cycle_check_face = -1;
     w.crossed = std::min(w.crossed, origin.crossed);
   }
 

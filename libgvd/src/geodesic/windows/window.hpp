@@ -32,11 +32,11 @@ struct Rays {
 
 /// Where the paths of a window come from, and whether its two ends may be joined to other windows' without a step.
 struct Origin {
-  double offset;           ///< distance from the generator to the image's vertex, mesh units
-  std::int32_t generator;  ///< GeneratorId
-  std::int32_t crossed;    ///< number of faces that the paths have crossed
-  std::int32_t milestone;  ///< one of these faces (is_milestone in window_filters.hpp), or -1
-  std::uint8_t joins;      ///< bit 0: at `begin`; bit 1: at `end`
+  double offset;                  ///< distance from the generator to the image's vertex, mesh units
+  std::int32_t generator;         ///< GeneratorId
+  std::int32_t crossed;           ///< number of faces that the paths have crossed
+  std::int32_t cycle_check_face;  ///< one of these faces (is_cycle_check_step in window_filters.hpp), or -1
+  std::uint8_t joins;             ///< bit 0: at `begin`; bit 1: at `end`
 
   static constexpr std::uint8_t kAtBegin = 1, kAtEnd = 2;
 };

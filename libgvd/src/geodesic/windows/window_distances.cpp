@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "geodesic/windows/window_sources.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 
 namespace gvd {
 

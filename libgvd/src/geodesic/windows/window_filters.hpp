@@ -17,10 +17,10 @@ inline constexpr double kTie = 1e-13;
 
 /// A distance must fall by this part of itself to be news. Two paths of the same length differ by rounding, a few
 /// units in the last place; what the second one led to would repeat what the first one did.
-inline constexpr double kNews = 4e-15;
+inline constexpr double kLengthRounding = 4e-15;
 
 /// Whether a path of length `d` is news where one of length `known` is known.
-inline bool is_news(double d, double known) { return d < known * (1 - kNews); }
+inline bool is_shorter_beyond_rounding(double d, double known) { return d < known * (1 - kLengthRounding); }
 
 /// Paths whose lengths differ by less than this part of themselves are equally long: more than what two equal paths
 /// differ by that come from different generators, through other faces each. Below half of kTie, so that no window is
@@ -36,7 +36,7 @@ inline constexpr double kSameLength = 2e-14;
 inline bool is_before(double d, std::int32_t generator, double known, std::int32_t label) {
   if (!(d * (1 - kSameLength) < known)) return false;  // most of them
   if (d < known * (1 - kSameLength)) return true;
-  return is_news(d, known) ? generator <= label : generator < label;
+  return is_shorter_beyond_rounding(d, known) ? generator <= label : generator < label;
 }
 
 /// Whether a window has no width, or its rays run along the edge.
@@ -64,32 +64,33 @@ inline bool is_beaten_by_end(const Rays& w, double offset, double end_distance, 
 }
 
 /// Whether the path through an end of the edge, at `end_distance` from the generator and `step` from the far end of the
-/// interval, is no news to the window: shorter or longer by rounding. Where that end is a blurred vertex, which sends
+/// interval, is no news to the window: shorter or longer by rounding. Where that end is a ambiguous vertex, which sends
 /// windows in all directions itself, the window can be left to it.
 ///
-/// Proof: as for is_beaten_by_start, the path through the vertex is at most kNews longer at all points of the interval,
-/// and so it is at all points behind, whatever way the window's paths go on; the vertex' own windows hold one that is
-/// no longer. They start nearer to these points, so that leaving a window to a vertex never goes in a circle. Without
-/// it, where needles make a thin tube, as many windows as it has vertices are carried along from each of them.
+/// Proof: as for is_beaten_by_start, the path through the vertex is at most kLengthRounding longer at all points of the
+/// interval, and so it is at all points behind, whatever way the window's paths go on; the vertex' own windows hold one
+/// that is no longer. They start nearer to these points, so that leaving a window to a vertex never goes in a circle.
+/// Without it, where needles make a thin tube, as many windows as it has vertices are carried along from each of them.
 inline bool is_left_to_vertex(double offset, double end_distance, double step, double squared) {
-  const double rest = (end_distance + step) * (1 - kNews) - offset;
+  const double rest = (end_distance + step) * (1 - kLengthRounding) - offset;
   return rest * std::abs(rest) < squared;
 }
 
-/// Whether a window that has crossed this many faces takes the last one of them for its milestone: a power of two.
-inline bool is_milestone(std::int32_t crossed) { return (crossed & (crossed - 1)) == 0; }
+/// Whether a window that has crossed this many faces takes the last one of them for its cycle_check_face: a power of
+/// two.
+inline bool is_cycle_check_step(std::int32_t crossed) { return (crossed & (crossed - 1)) == 0; }
 
-/// Whether the paths of a window that is about to cross `face` meet a face for the second time: it is their milestone,
-/// or they have crossed as many faces as there are.
+/// Whether the paths of a window that is about to cross `face` meet a face for the second time: it is their
+/// cycle_check_face, or they have crossed as many faces as there are.
 ///
 /// Proof: two points of one face are joined by a straight segment in it, and nothing in space is shorter. A path that
 /// leaves the face in between is longer; from the first point on, the segment beats it.
 /// Windows wind round a thin tube as often as it is longer than thick, and all these paths have one length but for
-/// rounding, so that no comparison of lengths ends it. A path that winds repeats a cycle of faces: a milestone within
-/// the cycle is met again one cycle later, and the last power of two comes no later than twice the length of the cycle
-/// (Brent's way to find cycles). The number of faces bounds what repeats itself in any other way.
+/// rounding, so that no comparison of lengths ends it. A path that winds repeats a cycle of faces: a cycle_check_face
+/// within the cycle is met again one cycle later, and the last power of two comes no later than twice the length of the
+/// cycle (Brent's way to find cycles). The number of faces bounds what repeats itself in any other way.
 inline bool is_crossed_twice(const Origin& origin, std::int32_t face, std::int32_t faces) {
-  return (face == origin.milestone) | (origin.crossed >= faces);
+  return (face == origin.cycle_check_face) | (origin.crossed >= faces);
 }
 
 /// The shortest path so far that reaches a face's apex straight across the edge on the other side.

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
+#include "geodesic/windows/collect_sources.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/trace_shortest_path.hpp"
-#include "geodesic/windows/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

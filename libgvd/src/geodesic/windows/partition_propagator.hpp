@@ -11,9 +11,9 @@
 namespace gvd {
 
 /// The propagation in one part of the mesh. Parts may work on several threads, each one on one at a time.
-class PartPropagation {
+class PartitionPropagation {
  public:
-  virtual ~PartPropagation() = default;
+  virtual ~PartitionPropagation() = default;
 
   /// Windows will start from a vertex's place in all directions. Before the first round.
   virtual void start_vertex(std::int32_t place, GeneratorId g, double d) = 0;
@@ -41,6 +41,6 @@ class PartPropagation {
   virtual std::int64_t events() const = 0;   ///< vertices that sent windows
 };
 
-std::unique_ptr<PartPropagation> make_part_propagation(PropagationState& state, std::int32_t part);
+std::unique_ptr<PartitionPropagation> make_partition_propagation(PropagationState& state, std::int32_t part);
 
 }  // namespace gvd

@@ -18,7 +18,7 @@ namespace gvd {
 ///
 /// The cut depends on the mesh alone: vertices in boxes; a face goes with its first corner.
 /// Memory: 1 byte a face; where there are several parts, 4 a vertex and 24 for each place of a shared one.
-class WindowParts {
+class MeshPartitions {
  public:
   struct Place {
     std::int32_t vertex;  ///< as the frames of that part name it
@@ -26,19 +26,19 @@ class WindowParts {
   };
 
   /// Lets the frames name places, and gives each place its vertex' kind. Cost: O(n).
-  /// `part_faces` >= 1: about so many faces make a part, of which there are kMaxParts at the most.
-  WindowParts(const Mesh& mesh, std::int32_t part_faces, FaceFrames& frames);
-  WindowParts(const WindowParts&) = delete;
-  WindowParts& operator=(const WindowParts&) = delete;
+  /// `partition_faces` >= 1: about so many faces make a part, of which there are kMaxPartitions at the most.
+  MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames);
+  MeshPartitions(const MeshPartitions&) = delete;
+  MeshPartitions& operator=(const MeshPartitions&) = delete;
 
   /// From there on parts grow with the mesh: places of vertices, queues and mailboxes stay few.
-  static constexpr std::int32_t kMaxParts = 64;
+  static constexpr std::int32_t kMaxPartitions = 64;
 
   std::int32_t count() const { return count_; }
   /// Number of places, of all vertices.
   std::size_t place_count() const { return place_count_; }
-  std::int32_t of_face(std::int32_t f) const { return part_[f]; }
-  std::int32_t of_halfedge(std::int32_t h) const { return part_[h / 3]; }
+  std::int32_t of_face(std::int32_t f) const { return partition_[f]; }
+  std::int32_t of_halfedge(std::int32_t h) const { return partition_[h / 3]; }
 
   /// Number of a place among those of shared vertices, or -1 where the vertex belongs to one part alone.
   std::int32_t shared(std::int32_t vertex) const {
@@ -66,18 +66,19 @@ class WindowParts {
     std::int32_t vertex, part, halfedge;
   };
 
-  std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh, const std::vector<std::uint8_t>& part_of_vertex);
-  void add_places(const std::vector<ForeignCorner>& corners, const std::vector<std::uint8_t>& part_of_vertex);
+  std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh,
+                                                  const std::vector<std::uint8_t>& partition_of_vertex);
+  void add_places(const std::vector<ForeignCorner>& corners, const std::vector<std::uint8_t>& partition_of_vertex);
   void add_place(std::int32_t vertex, std::int32_t part);
   void enter_places(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const;
 
   std::int32_t count_;
   std::size_t place_count_;
-  std::vector<std::uint8_t> parts_;   // [face]
-  const std::uint8_t* part_;          // the same, for the sake of the innermost loop
-  std::vector<std::int32_t> shared_;  // [vertex or place] its number, or -1
-  std::vector<Place> places_;         // those of one vertex one after the other
-  std::vector<Range> range_;          // [place's number] of the places of its vertex
+  std::vector<std::uint8_t> partitions_;  // [face]
+  const std::uint8_t* partition_;         // the same, for the sake of the innermost loop
+  std::vector<std::int32_t> shared_;      // [vertex or place] its number, or -1
+  std::vector<Place> places_;             // those of one vertex one after the other
+  std::vector<Range> range_;              // [place's number] of the places of its vertex
 };
 
 }  // namespace gvd

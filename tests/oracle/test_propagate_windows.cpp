@@ -47,10 +47,11 @@ TEST_CASE("windows of all generators at once give the nearest distance, and a la
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    for (const auto& [keep, part_faces] :
+    for (const auto& [keep, partition_faces] :
          {std::pair{KeepWindows::none, 8192}, std::pair{KeepWindows::near_bisectors, 300},
           std::pair{KeepWindows::all, 8192}}) {
-      const WindowField field = propagate_windows(reference.mesh, reference.generators, {keep, {}, 0, part_faces}, {});
+      const WindowField field =
+          propagate_windows(reference.mesh, reference.generators, {keep, {}, 0, partition_faces}, {});
       double worst = 0, worst_label = 0;
       for (std::size_t v = 0; v < field.distance.size(); ++v) {
         double nearest = std::numeric_limits<double>::infinity();

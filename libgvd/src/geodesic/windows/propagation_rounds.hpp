@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/part_propagation.hpp"
-#include "geodesic/windows/window_mail.hpp"
+#include "geodesic/windows/partition_messages.hpp"
+#include "geodesic/windows/partition_propagator.hpp"
 
 namespace gvd {
 
@@ -24,26 +24,30 @@ namespace gvd {
 /// what it and its mail held before, whichever thread works on it, and when.
 ///
 /// All queues have buckets of the same width, and stand at the same one.
-class WindowRounds {
+class PropagationRounds {
  public:
   /// All have to outlive this.
-  WindowRounds(std::vector<std::unique_ptr<PartPropagation>>& parts, Mailboxes& mail, double bucket_width,
-               const ParallelChunks& parallel)
-      : parts_(parts), mail_(mail), bucket_width_(bucket_width), parallel_(parallel), alone_(1, parallel.progress()) {}
+  PropagationRounds(std::vector<std::unique_ptr<PartitionPropagation>>& parts, Mailboxes& mail, double bucket_width,
+                    const ParallelChunks& parallel)
+      : partitions_(parts),
+        mail_(mail),
+        bucket_width_(bucket_width),
+        parallel_(parallel),
+        alone_(1, parallel.progress()) {}
 
   /// Calls report() after each round; what that throws ends the propagation.
   template <class Report>
   void run(Report report) {
     while (waits()) {
-      const double next_front = parts_.front()->front() + bucket_width_;
+      const double next_front = partitions_.front()->front() + bucket_width_;
       // A list's key in the queue is that of its first windows, which may be later than another's by a bucket.
-      const double settled = parts_.front()->front() - bucket_width_;
+      const double settled = partitions_.front()->front() - bucket_width_;
       do {
         run_round(settled);
         report();
       } while (mail_.least_key() < next_front);
       const std::size_t steps = steps_to_next();
-      for (const auto& part : parts_) part->end_bucket(settled, steps);
+      for (const auto& part : partitions_) part->end_bucket(settled, steps);
     }
   }
 
@@ -57,22 +61,22 @@ class WindowRounds {
 
   bool waits() const {
     return mail_.has_come() ||
-           std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->waits(); });
+           std::any_of(partitions_.begin(), partitions_.end(), [](const auto& part) { return part->waits(); });
   }
 
   /// Number of buckets to the next one that anything is to be done in, >= 1: where there are needles, most are empty.
   std::size_t steps_to_next() const {
-    const double to_mail = std::floor((mail_.least_key() - parts_.front()->front()) / bucket_width_);
+    const double to_mail = std::floor((mail_.least_key() - partitions_.front()->front()) / bucket_width_);
     std::size_t steps = std::numeric_limits<std::size_t>::max();
-    for (const auto& part : parts_) steps = std::min(steps, part->steps_to_next());
+    for (const auto& part : partitions_) steps = std::min(steps, part->steps_to_next());
     return to_mail < static_cast<double>(steps) ? static_cast<std::size_t>(std::max(to_mail, 1.0)) : steps;
   }
 
   void run_round(double settled) {
     std::size_t work = 0;
     busy_.clear();
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const std::size_t of_part = parts_[i]->waits_now() + mail_.count_for(i);
+    for (std::size_t i = 0; i < partitions_.size(); ++i) {
+      const std::size_t of_part = partitions_[i]->waits_now() + mail_.count_for(i);
       if (of_part > 0) busy_.push_back({i, of_part});
       work += of_part;
     }
@@ -80,11 +84,11 @@ class WindowRounds {
     // The largest first, so that threads end at about the same time.
     std::sort(busy_.begin(), busy_.end(), [](const Busy& a, const Busy& b) { return a.work > b.work; });
     const ParallelChunks& parallel = work < kWorthSharing ? alone_ : parallel_;
-    parallel.run(busy_.size(), {"distances"}, [&](std::size_t i) { parts_[busy_[i].part]->run_round(settled); });
+    parallel.run(busy_.size(), {"distances"}, [&](std::size_t i) { partitions_[busy_[i].part]->run_round(settled); });
     mail_.deliver();
   }
 
-  std::vector<std::unique_ptr<PartPropagation>>& parts_;
+  std::vector<std::unique_ptr<PartitionPropagation>>& partitions_;
   Mailboxes& mail_;
   double bucket_width_;
   const ParallelChunks& parallel_;

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "geodesic/field/face_layout.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/waiting_windows.hpp"
 #include "geodesic/windows/window_filters.hpp"
 #include "geodesic/windows/window_limit.hpp"
-#include "geodesic/windows/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

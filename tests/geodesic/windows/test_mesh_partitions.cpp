@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "geodesic/field/face_layout.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 #include "geodesic/windows/kd_cut.hpp"
+#include "geodesic/windows/mesh_partitions.hpp"
+#include "geodesic/windows/partition_messages.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
-#include "geodesic/windows/window_mail.hpp"
-#include "geodesic/windows/window_parts.hpp"
-#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
@@ -24,13 +24,13 @@ using namespace gvd;
 namespace {
 
 /// Sizes of parts: as many of them as there can be, some, and one.
-constexpr std::array<std::int32_t, 4> kPartFaces{1, 20, 150, 1 << 20};
+constexpr std::array<std::int32_t, 4> kPartitionFaces{1, 20, 150, 1 << 20};
 
-WindowField propagate(const WorkingMesh& working, KeepWindows keep, std::int32_t part_faces, int threads = 1) {
+WindowField propagate(const WorkingMesh& working, KeepWindows keep, std::int32_t partition_faces, int threads = 1) {
   PropagationOptions options;
   options.keep = keep;
   options.threads = threads;
-  options.part_faces = part_faces;
+  options.partition_faces = partition_faces;
   return propagate_windows(working.mesh(), working.generator_vertices().raw(), options, {});
 }
 
@@ -84,13 +84,13 @@ TEST_CASE("boxes hold about as many points each") {
   check_boxes(std::vector<Vec3>(1000, Vec3(1, 2, 3)));
 }
 
-TEST_CASE("every part has places of its own") {
+TEST_CASE("every part has vertex copies of its own") {
   for (const auto& [name, mesh] : test::small_family()) {
-    for (const std::int32_t part_faces : kPartFaces) {
-      INFO(name << " in parts of " << part_faces);
+    for (const std::int32_t partition_faces : kPartitionFaces) {
+      INFO(name << " in parts of " << partition_faces);
       const FaceFrames before(mesh);
       FaceFrames frames(mesh);
-      const WindowParts parts(mesh, part_faces, frames);
+      const MeshPartitions parts(mesh, partition_faces, frames);
       std::vector<std::int32_t> owner(parts.place_count(), -1);
       for (std::int32_t h = 0; h < mesh.halfedge_count(); ++h) {
         const std::int32_t place = frames.frame[FaceId(h / 3)].vertex[static_cast<std::size_t>(h % 3)];
@@ -110,16 +110,16 @@ TEST_CASE("every part has places of its own") {
 
 TEST_CASE("mail comes a round later, in the order of the senders") {
   Mailboxes mail(3);
-  mail.to_send(2, 0).mixed_faces = {20, 21};
-  mail.to_send(1, 0).mixed_faces = {10};
+  mail.to_send(2, 0).multi_label_faces = {20, 21};
+  mail.to_send(1, 0).multi_label_faces = {10};
   CHECK_FALSE(mail.has_come());
   mail.deliver();
   CHECK(mail.has_come());
   CHECK(mail.count_for(0) == 3);
   CHECK(mail.count_for(1) == 0);
   std::vector<std::int32_t> received;
-  mail.for_each_received(0, [&](WindowMail& from) {
-    received.insert(received.end(), from.mixed_faces.begin(), from.mixed_faces.end());
+  mail.for_each_received(0, [&](PartitionMessages& from) {
+    received.insert(received.end(), from.multi_label_faces.begin(), from.multi_label_faces.end());
     from.clear();
   });
   CHECK(received == std::vector<std::int32_t>{10, 20, 21});
@@ -132,9 +132,9 @@ TEST_CASE("parts change no distance") {
     for (const int count : {1, 9, 60}) {
       const WorkingMesh working(input, test::random_generators(input, count, 21));
       const WindowField whole = propagate(working, KeepWindows::none, 1 << 20);
-      for (const std::int32_t part_faces : kPartFaces) {
-        INFO(name << " with " << count << " in parts of " << part_faces);
-        const WindowField field = propagate(working, KeepWindows::none, part_faces);
+      for (const std::int32_t partition_faces : kPartitionFaces) {
+        INFO(name << " with " << count << " in parts of " << partition_faces);
+        const WindowField field = propagate(working, KeepWindows::none, partition_faces);
         REQUIRE(field.distance.size() == whole.distance.size());
         for (std::size_t v = 0; v < whole.distance.size(); ++v) {
           const double expected = whole.distance.raw()[v];
@@ -142,7 +142,8 @@ TEST_CASE("parts change no distance") {
           REQUIRE(std::abs(field.distance.raw()[v] - expected) <= 1e-13 * expected);
         }
         // What comes a round late costs some windows where nearly every vertex is shared.
-        if (part_faces >= 20) CHECK(static_cast<double>(field.carried) <= 1.25 * static_cast<double>(whole.carried));
+        if (partition_faces >= 20)
+          CHECK(static_cast<double>(field.carried) <= 1.25 * static_cast<double>(whole.carried));
       }
     }
   }
@@ -163,11 +164,11 @@ TEST_CASE("parts change no label, and of generators that tie the first one wins"
         if (std::find(generators.begin(), generators.end(), v) == generators.end()) generators.push_back(v);
       }
       PropagationOptions options;
-      options.part_faces = 1 << 20;
+      options.partition_faces = 1 << 20;
       const WindowField whole = propagate_windows(mesh, generators, options, {});
-      for (const std::int32_t part_faces : {1, 10, 60, 150}) {
-        INFO(name << " with " << count << " in parts of " << part_faces);
-        options.part_faces = part_faces;
+      for (const std::int32_t partition_faces : {1, 10, 60, 150}) {
+        INFO(name << " with " << count << " in parts of " << partition_faces);
+        options.partition_faces = partition_faces;
         CHECK(propagate_windows(mesh, generators, options, {}).label == whole.label);
       }
       if (name != "grid") continue;
@@ -185,12 +186,12 @@ TEST_CASE("parts change no label, and of generators that tie the first one wins"
 
 TEST_CASE("with parts, too, windows near bisectors are all that the faces near them need") {
   for (const auto& [name, input] : test::small_family()) {
-    for (const std::int32_t part_faces : kPartFaces) {
-      INFO(name << " in parts of " << part_faces);
+    for (const std::int32_t partition_faces : kPartitionFaces) {
+      INFO(name << " in parts of " << partition_faces);
       const WorkingMesh working(input, test::random_generators(input, 9, 21));
       const Mesh& mesh = working.mesh();
-      const WindowField all = propagate(working, KeepWindows::all, part_faces);
-      const WindowField near = propagate(working, KeepWindows::near_bisectors, part_faces);
+      const WindowField all = propagate(working, KeepWindows::all, partition_faces);
+      const WindowField near = propagate(working, KeepWindows::near_bisectors, partition_faces);
       CHECK(near.distance == all.distance);
       CHECK(near.label == all.label);
       for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
@@ -209,10 +210,10 @@ TEST_CASE("with parts, too, windows near bisectors are all that the faces near t
 
 TEST_CASE("a vertex between parts sends windows once") {
   const Mesh mesh = test::make_grid(8, 6);
-  for (const std::int32_t part_faces : kPartFaces) {
+  for (const std::int32_t partition_faces : kPartitionFaces) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       PropagationOptions options;
-      options.part_faces = part_faces;
+      options.partition_faces = partition_faces;
       CHECK(propagate_windows(mesh, {VertexId(v)}, options, {}).events == 1);
     }
   }
@@ -225,12 +226,12 @@ TEST_CASE("any number of threads leaves the same windows, distances and labels t
     for (const auto& [name, input] : meshes) {
       const WorkingMesh working(input, test::random_generators(input, 12, 5));
       for (const KeepWindows keep : {KeepWindows::near_bisectors, KeepWindows::all}) {
-        const std::int32_t part_faces = std::max(input.face_count() / 20, 10);
-        const WindowField one = propagate(working, keep, part_faces, 1);
+        const std::int32_t partition_faces = std::max(input.face_count() / 20, 10);
+        const WindowField one = propagate(working, keep, partition_faces, 1);
         const std::vector<KeptWindow> windows = all_windows(working.mesh(), one);
         for (const int threads : {2, 3, 8, 8}) {
           INFO(name << " with " << threads << " threads");
-          const WindowField field = propagate(working, keep, part_faces, threads);
+          const WindowField field = propagate(working, keep, partition_faces, threads);
           CHECK(field.distance == one.distance);
           CHECK(field.label == one.label);
           CHECK(field.carried == one.carried);
@@ -254,7 +255,7 @@ TEST_CASE("propagation in parts can be cancelled between rounds") {
       };
       PropagationOptions options;
       options.threads = threads;
-      options.part_faces = 300;
+      options.partition_faces = 300;
       try {
         propagate_windows(mesh, {VertexId(0)}, options, progress);
         FAIL("not cancelled");

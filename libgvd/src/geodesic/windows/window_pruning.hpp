@@ -5,7 +5,7 @@
 
 #include "base/prefetch.hpp"
 #include "geodesic/windows/propagation_state.hpp"
-#include "geodesic/windows/saddle_fan.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
 #include "geodesic/windows/window_field.hpp"
 
 namespace gvd {
@@ -18,15 +18,15 @@ namespace gvd {
 /// may turn out not to be quiet, since points inside of a face see the windows on all of its sides.
 /// Each part decides about its own faces, and tells the others of windows on its edges to them. About windows on such
 /// an edge it decides while no other part runs, so that what these have found out can be read.
-class WindowRetention {
+class WindowPruning {
  public:
   /// Of the state, the mail and the states of the part's own faces are written.
-  WindowRetention(PropagationState& state, std::int32_t part)
+  WindowPruning(PropagationState& state, std::int32_t part)
       : keep_(state.keep),
         frames_(state.frames),
         field_(state.field),
-        parts_(state.parts),
-        part_(part),
+        partitions_(state.parts),
+        partition_(part),
         state_(state.face_state.data()),
         mail_(state.mail) {}
 
@@ -34,7 +34,7 @@ class WindowRetention {
   [[gnu::always_inline]] void add(const Rays& w, const Origin& origin, std::int32_t h, double front) {
     if (keep_ == KeepWindows::none) return;
     const KeptWindow kept{w.begin, w.end, w.x, w.depth, origin.offset, origin.generator, h};
-    if (keep_ == KeepWindows::all || state_[h / 3] == FaceState::mixed) {
+    if (keep_ == KeepWindows::all || state_[h / 3] == FaceState::multi_label) {
       kept_.push_back(kept);
       return;
     }
@@ -68,7 +68,7 @@ class WindowRetention {
   /// A window with another label stands on a side of the part's face.
   void mark_own_face(std::int32_t face) {
     // Where a face is quiet already, what comes is beaten by the paths through its corners.
-    if (state_[face] == FaceState::open) state_[face] = FaceState::mixed;
+    if (state_[face] == FaceState::open) state_[face] = FaceState::multi_label;
   }
 
   /// Lets go of what can go on edges to other parts, none of which may run. `settled` as in `add`.
@@ -79,7 +79,7 @@ class WindowRetention {
     std::int32_t last = -1;
     bool stays = false;
     const auto decide = [&](const KeptWindow& w) {
-      if (w.halfedge != last) stays = is_edge_mixed_at_end(last = w.halfedge);
+      if (w.halfedge != last) stays = is_edge_multi_label_at_end(last = w.halfedge);
       if (stays) kept_.push_back(w);
     };
     for (Undecided* list : {&recent_, &on_border_}) {
@@ -119,7 +119,7 @@ class WindowRetention {
       if (state == FaceState::open) {
         windows.push_back(w);
         ++undecided;
-      } else if (state == FaceState::mixed) {
+      } else if (state == FaceState::multi_label) {
         kept_.push_back(w);
       }
     };
@@ -132,14 +132,14 @@ class WindowRetention {
     return undecided;
   }
 
-  bool is_own(std::int32_t face) const { return parts_.of_face(face) == part_; }
+  bool is_own(std::int32_t face) const { return partitions_.of_face(face) == partition_; }
 
   void mark_face(std::int32_t face) {
-    const std::int32_t part = parts_.of_face(face);
-    if (part == part_) {
+    const std::int32_t part = partitions_.of_face(face);
+    if (part == partition_) {
       mark_own_face(face);
     } else {
-      mail_.to_send(part_, part).mixed_faces.push_back(face);
+      mail_.to_send(partition_, part).multi_label_faces.push_back(face);
     }
   }
 
@@ -149,12 +149,12 @@ class WindowRetention {
 
   FaceState look_at_edge(std::int32_t h, double settled) {
     const FaceState here = look_at_face(h / 3, settled);
-    if (here == FaceState::mixed) return here;
+    if (here == FaceState::multi_label) return here;
     const std::int32_t twin = twin_of(h);
     if (twin < 0) return here;
     const FaceState there = look_at_face(twin / 3, settled);
-    if (there == FaceState::mixed) return there;
-    return here == FaceState::quiet ? there : here;
+    if (there == FaceState::multi_label) return there;
+    return here == FaceState::single_label ? there : here;
   }
 
   /// Every point of a triangle is within its longest side of each corner, and within that / sqrt(3) of one of them:
@@ -168,7 +168,7 @@ class WindowRetention {
     const auto [nearest, farthest] = std::minmax({field_.distance[a], field_.distance[b], field_.distance[c]});
     const double longest = std::max({f.length[0], f.length[1], f.length[2]});
     if (!(std::min(farthest + kReach * longest, nearest + longest) * (1 + kMargin) < settled)) return state;
-    state = has_one_label(f) ? FaceState::quiet : FaceState::mixed;
+    state = has_one_label(f) ? FaceState::single_label : FaceState::multi_label;
     return state;
   }
 
@@ -177,22 +177,22 @@ class WindowRetention {
     return field_.label[a] == field_.label[b] && field_.label[b] == field_.label[c];
   }
 
-  bool is_edge_mixed_at_end(std::int32_t h) const {
+  bool is_edge_multi_label_at_end(std::int32_t h) const {
     const std::int32_t twin = twin_of(h);
-    return is_mixed_at_end(h / 3) || (twin >= 0 && is_mixed_at_end(twin / 3));
+    return is_multi_label_at_end(h / 3) || (twin >= 0 && is_multi_label_at_end(twin / 3));
   }
 
   /// Changes nothing: several parts may ask about one face at the same time.
-  bool is_mixed_at_end(std::int32_t face) const {
-    if (state_[face] != FaceState::open) return state_[face] == FaceState::mixed;
+  bool is_multi_label_at_end(std::int32_t face) const {
+    if (state_[face] != FaceState::open) return state_[face] == FaceState::multi_label;
     return !has_one_label(frames_.frame[FaceId(face)]);
   }
 
   KeepWindows keep_;
   const FaceFrames& frames_;
   const WindowField& field_;
-  const WindowParts& parts_;
-  std::int32_t part_;
+  const MeshPartitions& partitions_;
+  std::int32_t partition_;
   FaceState* state_;  // [face]; those of other parts are not touched while these run
   Mailboxes& mail_;
   Undecided recent_, on_border_;

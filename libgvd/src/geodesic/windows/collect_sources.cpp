@@ -1,4 +1,4 @@
-#include "geodesic/windows/window_sources.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "geodesic/windows/window_parts.hpp"
+#include "geodesic/windows/mesh_partitions.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -8,43 +8,43 @@
 namespace gvd {
 namespace {
 
-std::vector<std::uint8_t> cut_vertices(const Mesh& mesh, std::int32_t parts) {
+std::vector<std::uint8_t> partition_vertices(const Mesh& mesh, std::int32_t parts) {
   const KdCut cut(mesh.positions(), parts);
-  std::vector<std::uint8_t> part_of_vertex;
-  part_of_vertex.reserve(mesh.positions().size());
+  std::vector<std::uint8_t> partition_of_vertex;
+  partition_of_vertex.reserve(mesh.positions().size());
   for (const Vec3& p : mesh.positions()) {
-    part_of_vertex.push_back(static_cast<std::uint8_t>(cut.box(p, part_of_vertex.size())));
+    partition_of_vertex.push_back(static_cast<std::uint8_t>(cut.box(p, partition_of_vertex.size())));
   }
-  return part_of_vertex;
+  return partition_of_vertex;
 }
 
 }  // namespace
 
-WindowParts::WindowParts(const Mesh& mesh, std::int32_t part_faces, FaceFrames& frames)
-    : count_(std::clamp(mesh.face_count() / part_faces, 1, std::min(kMaxParts, mesh.vertex_count()))),
+MeshPartitions::MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames)
+    : count_(std::clamp(mesh.face_count() / partition_faces, 1, std::min(kMaxPartitions, mesh.vertex_count()))),
       place_count_(static_cast<std::size_t>(mesh.vertex_count())),
-      parts_(static_cast<std::size_t>(mesh.face_count()), 0),
-      part_(parts_.data()) {
+      partitions_(static_cast<std::size_t>(mesh.face_count()), 0),
+      partition_(partitions_.data()) {
   if (count_ == 1) return;
-  const std::vector<std::uint8_t> part_of_vertex = cut_vertices(mesh, count_);
-  const std::vector<ForeignCorner> corners = find_foreign_corners(mesh, part_of_vertex);
+  const std::vector<std::uint8_t> partition_of_vertex = partition_vertices(mesh, count_);
+  const std::vector<ForeignCorner> corners = find_foreign_corners(mesh, partition_of_vertex);
   shared_.reserve(place_count_ + corners.size());
   shared_.assign(place_count_, -1);
-  add_places(corners, part_of_vertex);
+  add_places(corners, partition_of_vertex);
   place_count_ = shared_.size();
   enter_places(corners, frames);
 }
 
-std::vector<WindowParts::ForeignCorner> WindowParts::find_foreign_corners(
-    const Mesh& mesh, const std::vector<std::uint8_t>& part_of_vertex) {
+std::vector<MeshPartitions::ForeignCorner> MeshPartitions::find_foreign_corners(
+    const Mesh& mesh, const std::vector<std::uint8_t>& partition_of_vertex) {
   std::vector<ForeignCorner> corners;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const auto& vertices = mesh.vertices(FaceId(f));
-    const std::uint8_t part = part_of_vertex[vertices[0].index()];
-    parts_[static_cast<std::size_t>(f)] = part;
+    const std::uint8_t part = partition_of_vertex[vertices[0].index()];
+    partitions_[static_cast<std::size_t>(f)] = part;
     for (std::int32_t i = 1; i < 3; ++i) {
       const VertexId v = vertices[static_cast<std::size_t>(i)];
-      if (part_of_vertex[v.index()] != part) corners.push_back({v.value(), part, 3 * f + i});
+      if (partition_of_vertex[v.index()] != part) corners.push_back({v.value(), part, 3 * f + i});
     }
   }
   std::sort(corners.begin(), corners.end(), [](const ForeignCorner& a, const ForeignCorner& b) {
@@ -53,12 +53,12 @@ std::vector<WindowParts::ForeignCorner> WindowParts::find_foreign_corners(
   return corners;
 }
 
-void WindowParts::add_places(const std::vector<ForeignCorner>& corners,
-                             const std::vector<std::uint8_t>& part_of_vertex) {
+void MeshPartitions::add_places(const std::vector<ForeignCorner>& corners,
+                                const std::vector<std::uint8_t>& partition_of_vertex) {
   for (auto corner = corners.begin(); corner != corners.end();) {
     const std::int32_t vertex = corner->vertex;
     const auto begin = static_cast<std::int32_t>(places_.size());
-    add_place(vertex, part_of_vertex[static_cast<std::size_t>(vertex)]);
+    add_place(vertex, partition_of_vertex[static_cast<std::size_t>(vertex)]);
     for (; corner != corners.end() && corner->vertex == vertex; ++corner) {
       if (places_.back().part == corner->part) continue;
       shared_.push_back(-1);
@@ -68,12 +68,12 @@ void WindowParts::add_places(const std::vector<ForeignCorner>& corners,
   }
 }
 
-void WindowParts::add_place(std::int32_t vertex, std::int32_t part) {
+void MeshPartitions::add_place(std::int32_t vertex, std::int32_t part) {
   shared_[static_cast<std::size_t>(vertex)] = static_cast<std::int32_t>(places_.size());
   places_.push_back({vertex, part});
 }
 
-void WindowParts::enter_places(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {
+void MeshPartitions::enter_places(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {
   const std::size_t vertices = frames.kind.size();
   frames.kind.reserve(shared_.size());  // `resize` alone would take twice as much
   frames.kind.resize(shared_.size());

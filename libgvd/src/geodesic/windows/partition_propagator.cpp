@@ -1,4 +1,4 @@
-#include "geodesic/windows/part_propagation.hpp"
+#include "geodesic/windows/partition_propagator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,25 +8,25 @@
 
 #include "base/bucket_queue.hpp"
 #include "base/prefetch.hpp"
-#include "geodesic/windows/saddle_fan.hpp"
+#include "geodesic/windows/mesh_partitions.hpp"
+#include "geodesic/windows/partition_messages.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
 #include "geodesic/windows/waiting_windows.hpp"
 #include "geodesic/windows/window_filters.hpp"
-#include "geodesic/windows/window_mail.hpp"
-#include "geodesic/windows/window_parts.hpp"
-#include "geodesic/windows/window_retention.hpp"
+#include "geodesic/windows/window_pruning.hpp"
 
 namespace gvd {
 namespace {
 
 /// Carries windows across faces, splits them at corners, and lets vertices send windows; see window_propagation.hpp.
-class WindowCarrier final : public PartPropagation {
+class PartitionPropagator final : public PartitionPropagation {
  public:
-  WindowCarrier(PropagationState& state, std::int32_t part)
+  PartitionPropagator(PropagationState& state, std::int32_t part)
       : mesh_(state.mesh),
         frames_(state.frames),
         field_(state.field),
-        parts_(state.parts),
-        part_(part),
+        partitions_(state.parts),
+        partition_(part),
         mail_(state.mail),
         sent_(state.sent),
         fan_(frames_),
@@ -36,7 +36,7 @@ class WindowCarrier final : public PartPropagation {
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         apex_path_(state.apex_path),
-        retention_(state, part) {}
+        pruning_(state, part) {}
 
   void start_vertex(std::int32_t place, GeneratorId g, double d) override {
     if (!(d < distance(place))) return;
@@ -47,12 +47,12 @@ class WindowCarrier final : public PartPropagation {
 
   void run_round(double settled) override {
     settled_ = settled;
-    mail_.for_each_received(part_, [&](WindowMail& mail) {
-      for (const std::int32_t face : mail.mixed_faces) retention_.mark_own_face(face);
-      for (const WindowMail::Path& path : mail.paths) receive_path(path);
+    mail_.for_each_received(partition_, [&](PartitionMessages& mail) {
+      for (const std::int32_t face : mail.multi_label_faces) pruning_.mark_own_face(face);
+      for (const PartitionMessages::Path& path : mail.paths) receive_path(path);
     });
-    mail_.for_each_received(part_, [&](WindowMail& mail) {
-      for (const WindowMail::Window& window : mail.windows) receive_window(window);
+    mail_.for_each_received(partition_, [&](PartitionMessages& mail) {
+      for (const PartitionMessages::SentWindow& window : mail.windows) receive_window(window);
       mail.clear();
     });
     while (queue_.front_size() > 0) {
@@ -67,7 +67,7 @@ class WindowCarrier final : public PartPropagation {
   }
 
   void end_bucket(double settled, std::size_t steps) override {
-    retention_.review_border(settled);
+    pruning_.review_border(settled);
     // The front has passed, and other parts can use the memory. What waits is queued, so nothing does. Only after much
     // work, beside which looking at all buckets counts for nothing.
     if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
@@ -77,7 +77,7 @@ class WindowCarrier final : public PartPropagation {
   bool waits() const override { return !queue_.empty(); }
   std::size_t steps_to_next() const override { return queue_.steps_to_next(); }
   double front() const override { return queue_.front(); }
-  BlockList<KeptWindow> finish() override { return retention_.finish(); }
+  BlockList<KeptWindow> finish() override { return pruning_.finish(); }
   std::int64_t carried() const override { return carried_; }
   std::int64_t events() const override { return events_sent_; }
 
@@ -105,7 +105,7 @@ class WindowCarrier final : public PartPropagation {
   struct VertexEvent {
     std::int32_t vertex;
     std::int32_t generator;
-    bool all_round;  // a generator, or a blurred vertex
+    bool all_round;  // a generator, or a ambiguous vertex
     double distance;
     FanRay back;  // towards where the path came from
   };
@@ -152,15 +152,15 @@ class WindowCarrier final : public PartPropagation {
   void reach_vertex(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
     if (!is_before(d, generator, distance(v), label(v))) return;
     take_path(v, d, generator, back);
-    const std::int32_t shared = parts_.shared(v);
+    const std::int32_t shared = partitions_.shared(v);
     if (shared >= 0) [[unlikely]]
       send_path(shared, d, generator, back);
   }
 
   void send_path(std::int32_t shared, double d, std::int32_t generator, const FanRay& back) {
-    for (const WindowParts::Place& place : parts_.places(shared)) {
-      if (place.part == part_) continue;
-      WindowMail& mail = mail_.to_send(part_, place.part);
+    for (const MeshPartitions::Place& place : partitions_.places(shared)) {
+      if (place.part == partition_) continue;
+      PartitionMessages& mail = mail_.to_send(partition_, place.part);
       mail.paths.push_back({place.vertex, generator, d, back});
       mail.least_key = std::min(mail.least_key, d);
     }
@@ -168,7 +168,7 @@ class WindowCarrier final : public PartPropagation {
 
   /// A path to vertex v that another part found. All places of a vertex take the first one, in that order, of all paths
   /// that ever came first in one of them, and of one generator's the shortest: in the end they agree to the last bit.
-  void receive_path(const WindowMail::Path& path) {
+  void receive_path(const PartitionMessages::Path& path) {
     const std::int32_t v = path.vertex;
     const bool is_shorter_by_rounding = path.generator == label(v) && path.distance < distance(v);
     if (is_shorter_by_rounding || is_before(path.distance, path.generator, distance(v), label(v))) {
@@ -179,17 +179,17 @@ class WindowCarrier final : public PartPropagation {
   void take_path(std::int32_t v, double d, std::int32_t generator, const FanRay& back) {
     distance(v) = d;
     if (label(v) != generator) {
-      if (label(v) >= 0) retention_.mark_vertex(fan_, back.halfedge);
+      if (label(v) >= 0) pruning_.mark_vertex(fan_, back.halfedge);
       field_.label[VertexId(v)] = GeneratorId(generator);
     }
-    if (kind(v) >= VertexKind::saddle) push_event({v, generator, kind(v) == VertexKind::blurred, d, back});
+    if (kind(v) >= VertexKind::saddle) push_event({v, generator, kind(v) == VertexKind::ambiguous, d, back});
   }
 
-  void receive_window(const WindowMail::Window& window) {
+  void receive_window(const PartitionMessages::SentWindow& window) {
     const std::int32_t h = window.halfedge;
     const FaceFrame& f = fan_.face(h);
     const auto i = static_cast<std::size_t>(h % 3);
-    stand_on(window.rays, window.origin, {f.length[i], f.vertex[i], f.vertex[(i + 1) % 3], h, -1});
+    enqueue_on_edge(window.rays, window.origin, {f.length[i], f.vertex[i], f.vertex[(i + 1) % 3], h, -1});
   }
 
   void send_from_vertex(std::int32_t place) {
@@ -197,10 +197,10 @@ class WindowCarrier final : public PartPropagation {
     free_events_.push_back(place);
     if (event.distance > distance(event.vertex) || event.generator != label(event.vertex))
       return;  // another came since
-    if (const std::int32_t shared = parts_.shared(event.vertex); shared >= 0) {
+    if (const std::int32_t shared = partitions_.shared(event.vertex); shared >= 0) {
       // What another part found may be shorter by rounding alone, and no news.
       SentPath& sent = sent_[static_cast<std::size_t>(shared)];
-      if (!is_news(event.distance, sent.distance) && event.generator == sent.generator) return;
+      if (!is_shorter_beyond_rounding(event.distance, sent.distance) && event.generator == sent.generator) return;
       sent = {event.distance, event.generator};
     }
     events_sent_ += static_cast<std::int64_t>(event.vertex < mesh_.vertex_count());  // once for all places of a vertex
@@ -222,7 +222,7 @@ class WindowCarrier final : public PartPropagation {
   }
 
   void send_all_round(const VertexEvent& event) {
-    const std::int32_t start = mesh_.halfedge(parts_.vertex(event.vertex)).value();
+    const std::int32_t start = mesh_.halfedge(partitions_.vertex(event.vertex)).value();
     std::int32_t h = start;
     do {
       send(event, h, nullptr, nullptr);
@@ -248,7 +248,7 @@ class WindowCarrier final : public PartPropagation {
   /// Sends a window across the face of `outgoing`, and distances along those of its sides that lie between the rays.
   /// The faces of other parts are left to the events that these have of the same vertex.
   void send(const VertexEvent& event, std::int32_t outgoing, const Rotation* first, const Rotation* last) {
-    if (parts_.of_halfedge(outgoing) != part_) return;
+    if (partitions_.of_halfedge(outgoing) != partition_) return;
     const FaceFrame& f = fan_.face(outgoing);
     const auto c = static_cast<std::size_t>(outgoing % 3), p = (c + 1) % 3, q = (c + 2) % 3;
     const std::int32_t generator = event.generator, base = outgoing - static_cast<std::int32_t>(c);
@@ -268,12 +268,12 @@ class WindowCarrier final : public PartPropagation {
   /// Puts a window that leaves a face on the edge, unless it can hold no shortest path.
   void add_window(const Rays& w, const Origin& origin, const Side& side) {
     const FaceFrame& f = *side.face;
-    stand_on(w, origin,
-             {f.length[side.end], f.vertex[side.start], f.vertex[side.end], f.twin[side.end],
-              side.base + static_cast<std::int32_t>(side.end)});
+    enqueue_on_edge(w, origin,
+                    {f.length[side.end], f.vertex[side.start], f.vertex[side.end], f.twin[side.end],
+                     side.base + static_cast<std::int32_t>(side.end)});
   }
 
-  void stand_on(const Rays& w, const Origin& origin, const Edge& edge) {
+  void enqueue_on_edge(const Rays& w, const Origin& origin, const Edge& edge) {
     const bool by_start = is_beaten_by_start(w, origin.offset, distance(edge.start));
     const bool by_end = is_beaten_by_end(w, origin.offset, distance(edge.end), edge.length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be foretold cost more
@@ -283,9 +283,9 @@ class WindowCarrier final : public PartPropagation {
       return;
     }
     const double key = origin.offset + w.least_reach();
-    const std::int32_t part = parts_.of_halfedge(edge.into);
-    if (part != part_) [[unlikely]] {
-      WindowMail& mail = mail_.to_send(part_, part);
+    const std::int32_t part = partitions_.of_halfedge(edge.into);
+    if (part != partition_) [[unlikely]] {
+      PartitionMessages& mail = mail_.to_send(partition_, part);
       mail.windows.push_back({w, origin, edge.into});
       mail.least_key = std::min(mail.least_key, key);
     } else if (waiting_.add(edge.into, w, origin, edge.length, key)) {
@@ -294,17 +294,17 @@ class WindowCarrier final : public PartPropagation {
   }
 
   bool is_left_to_ends(const Rays& w, const Origin& origin, const Edge& edge) {
-    return (kind(edge.start) == VertexKind::blurred &&
+    return (kind(edge.start) == VertexKind::ambiguous &&
             is_left_to_vertex(origin.offset, distance(edge.start), w.end, w.squared_reach(w.end))) ||
-           (kind(edge.end) == VertexKind::blurred &&
+           (kind(edge.end) == VertexKind::ambiguous &&
             is_left_to_vertex(origin.offset, distance(edge.end), edge.length - w.begin, w.squared_reach(w.begin)));
   }
 
   [[gnu::always_inline]] void keep(const Rays& w, const Origin& origin, std::int32_t h, std::int32_t start,
                                    std::int32_t end) {
     const bool foreign_start = is_foreign(start, origin.generator), foreign_end = is_foreign(end, origin.generator);
-    if (foreign_start || foreign_end) retention_.mark_edge(h);
-    retention_.add(w, origin, h, settled_);
+    if (foreign_start || foreign_end) pruning_.mark_edge(h);
+    pruning_.add(w, origin, h, settled_);
   }
 
   /// A vertex that is not reached yet takes the label for the time being, so that reach_vertex sees when another one
@@ -339,7 +339,7 @@ class WindowCarrier final : public PartPropagation {
     // Where the apex splits the window, the two parts may join again behind it.
     const int split = is_flat(f.vertex[top]) ? Origin::kAtBegin | Origin::kAtEnd : 0;
     Origin next = origin;
-    if (has_thin_faces_ && is_milestone(++next.crossed)) next.milestone = base / 3;
+    if (has_thin_faces_ && is_cycle_check_step(++next.crossed)) next.cycle_check_face = base / 3;
     if (exits.left) {
       const int at_end = apex.all_left() ? origin.joins : split;
       next.joins = static_cast<std::uint8_t>((origin.joins & Origin::kAtBegin) | (at_end & Origin::kAtEnd));
@@ -383,8 +383,8 @@ class WindowCarrier final : public PartPropagation {
   const Mesh& mesh_;
   const FaceFrames& frames_;
   WindowField& field_;
-  const WindowParts& parts_;
-  std::int32_t part_;
+  const MeshPartitions& partitions_;
+  std::int32_t partition_;
   Mailboxes& mail_;
   std::vector<SentPath>& sent_;
   VertexFan fan_;
@@ -394,7 +394,7 @@ class WindowCarrier final : public PartPropagation {
   BucketQueue<std::int32_t> queue_;  // halfedges where windows wait, and ~places of vertex events
   WaitingWindows waiting_;
   std::vector<ApexPath>& apex_path_;  // [halfedge that windows cross into the face]
-  WindowRetention retention_;
+  WindowPruning pruning_;
   std::vector<VertexEvent> events_;
   std::vector<std::int32_t> free_events_;
   double settled_ = 0;
@@ -404,8 +404,8 @@ class WindowCarrier final : public PartPropagation {
 
 }  // namespace
 
-std::unique_ptr<PartPropagation> make_part_propagation(PropagationState& state, std::int32_t part) {
-  return std::make_unique<WindowCarrier>(state, part);
+std::unique_ptr<PartitionPropagation> make_partition_propagation(PropagationState& state, std::int32_t part) {
+  return std::make_unique<PartitionPropagator>(state, part);
 }
 
 }  // namespace gvd

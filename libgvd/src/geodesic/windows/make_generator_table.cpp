@@ -1,10 +1,10 @@
-#include "geodesic/windows/window_table.hpp"
+#include "geodesic/windows/make_generator_table.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "geodesic/field/face_layout.hpp"
-#include "geodesic/windows/window_sources.hpp"
+#include "geodesic/windows/collect_sources.hpp"
 
 namespace gvd {
 namespace {
