@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "diagram/graph/diagram_graph.hpp"
 #include "diagram/growth/trace_growth.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/growth/gaps.hpp"
-#include "diagram/growth/growth.hpp"
+#include "diagram/growth/check_growth.hpp"
 #include "support/stages.hpp"
 
 namespace gvd::test {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/growth/growth.hpp"
+#include "diagram/growth/check_growth.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

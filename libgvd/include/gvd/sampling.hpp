@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gvd/diagram.hpp"
+#include "gvd/front.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"

@@ -1,11 +1,12 @@
+#include "diagram/collect_cells.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <span>
 
 #include "diagram/graph/area_share.hpp"
-#include "diagram/graph/cell_topology.hpp"
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/boundary_loops.hpp"
 #include "diagram/graph/face_pieces.hpp"
 
 namespace gvd {

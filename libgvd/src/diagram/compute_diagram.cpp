@@ -2,9 +2,10 @@
 #include <cmath>
 
 #include "base/parallel_chunks.hpp"
+#include "diagram/collect_cells.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
-#include "diagram/graph/diagram_graph.hpp"
 #include "diagram/growth/trace_growth.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/marching/marched_distances.hpp"
 #include "geodesic/windows/make_generator_table.hpp"

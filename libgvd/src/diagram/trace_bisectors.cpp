@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "diagram/trace_bisectors.hpp"
 
-#include "diagram/graph/diagram_graph.hpp"
+#include <algorithm>
 
 namespace gvd {
 namespace {

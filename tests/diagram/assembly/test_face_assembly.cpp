@@ -61,16 +61,16 @@ void require_apart(const AssembledFace& face) {
 /// The pieces fill the face once, and each run of its boundary belongs to one piece of its own cell.
 void require_partition(const AssembledFace& face) {
   double sum = 0;
-  const auto [pieces, piece_of_run] = face.pieces();
+  const auto [pieces, piece_of_interval] = face.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const double area = area_share(pieces[i].corners);
     REQUIRE(area >= -1e-12);
     sum += area;
-    REQUIRE(std::count(piece_of_run.begin(), piece_of_run.end(), static_cast<int>(i)) > 0);
+    REQUIRE(std::count(piece_of_interval.begin(), piece_of_interval.end(), static_cast<int>(i)) > 0);
   }
-  REQUIRE(piece_of_run.size() == face.boundary.size());
+  REQUIRE(piece_of_interval.size() == face.boundary.size());
   for (std::size_t run = 0; run < face.boundary.size(); ++run) {
-    REQUIRE(face.boundary[run].next == pieces.at(static_cast<std::size_t>(piece_of_run[run])).generator);
+    REQUIRE(face.boundary[run].next == pieces.at(static_cast<std::size_t>(piece_of_interval[run])).generator);
   }
   REQUIRE(sum == Approx(1).epsilon(1e-12));
 }
@@ -126,7 +126,7 @@ TEST_CASE("four crossings of two cells: the nearer one in the middle is united")
     require_sound(face);
     CHECK(face.diagram.arcs.size() == 2);
     CHECK(face.diagram.branches.empty());
-    const auto [pieces, piece_of_run] = face.pieces();
+    const auto [pieces, piece_of_interval] = face.pieces();
     CHECK(std::count_if(pieces.begin(), pieces.end(),
                         [&](const auto& p) { return p.generator == GeneratorId(near); }) == 1);
   }

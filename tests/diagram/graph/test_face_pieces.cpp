@@ -10,12 +10,12 @@ using test::AssembledFace;
 
 TEST_CASE("an arc cuts a corner off: a triangle and a quadrilateral, counter-clockwise") {
   const AssembledFace face({{0, 0.5, 1}, {1, 0.5, 0}}, test::flat_forms(2));
-  const auto [pieces, piece_of_run] = face.pieces();
+  const auto [pieces, piece_of_interval] = face.pieces();
   REQUIRE(pieces.size() == 2);
   CHECK(pieces[0].generator == GeneratorId(1));
   CHECK(pieces[0].corners.size() == 3);
   CHECK(area_share(pieces[0].corners) == Approx(0.25));
-  CHECK(piece_of_run == std::vector<int>{0, 1});
+  CHECK(piece_of_interval == std::vector<int>{0, 1});
   CHECK(pieces[1].generator == GeneratorId(0));
   CHECK(pieces[1].corners.size() == 4);
   CHECK(area_share(pieces[1].corners) == Approx(0.75));
@@ -23,7 +23,7 @@ TEST_CASE("an arc cuts a corner off: a triangle and a quadrilateral, counter-clo
 
 TEST_CASE("an arc between two crossings of one edge: one piece goes all the way round") {
   const AssembledFace face({{1, 0.25, 1}, {1, 0.75, 0}}, test::flat_forms(2));
-  const auto [pieces, piece_of_run] = face.pieces();
+  const auto [pieces, piece_of_interval] = face.pieces();
   REQUIRE(pieces.size() == 2);
   CHECK(area_share(pieces[0].corners) == Approx(0).margin(1e-15));
   CHECK(area_share(pieces[1].corners) == Approx(1));
@@ -33,17 +33,17 @@ TEST_CASE("an arc between two crossings of one edge: one piece goes all the way 
 TEST_CASE("a cell with two runs is one piece when they are united, and two when they are not") {
   const std::vector<test::BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
   const AssembledFace united(runs, {test::form(0, 1, 1, 1), test::form(1, 2, 2, 2)});
-  const auto [pieces, piece_of_run] = united.pieces();
+  const auto [pieces, piece_of_interval] = united.pieces();
   REQUIRE(pieces.size() == 3);
-  CHECK(piece_of_run[1] == piece_of_run[3]);
-  CHECK(pieces[static_cast<std::size_t>(piece_of_run[1])].generator == GeneratorId(0));
-  CHECK(std::set<int>(piece_of_run.begin(), piece_of_run.end()).size() == 3);
+  CHECK(piece_of_interval[1] == piece_of_interval[3]);
+  CHECK(pieces[static_cast<std::size_t>(piece_of_interval[1])].generator == GeneratorId(0));
+  CHECK(std::set<int>(piece_of_interval.begin(), piece_of_interval.end()).size() == 3);
 }
 
 TEST_CASE("a branch point is a corner of its three pieces") {
   const AssembledFace face({{0, 0.5, 1}, {1, 0.5, 2}, {2, 0.5, 0}},
                            {test::form(0, 0, 1, 1), test::form(1, 1, 0, 1), test::form(2, 1, 1, 0)});
-  const auto [pieces, piece_of_run] = face.pieces();
+  const auto [pieces, piece_of_interval] = face.pieces();
   REQUIRE(pieces.size() == 3);
   const auto& bary = face.diagram.branches[BranchPointId(0)].bary;
   for (const WorkingPiece& piece : pieces) {
@@ -61,7 +61,7 @@ TEST_CASE("arcs may be listed in any order and from either end") {
     std::swap(arc.left, arc.right);
   }
   const auto first = face.pieces(), again = face.pieces_of(turned);
-  CHECK(first.piece_of_run == again.piece_of_run);
+  CHECK(first.piece_of_interval == again.piece_of_interval);
   REQUIRE(first.pieces.size() == again.pieces.size());
   for (std::size_t i = 0; i < first.pieces.size(); ++i) {
     CHECK(first.pieces[i].generator == again.pieces[i].generator);

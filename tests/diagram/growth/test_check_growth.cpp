@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/growth/growth.hpp"
+#include "diagram/growth/check_growth.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/grown_gaps.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "diagram/graph/lonely_runs.hpp"
+#include "diagram/graph/disconnected_intervals.hpp"
 #include "diagram/growth/rough_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -163,16 +163,16 @@ TEST_CASE("a cell that pokes through an edge between two vertices of one cell sh
 TEST_CASE("a run inside an edge is lonely unless runs through common faces join it to a corner of its cell") {
   Poked poked;
   const EdgeId middle = edge_between(poked.mesh, 1, 4), side = edge_between(poked.mesh, 0, 1);
-  CHECK(find_lonely_runs(poked.mesh, poked.labels, poked.runs({})).empty());
-  CHECK(find_lonely_runs(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
+  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({})).empty());
+  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
   // Two runs in one face keep each other company, and are both lonely.
   const std::vector<EdgeId> both{std::min(middle, side), std::max(middle, side)};
-  CHECK(find_lonely_runs(poked.mesh, poked.labels, poked.runs(both)) == both);
+  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs(both)) == both);
   // Vertex 2 is a corner of its cell: out of reach of the middle, but for a run on the edge between.
   poked.labels.label[VertexId(2)] = poked.other;
   const EdgeId between = edge_between(poked.mesh, 1, 5);
-  CHECK(find_lonely_runs(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
-  CHECK(find_lonely_runs(poked.mesh, poked.labels, poked.runs({middle, between})).empty());
+  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
+  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle, between})).empty());
 }
 
 TEST_CASE("crossing plainly leaves one crossing where the ends' labels differ and none where they agree") {
@@ -182,7 +182,7 @@ TEST_CASE("crossing plainly leaves one crossing where the ends' labels differ an
       const test::Stages stages(mesh, test::random_generators(mesh, 60, 3), front);
       const std::vector<EdgeId> edges = edges_with_runs_inside(stages.rough);
       Crossings plain = stages.rough;
-      cross_plainly(stages.working, stages.table(), stages.labels, front, edges, plain);
+      cross_at_most_once(stages.working, stages.table(), stages.labels, front, edges, plain);
       require_sound(stages.mesh(), stages.labels, plain);
       REQUIRE(edges_with_runs_inside(plain).empty());
       for (const EdgeId e : edges) {

@@ -10,7 +10,7 @@ namespace {
 
 /// A run shorter than this part of its edge is rounding, of a place where windows meet: what is lost is a sliver whose
 /// points are as near to the neighbouring cell, within twice its length.
-constexpr double kShortestRun = 1e-9;
+constexpr double kShortestInterval = 1e-9;
 
 /// Gaps between windows are narrower than this part of their edge: windows end where rays pass a vertex, and rays that
 /// were unfolded over hundreds of thin faces are off by up to 1e-9 of the edge.
@@ -183,7 +183,7 @@ double EdgeEnvelope::polish(std::int32_t a, std::int32_t b, double begin, double
 /// Runs of one generator, from the label of the one end to that of the other, without those that are too short.
 void EdgeEnvelope::find_runs(GeneratorId first, GeneratorId last) {
   runs_.assign(1, {0, first});
-  const double least = kShortestRun * length_;
+  const double least = kShortestInterval * length_;
   double begin = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const GeneratorId g = generator(segments_[i]);

@@ -66,7 +66,7 @@ class EnvelopeTracer final : public ConnectedTracer {
     return Crossings(mesh_.edge_count(), cross(field_.contested_edges(parallel_), false, {"bisectors", 0, 0.5}));
   }
 
-  void cross_plainly(const std::vector<EdgeId>& edges, Crossings& crossings) override {
+  void cross_at_most_once(const std::vector<EdgeId>& edges, Crossings& crossings) override {
     std::vector<Crossing> others, all;
     std::copy_if(crossings.items().begin(), crossings.items().end(), std::back_inserter(others),
                  [&](const Crossing& c) { return !std::binary_search(edges.begin(), edges.end(), c.edge); });

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/parallel_chunks.hpp"
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/traced_diagram.hpp"
 #include "geodesic/field/distance_field.hpp"
+#include "gvd/diagram.hpp"
 
 namespace gvd {
 

@@ -1,7 +1,10 @@
-#include <map>
-#include <utility>
+#include "diagram/graph/boundary_loops.hpp"
 
-#include "diagram/graph/cell_topology.hpp"
+#include <array>
+#include <map>
+#include <vector>
+
+#include "base/union_find.hpp"
 
 namespace gvd {
 namespace {

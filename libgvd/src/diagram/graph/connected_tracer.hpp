@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/traced_diagram.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
@@ -29,13 +30,13 @@ class ConnectedTracer {
   /// The crossings of all edges, between the present labels.
   virtual Crossings cross_edges() = 0;
   /// Crosses these edges, ascending, at most once, between the present labels of their ends.
-  virtual void cross_plainly(const std::vector<EdgeId>& edges, Crossings& crossings) = 0;
+  virtual void cross_at_most_once(const std::vector<EdgeId>& edges, Crossings& crossings) = 0;
   /// Fills in the arcs and branch points of all faces, ascending by face; may move crossings and labels in `traced`.
   virtual void close_faces(TracedDiagram& traced, DiagramReport& report) = 0;
   /// From now on, closes the faces at these edges by nothing but their crossings.
-  virtual void give_way(const std::vector<EdgeId>&) {}
+  virtual void disable_growth(const std::vector<EdgeId>&) {}
   /// The same for all faces.
-  virtual void give_way_everywhere() {}
+  virtual void disable_growth_everywhere() {}
 
   const WorkingMesh& working_;
   const Mesh& mesh_;
@@ -43,8 +44,8 @@ class ConnectedTracer {
   NearestLabels labels_;
 
  private:
-  void recross_plainly(const std::vector<EdgeId>& edges);
-  bool give_way_to_islands(TracedDiagram& traced);
+  void recross_at_most_once(const std::vector<EdgeId>& edges);
+  bool join_islands(TracedDiagram& traced);
   void connect_everywhere();
 
   Crossings crossings_;

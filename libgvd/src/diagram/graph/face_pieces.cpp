@@ -20,9 +20,9 @@ class PieceTracer {
 
   void trace() {
     result_.pieces.clear();
-    result_.piece_of_run.assign(boundary_.size(), kNone);
+    result_.piece_of_interval.assign(boundary_.size(), kNone);
     for (std::size_t run = 0; run < boundary_.size(); ++run) {
-      if (result_.piece_of_run[run] == kNone) trace_from(run);
+      if (result_.piece_of_interval[run] == kNone) trace_from(run);
     }
   }
 
@@ -32,8 +32,8 @@ class PieceTracer {
     const auto number = static_cast<int>(result_.pieces.size());
     std::vector<Bary>& corners = result_.pieces.emplace_back(WorkingPiece{boundary_[first].next, {}}).corners;
     corners.reserve(kUsualCorners);
-    for (std::size_t run = first; result_.piece_of_run[run] == kNone;) {
-      result_.piece_of_run[run] = number;
+    for (std::size_t run = first; result_.piece_of_interval[run] == kNone;) {
+      result_.piece_of_interval[run] = number;
       follow_run(run, corners);
       run = follow_arcs((run + 1) % boundary_.size(), corners);
     }

@@ -18,7 +18,8 @@ struct WorkingPiece {
 /// All parts of one face.
 struct WorkingPieces {
   std::vector<WorkingPiece> pieces;
-  std::vector<int> piece_of_run;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
+  std::vector<int>
+      piece_of_interval;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
 };
 
 /// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "diagram/assembly/distance_form.hpp"
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/traced_diagram.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "gvd/progress.hpp"
 

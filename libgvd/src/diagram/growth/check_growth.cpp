@@ -1,3 +1,5 @@
+#include "diagram/growth/check_growth.hpp"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -5,7 +7,6 @@
 #include <vector>
 
 #include "diagram/growth/growing_end.hpp"
-#include "diagram/growth/growth.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "diagram/growth/assemble_faces.hpp"
+#include "diagram/growth/check_growth.hpp"
 #include "diagram/growth/growing_end.hpp"
 #include "geodesic/field/face_layout.hpp"
 

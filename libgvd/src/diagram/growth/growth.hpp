@@ -50,8 +50,4 @@ struct GrownGap {
 std::optional<GrownGap> grow_gap(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
                                  const Crossings& crossings, const Gap& gap);
 
-/// Whether what has grown is consistent; fills in `grown.labels`. Separate from the growth, which it does not trust.
-bool check_growth(const WorkingMesh& working, const NearestLabels& labels, const Crossings& crossings, const Gap& gap,
-                  GrownGap& grown);
-
 }  // namespace gvd

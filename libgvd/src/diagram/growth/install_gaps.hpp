@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/traced_diagram.hpp"
 #include "diagram/growth/growth.hpp"
 
 namespace gvd {

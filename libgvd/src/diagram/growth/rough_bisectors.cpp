@@ -18,7 +18,7 @@ constexpr std::size_t kProgressStride = 1 << 10;
 
 /// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off
 /// by about a hundredth of an edge, so that such a run says nothing.
-constexpr double kShortestRun = 1e-3;
+constexpr double kShortestInterval = 1e-3;
 
 /// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
 struct EdgeCandidate {
@@ -155,7 +155,7 @@ class EdgeEnvelope {
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
     std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
-      while (runs.size() > 1 && t - runs.back().first < kShortestRun) runs.pop_back();
+      while (runs.size() > 1 && t - runs.back().first < kShortestInterval) runs.pop_back();
       const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
       if (runs.back().second != g) runs.emplace_back(start, g);
     }
@@ -211,8 +211,8 @@ Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable&
   return Crossings(working.mesh().edge_count(), std::move(crossings));
 }
 
-void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
-                   const std::vector<EdgeId>& edges, Crossings& crossings) {
+void cross_at_most_once(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                        Front front, const std::vector<EdgeId>& edges, Crossings& crossings) {
   std::vector<Crossing> items;
   EdgeEnvelope envelope(working, table, labels, front);
   auto next = edges.begin();

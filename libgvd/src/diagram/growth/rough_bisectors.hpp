@@ -18,7 +18,7 @@ Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable&
                                Front front, const Progress& progress = {});
 
 /// Crosses the given edges (ascending) at most once, between the labels of their ends.
-void cross_plainly(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front,
-                   const std::vector<EdgeId>& edges, Crossings& crossings);
+void cross_at_most_once(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
+                        Front front, const std::vector<EdgeId>& edges, Crossings& crossings);
 
 }  // namespace gvd

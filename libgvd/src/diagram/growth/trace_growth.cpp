@@ -8,6 +8,7 @@
 #include "diagram/growth/install_gaps.hpp"
 #include "diagram/growth/refine_bisectors.hpp"
 #include "diagram/growth/rough_bisectors.hpp"
+#include "diagram/growth/weld_crossings.hpp"
 
 namespace gvd {
 namespace {
@@ -27,8 +28,8 @@ class GrowthTracer final : public ConnectedTracer {
  private:
   Crossings cross_edges() override { return find_rough_crossings(working_, table_, labels_, front_, progress_); }
 
-  void cross_plainly(const std::vector<EdgeId>& edges, Crossings& crossings) override {
-    gvd::cross_plainly(working_, table_, labels_, front_, edges, crossings);
+  void cross_at_most_once(const std::vector<EdgeId>& edges, Crossings& crossings) override {
+    gvd::cross_at_most_once(working_, table_, labels_, front_, edges, crossings);
   }
 
   void close_faces(TracedDiagram& traced, DiagramReport& report) override {
@@ -39,13 +40,13 @@ class GrowthTracer final : public ConnectedTracer {
     assemble_rest(traced);
   }
 
-  void give_way(const std::vector<EdgeId>& edges) override {
+  void disable_growth(const std::vector<EdgeId>& edges) override {
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
       if (may_grow_[i] && touches(gaps_[i], edges)) may_grow_[i] = 0;
     }
   }
 
-  void give_way_everywhere() override { std::fill(may_grow_.begin(), may_grow_.end(), 0); }
+  void disable_growth_everywhere() override { std::fill(may_grow_.begin(), may_grow_.end(), 0); }
 
   /// With planar fronts the rough crossings interpolate distances, and unfolding makes them better. With circles they
   /// come from sources that were unfolded over the very edge, the same for both of its faces: there is nothing to

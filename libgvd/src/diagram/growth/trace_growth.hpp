@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagram/graph/diagram_graph.hpp"
+#include "diagram/graph/traced_diagram.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "gvd/diagram.hpp"
 

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "diagram/growth/weld_crossings.hpp"
 
-#include "diagram/growth/refine_bisectors.hpp"
+#include <algorithm>
 
 namespace gvd {
 

@@ -1,4 +1,4 @@
-#include "diagram/graph/cell_topology.hpp"
+#include "diagram/graph/cell_components.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace gvd {
 
-CellParts::CellParts(const WorkingMesh& working, const TracedDiagram& traced)
+CellComponents::CellComponents(const WorkingMesh& working, const TracedDiagram& traced)
     : working_(working),
       mesh_(working.mesh()),
       traced_(traced),
@@ -25,12 +25,12 @@ CellParts::CellParts(const WorkingMesh& working, const TracedDiagram& traced)
   join_across_edges();
 }
 
-std::int32_t CellParts::add_part(GeneratorId g, FaceId f) {
+std::int32_t CellComponents::add_part(GeneratorId g, FaceId f) {
   parts_.push_back({g, f});
   return sets_.add();
 }
 
-void CellParts::find_loose_vertices() {
+void CellComponents::find_loose_vertices() {
   std::vector<VertexId> doubtful = traced_.labels.unsupported;
   const auto& items = traced_.crossings.items();
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -55,7 +55,7 @@ void CellParts::find_loose_vertices() {
 }
 
 /// An uncut edge joins v to a vertex of its cell that is nearer to the generator, and is not loose itself.
-bool CellParts::is_anchored(VertexId v) const {
+bool CellComponents::is_anchored(VertexId v) const {
   const NearestLabels& labels = traced_.labels;
   if (!labels.label[v].valid() || working_.vertex(labels.label[v]) == v) return true;
   bool anchored = false;
@@ -66,45 +66,45 @@ bool CellParts::is_anchored(VertexId v) const {
   return anchored;
 }
 
-void CellParts::cut(FaceId f, std::span<const FaceArc> arcs) {
+void CellComponents::cut(FaceId f, std::span<const FaceArc> arcs) {
   boundary_crossings(mesh_, traced_.crossings, f, boundary_);
   number_pieces(f, arcs);
   cut_index_[f] = static_cast<std::int32_t>(first_run_.size() / 3);
   // A halfedge begins in the run of the last crossing before it; every crossing on it begins another.
-  std::int32_t current = piece_of_run_.back();
+  std::int32_t current = piece_of_interval_.back();
   std::size_t next = 0;
   for (int corner = 0; corner < 3; ++corner) {
     sets_.unite(current, part_of(mesh_.vertices(f)[static_cast<std::size_t>(corner)]));
     first_run_.push_back(static_cast<std::int32_t>(run_pieces_.size()));
     run_pieces_.push_back(current);
     for (; next < boundary_.size() && boundary_[next].corner == corner; ++next) {
-      run_pieces_.push_back(current = piece_of_run_[next]);
+      run_pieces_.push_back(current = piece_of_interval_[next]);
     }
   }
 }
 
-void CellParts::number_pieces(FaceId f, std::span<const FaceArc> arcs) {
-  piece_of_run_.assign(boundary_.size(), -1);
+void CellComponents::number_pieces(FaceId f, std::span<const FaceArc> arcs) {
+  piece_of_interval_.assign(boundary_.size(), -1);
   bool distinct = true;
   for (std::size_t i = 0; i < boundary_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) distinct = distinct && boundary_[i].next != boundary_[j].next;
   }
   if (distinct) {  // every run has a piece of its own: nothing to trace
-    for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = add_part(boundary_[i].next, f);
+    for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_interval_[i] = add_part(boundary_[i].next, f);
     return;
   }
   trace_pieces(boundary_, arcs, traced_.faces, pieces_);
   const auto first = static_cast<std::int32_t>(parts_.size());
   for (const WorkingPiece& piece : pieces_.pieces) add_part(piece.generator, f);
-  for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_run_[i] = first + pieces_.piece_of_run[i];
+  for (std::size_t i = 0; i < boundary_.size(); ++i) piece_of_interval_[i] = first + pieces_.piece_of_interval[i];
 }
 
-std::int32_t CellParts::part_of(VertexId v) const {
+std::int32_t CellComponents::part_of(VertexId v) const {
   const auto it = loose_.find(v);
   return it == loose_.end() ? traced_.labels.label[v].value() : it->second;
 }
 
-void CellParts::join_loose_vertices() {
+void CellComponents::join_loose_vertices() {
   for (const auto& [v, part] : loose_) {
     for_each_neighbour(mesh_, v, [&, v = v, part = part](VertexId u, HalfedgeId h) {
       const bool uncut = traced_.crossings.count(mesh_.edge(h)) == 0;
@@ -113,7 +113,7 @@ void CellParts::join_loose_vertices() {
   }
 }
 
-void CellParts::join_across_edges() {
+void CellComponents::join_across_edges() {
   const auto& items = traced_.crossings.items();
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i > 0 && items[i - 1].edge == items[i].edge) continue;
@@ -124,12 +124,12 @@ void CellParts::join_across_edges() {
   }
 }
 
-std::int32_t CellParts::piece(HalfedgeId h, std::int32_t run) const {
+std::int32_t CellComponents::piece(HalfedgeId h, std::int32_t run) const {
   const auto place = static_cast<std::size_t>(3 * cut_index_[Mesh::face(h)] + Mesh::corner(h));
   return run_pieces_[static_cast<std::size_t>(first_run_[place] + run)];
 }
 
-IdVector<GeneratorId, std::int32_t> CellParts::count_components() {
+IdVector<GeneratorId, std::int32_t> CellComponents::count_components() {
   IdVector<GeneratorId, std::int32_t> count(working_.generator_vertices().size(), 0);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const auto part = static_cast<std::int32_t>(i);
@@ -138,7 +138,7 @@ IdVector<GeneratorId, std::int32_t> CellParts::count_components() {
   return count;
 }
 
-std::vector<EdgeId> CellParts::island_edges() {
+std::vector<EdgeId> CellComponents::island_edges() {
   std::vector<EdgeId> edges;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     // The smallest member stands for a set, and the homes come first.
@@ -150,7 +150,7 @@ std::vector<EdgeId> CellParts::island_edges() {
   return edges;
 }
 
-std::vector<VertexId> CellParts::island_vertices() {
+std::vector<VertexId> CellComponents::island_vertices() {
   std::vector<VertexId> vertices;
   for (const auto& [v, part] : loose_) {
     if (sets_.find(part) != traced_.labels.label[v].value()) vertices.push_back(v);

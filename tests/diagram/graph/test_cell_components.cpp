@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "diagram/graph/cell_topology.hpp"
+#include "diagram/graph/cell_components.hpp"
 #include "diagram/growth/assemble_faces.hpp"
 #include "diagram/growth/trace_growth.hpp"
 #include "gvd/diagram.hpp"
@@ -53,10 +53,10 @@ struct HandMade {
     traced.crossings = Crossings(mesh.edge_count(), items);
   }
 
-  CellParts parts() {
+  CellComponents parts() {
     traced.faces = {};
     assemble_faces({stages.mesh(), stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
-    return CellParts(stages.working, traced);
+    return CellComponents(stages.working, traced);
   }
 };
 
@@ -91,7 +91,7 @@ TEST_CASE("traced diagrams have no island, on every family") {
     DiagramReport report;
     const FastMarchingResult marched = march(working, Front::circle, {});
     const TracedDiagram traced = trace_growth(working, marched.table, {}, report);
-    CellParts parts(working, traced);
+    CellComponents parts(working, traced);
     REQUIRE(parts.island_edges().empty());
     REQUIRE(parts.island_vertices().empty());
     for (const std::int32_t count : parts.count_components()) REQUIRE(count == 1);
@@ -101,7 +101,7 @@ TEST_CASE("traced diagrams have no island, on every family") {
 TEST_CASE("a run that hangs together with nothing is an island of its cell, and its faces' edges are named") {
   HandMade made;
   {
-    CellParts parts = made.parts();
+    CellComponents parts = made.parts();
     CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 1});
     CHECK(parts.island_edges().empty());
   }
@@ -110,7 +110,7 @@ TEST_CASE("a run that hangs together with nothing is an island of its cell, and 
   for (const EdgeId poked : {e, f}) {
     HandMade fresh;
     fresh.poke(poked, GeneratorId(0), GeneratorId(1));
-    CellParts parts = fresh.parts();
+    CellComponents parts = fresh.parts();
     CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 2});
     const auto islands = parts.island_edges();
     CHECK(std::is_sorted(islands.begin(), islands.end()));
@@ -133,7 +133,7 @@ TEST_CASE("a vertex of another cell in the middle of a cell is an island") {
   }
   std::stable_sort(items.begin(), items.end(), [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
   made.traced.crossings = Crossings(made.mesh.edge_count(), items);
-  CellParts parts = made.parts();
+  CellComponents parts = made.parts();
   CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 2});
   CHECK(parts.island_vertices() == std::vector<VertexId>{v});
 }

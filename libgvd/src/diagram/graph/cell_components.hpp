@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/union_find.hpp"
-#include "diagram/graph/diagram_graph.hpp"
 #include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/traced_diagram.hpp"
 
 namespace gvd {
 
@@ -18,9 +18,9 @@ namespace gvd {
 /// that chain may be missing, because a vertex is unsupported, an edge between two vertices of one cell is crossed or
 /// growth moved a vertex to another cell, are vertices loose and joined to their neighbours one by one. Cost: O(k) for
 /// k crossings, and 4 bytes a face.
-class CellParts {
+class CellComponents {
  public:
-  CellParts(const WorkingMesh& working, const TracedDiagram& traced);
+  CellComponents(const WorkingMesh& working, const TracedDiagram& traced);
 
   /// Components of every cell: 1 where it is connected.
   IdVector<GeneratorId, std::int32_t> count_components();
@@ -41,7 +41,7 @@ class CellParts {
   void find_loose_vertices();
   bool is_anchored(VertexId v) const;
   void cut(FaceId f, std::span<const FaceArc> arcs);
-  /// A part for every piece of f, whose boundary_ is at hand; fills in piece_of_run_.
+  /// A part for every piece of f, whose boundary_ is at hand; fills in piece_of_interval_.
   void number_pieces(FaceId f, std::span<const FaceArc> arcs);
   void join_loose_vertices();
   void join_across_edges();
@@ -54,16 +54,13 @@ class CellParts {
   const TracedDiagram& traced_;
   UnionFind sets_;  // parts 0 .. generators - 1 are the homes
   std::vector<Part> parts_;
-  std::map<VertexId, std::int32_t> loose_;    // vertices that no chain of uncut edges is known to join to their home
-  IdVector<FaceId, std::int32_t> cut_index_;  // place in first_run_ / 3, or -1 for a whole face
-  std::vector<std::int32_t> first_run_;       // three for every cut face: where the runs of the halfedge begin in
-  std::vector<std::int32_t> run_pieces_;      // the piece at each run
-  std::vector<BoundaryCrossing> boundary_;    // of the face at work
-  std::vector<std::int32_t> piece_of_run_;    // and the parts of its runs
-  WorkingPieces pieces_;                      // of that face, where they have to be traced
+  std::map<VertexId, std::int32_t> loose_;       // vertices that no chain of uncut edges is known to join to their home
+  IdVector<FaceId, std::int32_t> cut_index_;     // place in first_run_ / 3, or -1 for a whole face
+  std::vector<std::int32_t> first_run_;          // three for every cut face: where the runs of the halfedge begin in
+  std::vector<std::int32_t> run_pieces_;         // the piece at each run
+  std::vector<BoundaryCrossing> boundary_;       // of the face at work
+  std::vector<std::int32_t> piece_of_interval_;  // and the parts of its runs
+  WorkingPieces pieces_;                         // of that face, where they have to be traced
 };
-
-/// Loops of bisectors and of the mesh's boundary round every cell. Cost: O(k) for k arcs and boundary edges.
-IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
 
 }  // namespace gvd

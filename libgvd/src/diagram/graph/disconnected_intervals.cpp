@@ -1,4 +1,4 @@
-#include "diagram/graph/lonely_runs.hpp"
+#include "diagram/graph/disconnected_intervals.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace gvd {
 namespace {
 
 /// The runs inside of edges, grouped by the pieces that common faces make of them.
-class RunGroups {
+class IntervalGroups {
  public:
-  RunGroups(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings)
+  IntervalGroups(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings)
       : mesh_(mesh), labels_(labels), crossings_(crossings), items_(crossings.items()), groups_(items_.size()) {
     std::vector<FaceId> faces;
     for (std::size_t i = 1; i < items_.size(); ++i) {
@@ -61,8 +61,9 @@ class RunGroups {
 
 }  // namespace
 
-std::vector<EdgeId> find_lonely_runs(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings) {
-  RunGroups groups(mesh, labels, crossings);
+std::vector<EdgeId> find_disconnected_intervals(const Mesh& mesh, const NearestLabels& labels,
+                                                const Crossings& crossings) {
+  IntervalGroups groups(mesh, labels, crossings);
   const auto& items = crossings.items();
   std::vector<EdgeId> lonely;
   for (std::size_t i = 1; i < items.size(); ++i) {
