@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/plane.hpp"
 #include "base/triangulate_plane_polygon.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -17,16 +18,8 @@ namespace {
 
 using Triangle = std::array<std::size_t, 3>;
 
-double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-double twice_area(const std::vector<Vec2>& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    sum += twice_area({0, 0}, polygon[i], polygon[(i + 1) % polygon.size()]);
-  }
-  return sum;
+double twice_polygon_area(const std::vector<Vec2>& polygon) {
+  return twice_signed_area(polygon.size(), [&](std::size_t i) { return polygon[i]; });
 }
 
 /// Each has a positive area, together they have the polygon's, and they meet along whole sides: so none overlap.
@@ -37,7 +30,7 @@ void check_triangles(const std::vector<Vec2>& polygon, const std::vector<Triangl
   std::set<std::pair<std::size_t, std::size_t>> open;
   for (std::size_t i = 0; i < n; ++i) open.emplace((i + 1) % n, i);
   for (const Triangle& t : triangles) {
-    const double area = twice_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
+    const double area = twice_signed_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
     least = std::min(least, area);
     sum += area;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -46,7 +39,7 @@ void check_triangles(const std::vector<Vec2>& polygon, const std::vector<Triangl
   }
   CHECK(open.empty());
   CHECK(least > 0);
-  CHECK(sum == Approx(twice_area(polygon)));
+  CHECK(sum == Approx(twice_polygon_area(polygon)));
 }
 
 /// What triangulate_plane_polygon does, by a look at all corners for each of all corners: n times n squared.
@@ -77,9 +70,10 @@ class SlowEarClipper {
     const bool is_ear = std::none_of(left_.begin(), left_.end(), [&](std::size_t k) {
       const Vec2& p = corners_[k];
       const bool is_own = p == a || p == b || p == c;
-      return !is_own && twice_area(a, b, p) >= -slack && twice_area(b, c, p) >= -slack && twice_area(c, a, p) >= -slack;
+      return !is_own && twice_signed_area(a, b, p) >= -slack && twice_signed_area(b, c, p) >= -slack &&
+             twice_signed_area(c, a, p) >= -slack;
     });
-    const double area = twice_area(a, b, c);
+    const double area = twice_signed_area(a, b, c);
     return is_ear && area > slack ? area / longest : area - 4;
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/envelope/arc_intersections.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
@@ -34,7 +35,7 @@ void check_outlines(const Diagram& diagram) {
     std::vector<ArcSegment> outline;
     for (std::size_t i = 0, n = piece.corners.size(); i < n; ++i) {
       const auto &from = piece.corners[i], &to = piece.corners[(i + 1) % n];
-      outline.push_back({{from[1], from[2]}, {to[1], to[2]}, 0});
+      outline.push_back({{affine_point(from), affine_point(to)}, 0});
     }
     ArcIntersections meetings;
     INFO("generator " << piece.generator.value() << " in face " << piece.face.value());

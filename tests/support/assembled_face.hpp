@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/assembly/face_assembly.hpp"
-#include "diagram/graph/area_share.hpp"
 #include "diagram/graph/face_pieces.hpp"
 #include "support/random.hpp"
 

@@ -18,14 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// counted on to be one of the three round it.
 constexpr double kLongStick = 1.0 / 6;
 
-std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    auto& p = parent[static_cast<std::size_t>(i)];
-    i = p = parent[static_cast<std::size_t>(p)];
-  }
-  return i;
-}
-
 }  // namespace
 
 CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
@@ -38,7 +30,6 @@ CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
   distance_.assign(vertices, kInfinity);
   parent_.assign(vertices, VertexId());
   face_node_.assign(faces, -1);
-  border_node_.assign(vertices, -1);
 }
 
 std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
@@ -116,21 +107,12 @@ void CellLoops::grow_tree(VertexId root, GeneratorId cell) {
 std::vector<HalfedgeId> CellLoops::left_over_edges(const std::vector<FaceId>& faces, GeneratorId cell) {
   const auto count = static_cast<std::int32_t>(faces.size());
   for (std::int32_t i = 0; i < count; ++i) face_node_[faces[static_cast<std::size_t>(i)]] = i;
-  std::vector<std::int32_t> borders;  // union-find over the border's vertices: a set is a loop
-  const auto border = [&](VertexId v) {
-    if (border_node_[v] < 0) {
-      border_node_[v] = static_cast<std::int32_t>(borders.size());
-      borders.push_back(border_node_[v]);
-    }
-    return find_root(borders, border_node_[v]);
-  };
   std::vector<std::pair<HalfedgeId, std::array<std::int32_t, 2>>> links;  // node -1: a border
   std::vector<std::vector<std::int32_t>> links_of(faces.size());
   for (const FaceId f : faces) {
     for (int corner = 0; corner < 3; ++corner) {
       const HalfedgeId h = Mesh::halfedge(f, corner), twin = cut_.mesh.twin(h);
       const bool at_border = is_border(h, cell);
-      if (at_border) borders[static_cast<std::size_t>(border(cut_.mesh.from(h)))] = border(cut_.mesh.to(h));
       if (is_tree_edge(h) || (!at_border && twin < h)) continue;
       const auto link = static_cast<std::int32_t>(links.size());
       links.push_back({h, {face_node_[f], at_border ? -1 : face_node_[Mesh::face(twin)]}});
@@ -160,9 +142,6 @@ std::vector<HalfedgeId> CellLoops::left_over_edges(const std::vector<FaceId>& fa
   std::vector<HalfedgeId> left_over;
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (!removed[i]) left_over.push_back(links[i].first);
-  }
-  for (const FaceId f : faces) {
-    for (const VertexId v : cut_.mesh.vertices(f)) border_node_[v] = -1;
   }
   return left_over;
 }

@@ -55,7 +55,6 @@ class CellLoops {
   IdVector<VertexId, VertexId> parent_;
   std::vector<VertexId> touched_;
   IdVector<FaceId, std::int32_t> face_node_;  // scratch of left_over_edges
-  IdVector<VertexId, std::int32_t> border_node_;
 };
 
 }  // namespace gvd

@@ -4,18 +4,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 
-double compute_part(const FacePiece& piece) {
-  double twice_area = 0;
-  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-    const auto &p = piece.corners[i], &q = piece.corners[(i + 1) % piece.corners.size()];
-    twice_area += p[1] * q[2] - p[2] * q[1];
-  }
-  return std::clamp(twice_area, 0.0, 1.0);
-}
+double compute_part(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
 
 FaceShares::FaceShares(const Diagram& diagram) {
   for (const FacePiece& piece : diagram.pieces) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "base/plane.hpp"
+
 namespace gvd {
 namespace {
 
@@ -140,7 +142,7 @@ void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double
     if (k == from || k == to) continue;
     const Vec2 offset = place(k) - start;
     const double t = along.dot(offset) / (length * length);
-    const double away = std::abs(along.x() * offset.y() - along.y() * offset.x()) / length;
+    const double away = std::abs(cross(along, offset)) / length;
     if (t > 0 && t < 1 && (away <= reach || on_one_edge(from, to, k))) between.emplace_back(t, k);
   }
   std::sort(between.begin(), between.end());
@@ -171,12 +173,7 @@ bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
 }
 
 double FaceTiling::twice_area(const std::vector<std::size_t>& polygon) const {
-  double area = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = place(polygon[i]), q = place(polygon[(i + 1) % polygon.size()]);
-    area += p.x() * q.y() - p.y() * q.x();
-  }
-  return area;
+  return twice_signed_area(polygon.size(), [&](std::size_t i) { return place(polygon[i]); });
 }
 
 }  // namespace gvd

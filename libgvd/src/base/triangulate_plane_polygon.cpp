@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <queue>
 
-#include "base/corner_boxes.hpp"
+#include "base/box_tree.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 namespace {
-
-double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 /// Corners are on one line where twice their area is below this part of the square of the triangle's longest side:
 /// far above the rounding of coordinates in [0, 1] that were made on one line. Dimensionless.
@@ -29,11 +26,11 @@ struct Reach {
 
   /// Whether a point of the box is on the inner side of each side of the triangle. Exact for a point. Never false of
   /// a box with such a point in it: the corner of the box that is tried lies farther inside, and rounding keeps order.
-  bool meets(const CornerBoxes::Box& box) const {
+  bool meets(const Box2& box) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec2 &from = corners[i], &to = corners[(i + 1) % 3];
       const Vec2 inmost(to.y() > from.y() ? box.low.x() : box.high.x(), to.x() > from.x() ? box.high.y() : box.low.y());
-      if (twice_area(from, to, inmost) < slack) return false;
+      if (twice_signed_area(from, to, inmost) < slack) return false;
     }
     return true;
   }
@@ -45,7 +42,8 @@ struct Reach {
 /// new triangle only where a neighbour is cut off.
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<Vec2>& corners) : corners_(corners), ring_(corners.size()), boxes_(corners) {
+  explicit EarClipper(const std::vector<Vec2>& corners) : corners_(corners), ring_(corners.size()) {
+    boxes_.build(corners.size(), [&](std::size_t i) { return Box2{corners[i], corners[i]}; });
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) ring_[i] = {(i + n - 1) % n, (i + 1) % n};
     for (std::size_t i = 0; i < n; ++i) enqueue(i);
@@ -63,7 +61,7 @@ class EarClipper {
   }
 
  private:
-  static constexpr std::size_t kNone = CornerBoxes::kNone;
+  static constexpr std::size_t kNone = BoxTree::kNone;
 
   struct Place {
     std::size_t before;
@@ -94,7 +92,7 @@ class EarClipper {
     return static_cast<std::size_t>(found - ring_.begin());
   }
   double twice_area_at(std::size_t i) const {
-    return twice_area(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]);
+    return twice_signed_area(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]);
   }
 
   /// As an ear: twice the area over the square of the longest side, which is positive.
@@ -132,7 +130,7 @@ class EarClipper {
   std::size_t find_inside(std::size_t i, std::size_t from) const {
     const auto own = around(i);
     const Reach triangle(corners_[own[0]], corners_[own[1]], corners_[own[2]]);
-    const auto meets = [&triangle](const CornerBoxes::Box& box) { return triangle.meets(box); };
+    const auto meets = [&triangle](const Box2& box) { return triangle.meets(box); };
     const auto is_corner = [&](std::size_t k) {
       return std::any_of(own.begin(), own.end(), [&](std::size_t o) { return corners_[k] == corners_[o]; });
     };
@@ -157,7 +155,7 @@ class EarClipper {
 
   const std::vector<Vec2>& corners_;
   std::vector<Place> ring_;
-  CornerBoxes boxes_;  ///< of the corners that are left
+  BoxTree boxes_;  ///< of the corners that are left
   std::vector<Waiting> waiting_;
   std::priority_queue<Candidate> queue_;
 };

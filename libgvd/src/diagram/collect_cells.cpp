@@ -5,7 +5,7 @@
 #include <iterator>
 #include <span>
 
-#include "diagram/graph/area_share.hpp"
+#include "base/barycentric.hpp"
 #include "diagram/graph/boundary_loops.hpp"
 #include "diagram/graph/face_pieces.hpp"
 

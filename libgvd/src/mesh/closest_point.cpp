@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -16,7 +17,7 @@ constexpr std::int32_t kLeafFaces = 4;
 constexpr double kPruneSlack = 1e-12;
 
 struct Candidate {
-  std::array<double, 3> bary{1, 0, 0};
+  Bary bary{1, 0, 0};
   double distance = std::numeric_limits<double>::infinity();
 };
 
@@ -40,7 +41,7 @@ Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) 
   const double square = normal.squaredNorm();
   Candidate candidate;
   if (!(square > 0)) return candidate;
-  std::array<double, 3> bary;
+  Bary bary;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &b = corners[(i + 1) % 3], &c = corners[(i + 2) % 3];
     bary[i] = (c - b).cross(query - b).dot(normal) / square;
@@ -48,7 +49,7 @@ Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) 
   }
   const double sum = bary[0] + bary[1] + bary[2];
   for (double& b : bary) b /= sum;
-  return {bary, (bary[0] * corners[0] + bary[1] * corners[1] + bary[2] * corners[2] - query).norm()};
+  return {bary, (interpolate(bary, corners[0], corners[1], corners[2]) - query).norm()};
 }
 
 double distance_to_box(const Vec3& low, const Vec3& high, const Vec3& query) {

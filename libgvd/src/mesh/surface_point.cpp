@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -60,7 +61,7 @@ SurfacePoint edge_point(HalfedgeId h, double t) {
 
 Vec3 position(const Mesh& mesh, const SurfacePoint& point) {
   const auto& [a, b, c] = mesh.vertices(point.face);
-  return point.bary[0] * mesh.position(a) + point.bary[1] * mesh.position(b) + point.bary[2] * mesh.position(c);
+  return interpolate(point.bary, mesh.position(a), mesh.position(b), mesh.position(c));
 }
 
 VertexId vertex(const Mesh& mesh, const SurfacePoint& point) {

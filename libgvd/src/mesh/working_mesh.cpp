@@ -15,8 +15,6 @@
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 /// A new point with a barycentric coordinate below this in its triangle splits the edge instead: the triangle that a
 /// face split would leave there would have an angle of about this many radians.
 constexpr double kOnEdge = 1e-9;
@@ -28,9 +26,10 @@ constexpr double kFlipGain = 1e-10;
 /// Progress is reported once in so many generators that are inserted.
 constexpr std::size_t kProgressStride = 1 << 6;
 
-/// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates.
+/// Twice the signed area of a, b, c in the affine plane of the first two barycentric coordinates. `affine_point` takes
+/// the last two: the sign is the same, the rounding is not.
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return twice_signed_area({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]});
 }
 
 /// Barycentric coordinates of p in the triangle of `corners`, all given in the parent's coordinates.
@@ -155,7 +154,7 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
   }
 }
 
-std::array<double, 3> WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
+Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
   if (!is_split(f)) return bary;
   const Corners c = corners(f);
   Bary result{0, 0, 0};

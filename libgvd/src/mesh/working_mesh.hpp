@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -32,10 +33,9 @@ class WorkingMesh {
   FaceId parent(FaceId f) const { return split_ ? parent_[f] : f; }
   bool is_split(FaceId f) const { return split_ && child_slot_[f] >= 0; }
   /// Barycentric coordinates in parent(f) of a point of f.
-  std::array<double, 3> parent_bary(FaceId f, const std::array<double, 3>& bary) const;
+  Bary parent_bary(FaceId f, const Bary& bary) const;
 
  private:
-  using Bary = std::array<double, 3>;
   using Corners = std::array<Bary, 3>;
 
   void copy_input();

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/segment.hpp"
 #include "diagram/assembly/face_assembly.hpp"
 #include "diagram/graph/face_pieces.hpp"
 #include "support/assembled_face.hpp"
@@ -38,22 +39,14 @@ void require_complete(const AssembledFace& face) {
   }
 }
 
-double signed_area(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c) {
-  return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-}
-
 /// No two arcs cross, beyond rounding.
 void require_apart(const AssembledFace& face) {
   const auto& arcs = face.diagram.arcs;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     for (std::size_t j = i + 1; j < arcs.size(); ++j) {
-      const auto p = face.place(arcs[i].begin), q = face.place(arcs[i].end);
-      const auto r = face.place(arcs[j].begin), s = face.place(arcs[j].end);
-      const double pr = signed_area(p, q, r), ps = signed_area(p, q, s);
-      const double rp = signed_area(r, s, p), rq = signed_area(r, s, q);
-      const bool crosses = std::min(pr, ps) < -1e-12 && std::max(pr, ps) > 1e-12 && std::min(rp, rq) < -1e-12 &&
-                           std::max(rp, rq) > 1e-12;
-      REQUIRE_FALSE(crosses);
+      const PlaneSegment a{affine_point(face.place(arcs[i].begin)), affine_point(face.place(arcs[i].end))};
+      const PlaneSegment b{affine_point(face.place(arcs[j].begin)), affine_point(face.place(arcs[j].end))};
+      REQUIRE_FALSE(intersect_beyond(a, b, 1e-12));
     }
   }
 }

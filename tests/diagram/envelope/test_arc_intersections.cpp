@@ -16,7 +16,7 @@ std::vector<ArcSegment> segments_of(const std::vector<std::vector<Vec2>>& arcs) 
   std::vector<ArcSegment> segments;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     for (std::size_t k = 1; k < arcs[i].size(); ++k)
-      segments.push_back({arcs[i][k - 1], arcs[i][k], static_cast<std::int32_t>(i)});
+      segments.push_back({{arcs[i][k - 1], arcs[i][k]}, static_cast<std::int32_t>(i)});
   }
   return segments;
 }
@@ -70,7 +70,7 @@ TEST_CASE("as every pair of segments by itself, for random arcs of many lengths 
     Pairs expected;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (may_intersect(segments[i], segments[j]))
+        if (may_intersect(segments[i].line, segments[j].line))
           expected.push_back(std::minmax({segments[i].arc, segments[j].arc}));
       }
     }

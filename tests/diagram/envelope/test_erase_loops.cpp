@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/barycentric.hpp"
 #include "diagram/envelope/arc_intersections.hpp"
 #include "diagram/envelope/erase_loops.hpp"
 #include "support/catch.hpp"
@@ -16,7 +17,7 @@ std::array<double, 3> at(double x, double y) { return {1 - x - y, x, y}; }
 bool meets_itself(const Polyline& polyline) {
   std::vector<ArcSegment> segments;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
-    segments.push_back({{polyline[i - 1][1], polyline[i - 1][2]}, {polyline[i][1], polyline[i][2]}, 0});
+    segments.push_back({{affine_point(polyline[i - 1]), affine_point(polyline[i])}, 0});
   }
   ArcIntersections meetings;
   return !meetings.find(segments).empty();

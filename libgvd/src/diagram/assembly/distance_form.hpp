@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/barycentric.hpp"
 #include "gvd/front.hpp"
 #include "gvd/ids.hpp"
 
@@ -18,9 +19,7 @@ struct DistanceForm {
   GeneratorId generator;
   std::array<double, 3> corner;
 
-  double at(const std::array<double, 3>& bary) const {
-    return corner[0] * bary[0] + corner[1] * bary[1] + corner[2] * bary[2];
-  }
+  double at(const Bary& bary) const { return interpolate(bary, corner[0], corner[1], corner[2]); }
 };
 
 /// The form's value of one distance.

@@ -8,25 +8,15 @@
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 static_assert(kInsideExactly < kInsideFace);
-
-double signed_area(const Bary& a, const Bary& b, const Bary& c) {
-  return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-}
 
 /// Whether a, b, c go round counter-clockwise, but for c being up to `beyond` on the other side.
 bool turns_left(const Bary& a, const Bary& b, const Bary& c, double beyond) {
-  const double area = signed_area(a, b, c);
+  const double area = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
   return area >= 0 || area >= -beyond * std::max({apart(a, b), apart(b, c), apart(c, a)});
 }
 
 }  // namespace
-
-Bary mix(const Bary& a, const Bary& b, double t) {
-  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
-}
 
 Bary middle(const FacePolygon& polygon, std::size_t i) {
   return mix(polygon[i].bary, polygon[(i + 1) % polygon.size()].bary, 0.5);

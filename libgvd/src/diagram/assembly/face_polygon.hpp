@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
@@ -10,7 +10,7 @@ namespace gvd {
 /// One corner of what is left of a face to be assembled: a crossing, or a branch point that stands for two of them.
 struct PolygonCorner {
   ArcEnd end;
-  std::array<double, 3> bary;
+  Bary bary;
   GeneratorId next;  ///< generator of the run from here to the next corner
   int run;           ///< that run: the one of the face's boundary that follows crossing `run`
 };
@@ -28,22 +28,20 @@ inline constexpr double kInsideExactly = 1.2e-12;
 /// the 1e-11 from which a piece counts as turned.
 inline constexpr double kTurnedByTie = 4.8e-12;
 
-std::array<double, 3> mix(const std::array<double, 3>& a, const std::array<double, 3>& b, double t);
-
 /// The middle between corner i and the next one, and that of all corners.
-std::array<double, 3> middle(const FacePolygon& polygon, std::size_t i);
-std::array<double, 3> centre(const FacePolygon& polygon);
+Bary middle(const FacePolygon& polygon, std::size_t i);
+Bary centre(const FacePolygon& polygon);
 
 /// Whether a polygon, of three corners or more, is convex; every three corners that follow each other may be turned the
 /// wrong way round by up to `beyond`.
-bool is_convex(const std::vector<std::array<double, 3>>& polygon, double beyond);
+bool is_convex(const std::vector<Bary>& polygon, double beyond);
 
 /// In the face and in the polygon, or on its boundary, or up to `beyond` outside of it. Crossings of one edge span a
 /// polygon without area: then branch points lie on that edge, and the pieces between them have no area either, but
 /// never a negative one.
-bool is_inside(const FacePolygon& polygon, const std::array<double, 3>& p, double beyond);
+bool is_inside(const FacePolygon& polygon, const Bary& p, double beyond);
 
 /// Distance in barycentric coordinates.
-double apart(const std::array<double, 3>& p, const std::array<double, 3>& q);
+double apart(const Bary& p, const Bary& q);
 
 }  // namespace gvd

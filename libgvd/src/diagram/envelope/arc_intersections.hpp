@@ -4,18 +4,16 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/vec.hpp"
+#include "base/box_tree.hpp"
+#include "base/segment.hpp"
 
 namespace gvd {
 
 /// A straight piece of an arc, in any coordinates of its face.
 struct ArcSegment {
-  Vec2 from, to;
+  PlaneSegment line;
   std::int32_t arc;
 };
-
-/// Whether two segments cross or touch elsewhere than where both end, or rounding leaves that open.
-bool may_intersect(const ArcSegment& s, const ArcSegment& o);
 
 /// Which arcs of a face meet. A face after the other is looked at with the same object, which saves allocations.
 class ArcIntersections {
@@ -31,18 +29,7 @@ class ArcIntersections {
   const std::vector<Pair>& find(const std::vector<ArcSegment>& segments);
 
  private:
-  struct Box {
-    Vec2 low, high;
-  };
-
-  void build(const std::vector<ArcSegment>& segments);
-  void look_within(std::size_t node);
-  void look_between(std::size_t node, std::size_t other);
-  bool is_segment(std::size_t node) const { return node >= leaves_; }
-
-  const std::vector<ArcSegment>* segments_ = nullptr;
-  std::vector<Box> boxes_;  // of a binary tree: the children of node i are 2 i and 2 i + 1, its root is 1
-  std::size_t leaves_ = 1;  // the first node that is a segment
+  BoxTree boxes_;  // of the segments
   std::vector<Pair> found_;
 };
 

@@ -2,27 +2,22 @@
 
 #include <algorithm>
 
-#include "base/plane.hpp"
-#include "diagram/envelope/arc_intersections.hpp"
+#include "base/barycentric.hpp"
+#include "base/segment.hpp"
 
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 /// What O(n^2) is cheap for. So many points are the work of rounding, with a loop at every other one.
 constexpr std::size_t kMostPoints = 1000;
 
-ArcSegment segment(const Bary& from, const Bary& to) { return {{from[1], from[2]}, {to[1], to[2]}, 0}; }
+PlaneSegment segment(const Bary& from, const Bary& to) { return {affine_point(from), affine_point(to)}; }
 
 /// Where two segments that meet do so; the second one's begin, where they lie on one line.
 Bary meeting_point(const Bary& from, const Bary& to, const Bary& begin, const Bary& end) {
-  const ArcSegment s = segment(from, to), o = segment(begin, end);
-  const double t = cross(o.from - s.from, s.to - s.from) / cross(s.to - s.from, o.to - o.from);
-  if (!(t > 0 && t < 1)) return begin;
-  Bary place{};
-  for (std::size_t k = 0; k < 3; ++k) place[k] = (1 - t) * begin[k] + t * end[k];
-  return place;
+  const PlaneSegment s = segment(from, to), o = segment(begin, end);
+  const double t = intersect_lines(s.from, s.to - s.from, o.from, o.to - o.from).t;
+  return t > 0 && t < 1 ? mix(begin, end, t) : begin;
 }
 
 /// Takes out the loops that it meets on its way. False where there are none.

@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "base/plane.hpp"
+#include "base/barycentric.hpp"
+#include "base/segment.hpp"
 #include "diagram/assembly/face_assembly.hpp"
 #include "diagram/envelope/erase_loops.hpp"
-#include "diagram/graph/area_share.hpp"
 
 namespace gvd {
 namespace {
@@ -20,18 +20,6 @@ constexpr double kTurned = 1e-11;
 /// Whether an inner point of an arc lies within the face. Where a bisector runs along a side, by a tie, or beyond it by
 /// rounding, points that are looked for in the face come to lie on the side, and not on the bisector.
 bool lies_inside(const FaceDistances::Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
-
-Vec2 in_plane(const FaceDistances::Bary& p) { return {p[1], p[2]}; }
-
-/// Whether two straight arcs cross, beyond rounding.
-bool cross_each_other(const ArcSegment& s, const ArcSegment& o) {
-  const auto parts = [](const ArcSegment& line, const ArcSegment& other) {
-    const double from = cross(line.to - line.from, other.from - line.from);
-    const double to = cross(line.to - line.from, other.to - line.from);
-    return std::min(from, to) < -kTurned && std::max(from, to) > kTurned;
-  };
-  return parts(s, o) && parts(o, s);
-}
 
 }  // namespace
 
@@ -113,11 +101,12 @@ bool ExactFaceAssembler::may_meet(const Before& before) const {
 /// Whether every piece of the arc leads towards its end.
 bool ExactFaceAssembler::advances(const FaceArc& arc) const {
   if (arc.point_count < 2) return true;
-  Vec2 last = in_plane(place(arc.begin));
-  const Vec2 end = in_plane(place(arc.end)), chord = end - last;
+  Vec2 last = affine_point(place(arc.begin));
+  const Vec2 end = affine_point(place(arc.end)), chord = end - last;
   const auto goes_on = [&](const Vec2& p) { return (p - std::exchange(last, p)).dot(chord) > 0; };
   const auto inner = closed_.diagram.inner_points(arc);
-  return std::all_of(inner.begin(), inner.end(), [&](const auto& p) { return goes_on(in_plane(p)); }) && goes_on(end);
+  return std::all_of(inner.begin(), inner.end(), [&](const auto& p) { return goes_on(affine_point(p)); }) &&
+         goes_on(end);
 }
 
 /// Puts the segments of the face's arcs into segments_.
@@ -126,10 +115,10 @@ void ExactFaceAssembler::outline(const Before& before) {
   segments_.clear();
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) {
     const FaceArc& arc = faces.arcs[i];
-    Vec2 last = in_plane(place(arc.begin));
+    Vec2 last = affine_point(place(arc.begin));
     const auto go_to = [&](const FaceDistances::Bary& p) {
-      segments_.push_back({last, in_plane(p), static_cast<std::int32_t>(i - before.arcs)});
-      last = in_plane(p);
+      segments_.push_back({{last, affine_point(p)}, static_cast<std::int32_t>(i - before.arcs)});
+      last = affine_point(p);
     };
     for (const FaceDistances::Bary& p : faces.inner_points(arc)) go_to(p);
     go_to(place(arc.end));
@@ -143,11 +132,11 @@ bool ExactFaceAssembler::are_turned(const Before& before) {
   segments_.clear();
   for (std::size_t i = before.arcs; i < faces.arcs.size(); ++i) {
     const FaceArc& arc = faces.arcs[i];
-    if (arc.point_count == 0) segments_.push_back({in_plane(place(arc.begin)), in_plane(place(arc.end)), 0});
+    if (arc.point_count == 0) segments_.push_back({{affine_point(place(arc.begin)), affine_point(place(arc.end))}, 0});
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (cross_each_other(segments_[i], segments_[j])) return true;
+      if (intersect_beyond(segments_[i].line, segments_[j].line, kTurned)) return true;
     }
   }
   trace_pieces(boundary_, std::span(faces.arcs).subspan(before.arcs), faces, pieces_);

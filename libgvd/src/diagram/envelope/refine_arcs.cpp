@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/segment.hpp"
+
 namespace gvd {
 namespace {
 
@@ -153,7 +155,7 @@ bool ArcRefiner::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
 /// where they meet near an end, beyond it, far from the chord or outside of the face.
 std::optional<Vec2> ArcRefiner::likely_corner(const OnBisector& begin, const OnBisector& end) const {
   const Vec2 chord = end.point - begin.point;
-  const double t = cross(chord, end.way) / cross(begin.way, end.way);
+  const double t = intersect_lines(begin.point, begin.way, end.point, end.way).s;
   const Vec2 corner = begin.point + t * begin.way;
   const double where = (corner - begin.point).dot(chord) / chord.squaredNorm();
   const bool between =

@@ -99,12 +99,7 @@ SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> so
   return best;
 }
 
-FaceDistances::Bary SourceDistances::bary(const Vec2& p) const {
-  const auto& corner = layout_->corner;
-  const double v = cross(p - corner[0], corner[2] - corner[0]) / layout_->twice_area;
-  const double w = cross(corner[1] - corner[0], p - corner[0]) / layout_->twice_area;
-  return {1 - v - w, v, w};
-}
+FaceDistances::Bary SourceDistances::bary(const Vec2& p) const { return layout_->bary(p); }
 
 std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) const {
   if (!can_confirm_) return std::nullopt;
@@ -184,7 +179,7 @@ bool SourceDistances::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId 
     if (s.shortest_path(p).distance < path_a.distance * (1 - kTie)) return false;
   }
   const Vec2 u = direction(p, path_a.from), v = direction(p, path_b.from), w = direction(p, path_c.from);
-  return cross(v - u, w - u) > 0;
+  return twice_signed_area(u, v, w) > 0;
 }
 
 }  // namespace gvd

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include "diagram/graph/area_share.hpp"
+#include "base/barycentric.hpp"
 #include "gvd/check.hpp"
 
 namespace gvd {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "base/barycentric.hpp"
 #include "diagram/evaluation/absolute_integral.hpp"
 #include "gvd/error.hpp"
 #include "mesh/point_views.hpp"
@@ -92,9 +93,7 @@ class Sampling {
   }
 
   static SurfacePoint between(const SurfacePoint& a, const SurfacePoint& b, double t) {
-    std::array<double, 3> bary;
-    for (std::size_t i = 0; i < 3; ++i) bary[i] = (1 - t) * a.bary[i] + t * b.bary[i];
-    return make_surface_point(a.face, bary);
+    return make_surface_point(a.face, mix(a.bary, b.bary, t));
   }
 
   const Mesh& mesh_;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/segment.hpp"
 #include "diagram/growth/growing_end.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "gvd/surface_point.hpp"
@@ -242,10 +243,8 @@ class GrowthCheck {
       for (std::size_t j = i + 1; j < grown_.arcs.size(); ++j) {
         const GapArc &a = grown_.arcs[i], &b = grown_.arcs[j];
         if (a.face != b.face || a.begin == b.begin || a.begin == b.end || a.end == b.begin || a.end == b.end) continue;
-        const Vec2 p = place(a, a.begin), q = place(a, a.end), r = place(b, b.begin), s = place(b, b.end);
-        const bool apart_a = cross(q - p, r - p) * cross(q - p, s - p) > 0;
-        const bool apart_b = cross(s - r, p - r) * cross(s - r, q - r) > 0;
-        if (!apart_a && !apart_b) return false;
+        const PlaneSegment p{place(a, a.begin), place(a, a.end)}, q{place(b, b.begin), place(b, b.end)};
+        if (!lie_on_one_side(p, q.from, q.to) && !lie_on_one_side(q, p.from, p.to)) return false;
       }
     }
     return true;

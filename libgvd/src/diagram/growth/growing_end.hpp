@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "base/plane.hpp"
+#include "base/segment.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "gvd/ids.hpp"
@@ -52,7 +52,7 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
     const Vec2 along = corner[static_cast<std::size_t>((i + 1) % 3)] - a;
     const double outward = cross(direction, along);  // > 0: the ray crosses this edge from inside to outside
     if (!(outward > 0)) continue;
-    const double reach = std::max(0.0, cross(a - end.start, along) / outward);
+    const double reach = std::max(0.0, intersect_lines(end.start, direction, a, along).s);
     if (reach >= soonest) continue;
     soonest = reach;
     const Vec2 point = end.start + reach * direction;
@@ -67,10 +67,8 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
 inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
   if (!first.exit || !second.exit) return std::nullopt;
   const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;
-  const double denominator = cross(d, e);
-  if (!(denominator > 0)) return std::nullopt;
-  const Vec2 between = second.start - first.start;
-  const double s = cross(between, e) / denominator, t = cross(between, d) / denominator;
+  if (!(cross(d, e) > 0)) return std::nullopt;
+  const auto [s, t] = intersect_lines(first.start, d, second.start, e);
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
   return first.start + s * d;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/plane.hpp"
+#include "base/barycentric.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
 
@@ -31,11 +31,9 @@ struct FaceLayout {
     twice_area = l0 * height;
   }
 
-  Vec2 at(const std::array<double, 3>& bary) const {
-    return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
-  }
+  Vec2 at(const Bary& bary) const { return interpolate(bary, corner[0], corner[1], corner[2]); }
   /// Barycentric coordinates of a point of the plane.
-  std::array<double, 3> bary(const Vec2& p) const {
+  Bary bary(const Vec2& p) const {
     const Vec2 d = p - corner[0];
     const double v = cross(d, corner[2] - corner[0]) / twice_area, w = cross(corner[1] - corner[0], d) / twice_area;
     return {1 - v - w, v, w};
@@ -45,8 +43,8 @@ struct FaceLayout {
     return (corner[static_cast<std::size_t>((i + 1) % 3)] - corner[static_cast<std::size_t>(i)]).normalized();
   }
   /// How fast the barycentric coordinates change along a direction, per mesh unit.
-  std::array<double, 3> bary_rate(const Vec2& direction) const {
-    std::array<double, 3> rate{};
+  Bary bary_rate(const Vec2& direction) const {
+    Bary rate{};
     for (std::size_t i = 0; i < 3; ++i) {
       rate[i] = cross(corner[(i + 2) % 3] - corner[(i + 1) % 3], direction) / twice_area;
     }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/union_find.hpp"
 #include "mesh/repair/repair_soup.hpp"
 
 namespace gvd {
@@ -48,23 +49,13 @@ std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
   return weld;
 }
 
-// The smallest vertex that `v` is united with; shortens the way for the next one.
-std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t v) {
-  while (parent[static_cast<std::size_t>(v)] != v) {
-    std::int32_t& up = parent[static_cast<std::size_t>(v)];
-    up = parent[static_cast<std::size_t>(up)];
-    v = up;
-  }
-  return v;
-}
-
 struct ZeroEdges {
   std::int64_t count = 0;  // of vertices that were united with another
   std::int64_t polygon = -1;
   std::int32_t a = -1, b = -1;
 };
 
-ZeroEdges unite_zero_edges(const PolygonSoup& soup, std::vector<std::int32_t>& weld) {
+ZeroEdges unite_zero_edges(const PolygonSoup& soup, UnionFind& welded) {
   ZeroEdges zero;
   for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
     const auto polygon = soup.polygon(p);
@@ -75,14 +66,11 @@ ZeroEdges unite_zero_edges(const PolygonSoup& soup, std::vector<std::int32_t>& w
           !same_position(soup.positions[static_cast<std::size_t>(a)], soup.positions[static_cast<std::size_t>(b)])) {
         continue;
       }
-      const std::int32_t root_a = find_root(weld, a);
-      const std::int32_t root_b = find_root(weld, b);
-      if (root_a == root_b) continue;
-      weld[static_cast<std::size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
+      if (welded.find(a) == welded.find(b)) continue;
+      welded.unite(a, b);
       if (zero.count++ == 0) zero = {1, static_cast<std::int64_t>(p), a, b};
     }
   }
-  for (std::size_t v = 0; v < weld.size(); ++v) weld[v] = find_root(weld, static_cast<std::int32_t>(v));
   return zero;
 }
 
@@ -102,12 +90,15 @@ std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log)
             "welded to the others at the same coordinates");
     return weld;
   }
-  std::vector<std::int32_t> weld = identity(soup.positions.size());
-  const ZeroEdges zero = unite_zero_edges(soup, weld);
+  UnionFind welded(soup.positions.size());
+  const ZeroEdges zero = unite_zero_edges(soup, welded);
   log.add(DefectKind::zero_length_edges, zero.count, zero.polygon,
           fmt::format("{} of length 0, first the one between vertices {} and {} in face {}",
                       counted(zero.count, "edge", "edges"), zero.a, zero.b, zero.polygon),
           "their ends welded");
+  std::vector<std::int32_t> weld;
+  weld.reserve(welded.size());
+  for (std::size_t v = 0; v < welded.size(); ++v) weld.push_back(welded.find(static_cast<std::int32_t>(v)));
   return weld;
 }
 

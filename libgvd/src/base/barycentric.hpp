@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/plane.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Barycentric coordinates in a triangle: the weights of its three corners. They sum to 1 within rounding.
+using Bary = std::array<double, 3>;
+
+/// (1 - t) a + t b.
+inline Bary mix(const Bary& a, const Bary& b, double t) {
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
+}
+
+/// The sum of three values, one of each corner, by their weights: of numbers, of points.
+template <class Value>
+Value interpolate(const Bary& bary, const Value& a, const Value& b, const Value& c) {
+  return bary[0] * a + bary[1] * b + bary[2] * c;
+}
+
+/// The last two coordinates as a point of the plane: an affine map of the face, with corner 0 at the origin, corner 1
+/// at (1, 0) and corner 2 at (0, 1). It keeps orientations, and areas up to the factor 2 area(face).
+inline Vec2 affine_point(const Bary& bary) { return {bary[1], bary[2]}; }
+
+/// Signed area of a polygon, as a part of its face's; < 0 where it is clockwise.
+inline double area_share(const std::vector<Bary>& polygon) {
+  return twice_signed_area(polygon.size(), [&](std::size_t i) { return affine_point(polygon[i]); });
+}
+
+}  // namespace gvd

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <vector>
+
+#include "base/box.hpp"
+
+namespace gvd {
+
+/// A balanced binary tree over a list of boxes. Each node holds the box of its two children, so a search skips whole
+/// ranges of the list. It pays off where neighbours in the list lie near each other, as the corners of a polygon do.
+class BoxTree {
+ public:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  /// Builds the tree over items 0 .. n - 1, of which `box_of(i)` is the box, in place of what it held. Cost: O(n).
+  template <class BoxOf>
+  void build(std::size_t n, const BoxOf& box_of) {
+    leaves_ = std::bit_ceil(n);
+    boxes_.assign(2 * leaves_, Box2());
+    for (std::size_t i = 0; i < n; ++i) boxes_[leaves_ + i] = box_of(i);
+    for (std::size_t node = leaves_; node-- > 1;) unite_children(node);
+  }
+
+  /// Takes an item out of every later search. Cost: O(log n).
+  void remove(std::size_t item);
+
+  /// The first item from `from` on that was not removed and for whose box the test holds; kNone where there is none.
+  /// `test(box)` may be false of a box only if it is false of every box within it.
+  /// Cost: O(nodes for which the test holds), O(n) at most.
+  template <class Test>
+  std::size_t find(std::size_t from, const Test& test) const {
+    return leaves_ > 0 ? find_below(1, {0, leaves_, from}, test) : kNone;
+  }
+
+  /// Calls visit(i, j) for every two items i < j whose boxes overlap. Cost: O(n log n) where few overlap.
+  template <class Visit>
+  void visit_overlaps(const Visit& visit) const {
+    if (leaves_ > 0) visit_within(1, visit);
+  }
+
+ private:
+  /// Items first .. last - 1 lie below the node at work; those before `from` do not count.
+  struct Range {
+    std::size_t first, last, from;
+  };
+
+  void unite_children(std::size_t node) { boxes_[node] = unite(boxes_[2 * node], boxes_[2 * node + 1]); }
+  bool is_leaf(std::size_t node) const { return node >= leaves_; }
+
+  template <class Test>
+  std::size_t find_below(std::size_t node, const Range& range, const Test& test) const {
+    if (range.last <= range.from || boxes_[node].is_empty() || !test(boxes_[node])) return kNone;
+    if (is_leaf(node)) return range.first;
+    const std::size_t middle = (range.first + range.last) / 2;
+    const std::size_t found = find_below(2 * node, {range.first, middle, range.from}, test);
+    return found != kNone ? found : find_below(2 * node + 1, {middle, range.last, range.from}, test);
+  }
+
+  template <class Visit>
+  void visit_within(std::size_t node, const Visit& visit) const {
+    if (is_leaf(node)) return;
+    visit_within(2 * node, visit);
+    visit_within(2 * node + 1, visit);
+    visit_between(2 * node, 2 * node + 1, visit);
+  }
+
+  /// `left` and `right` are different nodes of one level, in this order.
+  template <class Visit>
+  void visit_between(std::size_t left, std::size_t right, const Visit& visit) const {
+    if (!overlap(boxes_[left], boxes_[right])) return;
+    if (is_leaf(left)) return visit(left - leaves_, right - leaves_);
+    for (const std::size_t child : {2 * left, 2 * left + 1}) {
+      visit_between(child, 2 * right, visit);
+      visit_between(child, 2 * right + 1, visit);
+    }
+  }
+
+  std::size_t leaves_ = 0;   ///< a power of two, at least the number of items; 0 before build()
+  std::vector<Box2> boxes_;  ///< the root is 1, the children of node i are 2 i and 2 i + 1, item i is leaves_ + i
+};
+
+}  // namespace gvd
