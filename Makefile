@@ -12,6 +12,7 @@ PREFIX      ?= /usr/local
 DEMO_OUTPUT ?= demo-output
 
 install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
+missing_packages := $(if $(NO_INSTALL),:,scripts/install-deps.sh --missing)
 configure    := scripts/configure.sh
 sources      := git ls-files '*.cpp' '*.hpp'
 
@@ -20,10 +21,11 @@ FUZZ_COUNT  ?= 10000
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo test fuzz test-runs build bench sanitize install format lint clean
+.PHONY: help demo pictures test fuzz test-runs build bench sanitize install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
+	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make test      build and run every test"
 	@echo "make fuzz      random soups and generators through everything: FUZZ_COUNT seeds ($(FUZZ_COUNT))"
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
@@ -40,8 +42,15 @@ build:
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 
-demo: build
+demo:
+	@scripts/demo.sh --announce $(BUILD) $(DEMO_OUTPUT) "$$($(missing_packages) build)"
+	@$(MAKE) --no-print-directory build
 	@scripts/demo.sh $(BUILD)/bin $(DEMO_OUTPUT)
+
+# Commit the pictures only where something in them has changed: another version of the browser makes other bytes.
+pictures: build
+	@$(install_deps) pictures
+	@scripts/make_pictures.sh $(BUILD)/bin $(BUILD)/pictures docs/pictures
 
 test:
 	@$(install_deps) build test

@@ -2,10 +2,31 @@
 # Runs the three commands on a mesh of data/ and names the files that they wrote.
 #
 #   scripts/demo.sh BIN_FOLDER OUTPUT_FOLDER
+#   scripts/demo.sh --announce BUILD_FOLDER OUTPUT_FOLDER MISSING_PACKAGES    says beforehand what `make demo` does
 set -eu
+mesh=data/figure.obj
+
+announce() {
+  echo "make demo"
+  if [ -n "$3" ]; then
+    echo "  1. installs these Debian packages, with sudo where you are not root: $3"
+  else
+    echo "  1. installs no package: none is missing, or NO_INSTALL is set, or this is no Debian or Ubuntu"
+  fi
+  echo "  2. builds the library and the three commands under $1/: some minutes, about 8 CPU minutes."
+  echo "     It fetches three.js and esbuild from npm into $1/. The next build takes only what has changed"
+  echo "  3. runs the commands on $mesh and writes to $2/, in a few seconds. Pages to open in a browser:"
+  echo "     $2/segments.html, $2/relaxed.html, $2/coarse.html"
+}
+
+if [ "$1" = --announce ]; then
+  shift
+  announce "$@"
+  exit 0
+fi
+
 bin=$1
 out=$2
-mesh=data/figure.obj
 mkdir -p "$out"
 
 run() {
@@ -14,12 +35,12 @@ run() {
   "$@"
 }
 
-# 24 regions; the same number of samples, relaxed; a coarse mesh.
+# 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices.
 run "$bin/gvd-segment" "$mesh" -n 24 \
   -o "$out/segments.ply" --diagram "$out/segments.json" --report "$out/segments-report.json" --view "$out/segments.html"
-run "$bin/gvd-lloyd" "$mesh" -n 24 \
+run "$bin/gvd-lloyd" "$mesh" -n 300 \
   -o "$out/relaxed.json" --report "$out/relaxed-report.json" --view "$out/relaxed.html"
-run "$bin/gvd-remesh" "$mesh" -n 300 \
+run "$bin/gvd-remesh" "$mesh" --generators "$out/relaxed.json" \
   -o "$out/coarse.obj" --report "$out/coarse-report.json" --view "$out/coarse.html"
 
 echo
@@ -28,7 +49,7 @@ for file in segments.ply segments.json relaxed.json coarse.obj \
             segments-report.json relaxed-report.json coarse-report.json; do
   echo "  $out/$file"
 done
-echo "Pictures, to open in a browser:"
+echo "Pages, to open in a browser:"
 for file in segments.html relaxed.html coarse.html; do
   echo "  $out/$file"
 done

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what is missing of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...     with groups out of: build test bench lint ci
+#   scripts/install-deps.sh GROUP...             with groups out of: build test bench pictures lint ci
+#   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
 # Does nothing, and asks for nothing, where all of them are installed already.
 set -eu
@@ -15,18 +16,27 @@ packages_of() {
                 libfmt-dev libcli11-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 ;;
     bench) echo ;;
+    pictures) echo $(unless_found chromium chromium) ;;
     lint)  echo clang-format clang-tidy clang-tools ;;
     ci)    echo clang libclang-rt-14-dev ccache chromium libcgal-demo ;;
-    *)     echo "install-deps.sh: no group '$1' (one of: build test bench lint ci)" >&2; exit 2 ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures lint ci)" >&2; exit 2 ;;
   esac
 }
+
+only_print=""
+if [ "${1:-}" = --missing ]; then
+  only_print=yes
+  shift
+fi
 
 wanted=""
 for group in "$@"; do
   wanted="$wanted $(packages_of "$group")"
 done
 
+# Elsewhere than on Debian there is nothing to ask what is missing.
 if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then
+  [ -z "$only_print" ] || exit 0
   echo "install-deps.sh: no Debian or Ubuntu; taking for granted what these packages hold:$wanted" >&2
   exit 0
 fi
@@ -36,6 +46,10 @@ for package in $wanted; do
   state=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   [ "$state" = "install ok installed" ] || missing="$missing $package"
 done
+if [ -n "$only_print" ]; then
+  echo "${missing# }"
+  exit 0
+fi
 [ -n "$missing" ] || exit 0
 
 if [ "$(id -u)" -eq 0 ]; then

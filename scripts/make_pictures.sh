@@ -1,0 +1,50 @@
+#!/bin/sh
+# Makes the pictures of the documents: runs the commands on meshes of data/, opens their pages in a headless browser and
+# takes the pictures that web/pictures/pictures.mjs lists.
+#
+#   scripts/make_pictures.sh BIN_FOLDER WORK_FOLDER PICTURE_FOLDER
+#
+# Needs npm (for playwright-core, pinned by web/test/package-lock.json) and Chromium; CHROMIUM names another browser than
+# /usr/bin/chromium. WORK_FOLDER takes the pages and the packages.
+set -eu
+bin=$1
+work=$2
+pictures=$3
+web=$(cd "$(dirname "$0")/../web" && pwd)
+mkdir -p "$work" "$pictures"
+work=$(cd "$work" && pwd)
+pictures=$(cd "$pictures" && pwd)
+
+run() {
+  command=$1
+  shift
+  echo "\$ $command $*"
+  "$bin/$command" -q "$@"
+}
+
+# The pictures of the README: its first commands.
+run gvd-segment data/figure.obj -n 24 --view "$work/segments.html"
+run gvd-lloyd   data/figure.obj -n 300 -o "$work/samples.json" --view "$work/samples.html"
+run gvd-remesh  data/figure.obj --generators "$work/samples.json" --view "$work/coarse.html"
+
+# Samplings, and a relaxation of random generators.
+run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
+run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.html"
+run gvd-lloyd   data/figure.obj -n 100 --sampling random --view "$work/relaxed.html"
+
+# A mesh that was cut along its bisectors: the vertices keep their numbers, so the same generators fit it. They are those
+# of -n 24 above.
+vertices=422,2212,1840,1545,439,521,519,766,2552,1559,1064,560,1844,438,1361,1938,1397,2771,2447,712,1919,102,2881,972
+run gvd-segment data/figure.obj --vertices $vertices --cut -o "$work/cut.ply"
+run gvd-segment "$work/cut.ply" --vertices $vertices --view "$work/cut.html"
+
+# An open surface.
+run gvd-segment data/half_sphere.off -n 12 --view "$work/open.html"
+run gvd-remesh  data/half_sphere.off -n 60 --view "$work/open_coarse.html"
+
+cp -p "$web"/test/package.json "$web"/test/package-lock.json "$web"/test/.npmrc "$web"/pictures/*.mjs "$work"
+cd "$work"
+if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
+  npm ci --loglevel=error --no-update-notifier
+fi
+node make_pictures.mjs . "$pictures"
