@@ -21,7 +21,7 @@ void check_view_scene(const ViewScene& scene);
 /// Centre and half the diagonal of the box round all scenes.
 ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes);
 
-/// The scene's entry in the manifest; its arrays go into `blobs`. docs/guide/viewer.md lists the fields.
+/// The scene's entry in the manifest; its arrays go into `blobs`. docs/developer/viewer.md lists the fields.
 nlohmann::json make_scene_entry(const ViewScene& scene, const ViewFrame& frame, ViewBlobs& blobs);
 
 }  // namespace gvd::io
