@@ -6,6 +6,7 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/assembly/face_assembly.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "diagram/graph/face_pieces.hpp"
 #include "support/random.hpp"
 

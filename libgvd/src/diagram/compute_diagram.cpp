@@ -6,6 +6,7 @@
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/growth/trace_growth.hpp"
 #include "diagram/trace_bisectors.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/marching/marched_distances.hpp"
 #include "geodesic/windows/make_generator_table.hpp"
@@ -19,22 +20,22 @@ namespace gvd {
 namespace {
 
 /// Labels and distances of the input's own vertices, without the symbolic offsets.
-void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels, double offset_step, Diagram& diagram) {
+void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels, const SymbolicOffset& offset,
+                        Diagram& diagram) {
   const auto n = static_cast<std::size_t>(working.input().vertex_count());
   diagram.vertex_label.resize(n);
   diagram.vertex_distance.resize(n);
   for (std::int32_t i = 0; i < working.input().vertex_count(); ++i) {
     const VertexId v(i);
     diagram.vertex_label[v] = labels.label[v];
-    const double offset = static_cast<double>(labels.label[v].value() + 1) * offset_step;
-    diagram.vertex_distance[v] = std::max(0.0, labels.distance[v] - offset);
+    diagram.vertex_distance[v] = std::max(0.0, labels.distance[v] - offset.of(labels.label[v]));
   }
 }
 
 /// What solver and tracer leave for the rest, which is the same for all of them.
 struct Traced {
   TracedDiagram diagram;
-  double offset_step = 0;  ///< of the symbolic offsets in the labels' distances
+  SymbolicOffset offset;  ///< contained in the distances of the labels
 };
 
 double tolerance(const Mesh& mesh, const DiagramOptions& options) {
@@ -48,11 +49,11 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
   if (options.method.tracer == Tracer::growth) {
-    return {trace_growth(working, marched.table, options, report), marched.offset_step};
+    return {trace_growth(working, marched.table, options, report), marched.offset};
   }
   return {trace_envelope(working, compute_nearest_labels(working, marched.table), MarchedDistances(mesh, marched.table),
                          tolerance(mesh, options), parallel, report),
-          marched.offset_step};
+          marched.offset};
 }
 
 Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
@@ -66,11 +67,11 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
   if (options.method.tracer == Tracer::growth) {
     const GeneratorTable table = make_generator_table(mesh, field, options.progress);
     report.table_entries = static_cast<std::int64_t>(table.entry_count());
-    return {trace_growth(working, table, options, report), 0};
+    return {trace_growth(working, table, options, report), {}};
   }
   return {trace_envelope(working, take_labels(working, field.distance, field.label, parallel),
                          WindowDistances(mesh, field), tolerance(mesh, options), parallel, report),
-          0};
+          {}};
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
                             ? trace_marched(working, options, parallel, diagram.report)
                             : trace_windows(working, options, parallel, diagram.report);
   report_progress(options.progress, "cells", 0);
-  take_vertex_labels(working, traced.diagram.labels, traced.offset_step, diagram);
+  take_vertex_labels(working, traced.diagram.labels, traced.offset, diagram);
   trace_bisectors(working, traced.diagram, parallel, diagram);
   collect_cells(working, traced.diagram, parallel, diagram);
   return diagram;

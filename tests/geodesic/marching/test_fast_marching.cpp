@@ -27,7 +27,7 @@ constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 double distance(const FastMarchingResult& marched, VertexId v, GeneratorId g) {
   const std::int32_t place = marched.table.find(v, g);
   if (place < 0) return std::numeric_limits<double>::infinity();
-  return marched.table.distance(place).distance - (g.value() + 1) * marched.offset_step;
+  return marched.table.distance(place).distance - marched.offset.of(g);
 }
 
 /// Largest difference to the straight distance on a flat convex mesh with generator 0 alone, in mesh units.
@@ -84,7 +84,7 @@ NearestError nearest_error(const test::Reference& reference, Front front) {
   for (int i = 0; i < reference.mesh.vertex_count(); ++i) {
     const VertexId v(i);
     if (exact.distance[v] == 0) continue;
-    const double offset = (stages.labels.label[v].value() + 1) * stages.marched.offset_step;
+    const double offset = stages.marched.offset.of(stages.labels.label[v]);
     const double relative = (stages.labels.distance[v] - offset) / exact.distance[v] - 1;
     error.mean += std::abs(relative);
     error.over = std::max(error.over, relative);
@@ -155,7 +155,7 @@ TEST_CASE("the tables hold together on every family") {
           for (std::size_t k = 0; k < 3; ++k) {
             REQUIRE(entry.corner[k] == table.find(stages.mesh().vertices(f)[k], entry.generator));
             const double d = table.distance(entry.corner[k]).distance;
-            REQUIRE(d >= (entry.generator.value() + 1) * stages.marched.offset_step);
+            REQUIRE(d >= stages.marched.offset.of(entry.generator));
             REQUIRE(std::isfinite(d));
           }
         });
@@ -173,7 +173,7 @@ TEST_CASE("a generator's own distance is its offset, and no other generator's is
     for (int i = 0; i < 20; ++i) {
       const GeneratorId g(i);
       const VertexId v = stages.working.vertex(g);
-      const double own = (i + 1) * stages.marched.offset_step;
+      const double own = stages.marched.offset.of(GeneratorId(i));
       REQUIRE(stages.table().distance(stages.table().find(v, g)).distance == own);
       stages.table().for_each(v, [&](const VertexDistance& d) { REQUIRE((d.generator == g || d.distance > own)); });
     }

@@ -12,40 +12,42 @@
 
 namespace gvd {
 
-/// Looks for the branch points of a face: first those that the metric is sure of, then guesses.
-/// The metric and the runs must outlive it.
+/// Searches the branch points of a face: an interval of a polygon and its two neighbours may have one in common. First
+/// those that the distances confirm, then guesses.
+/// The distances and the intervals must outlive it.
 class BranchSearch {
  public:
   using Bary = FaceDistances::Bary;
 
-  BranchSearch(const FaceDistances& distances, LabelIntervals& runs) : distances_(distances), runs_(runs) {}
+  BranchSearch(const FaceDistances& distances, LabelIntervals& intervals)
+      : distances_(distances), intervals_(intervals) {}
 
-  /// A run that meets the runs before and after it in a point that the metric is sure of.
-  struct Triple {
-    std::size_t run;
+  /// A confirmed branch point of corner `corner`'s interval and its two neighbours.
+  struct Confirmed {
+    std::size_t corner;
     Bary point;
   };
-  /// One of the polygon's, if there is one. What was looked for in vain is not looked for again.
-  std::optional<Triple> find_confirmed(const FacePolygon& polygon);
-  /// Runs have been united: paths may come by more of them now, and what failed is worth another look.
-  void clear_failed_searches() { tried_.clear(); }
+  /// The first confirmed branch point of the polygon, if it has one. Searches that failed are not repeated.
+  std::optional<Confirmed> find_confirmed(const FacePolygon& polygon);
+  /// Allows failed searches again. After uniting intervals: a path may then enter through more of them.
+  void clear_failed_searches() { failed_.clear(); }
 
-  /// A point that is equally far from the generators of run i and its neighbours, looked for from `start` on; it may
+  /// A point equally far from the generators of corner i's interval and its neighbours, searched from `start`; it may
   /// lie outside of the face.
   std::optional<Bary> guess(const FacePolygon& polygon, std::size_t i, const Bary& start) const;
 
-  /// How much nearer run i and its neighbours are than all others, where they meet. A triple that meets outside of the
-  /// face, or nowhere, is the last choice.
-  double lead(const FacePolygon& polygon, std::size_t i) const;
+  /// How much farther every other generator of the polygon is than corner i's interval and its neighbours, at the point
+  /// equally far from these three. The lowest double where that point is outside of the face or does not exist.
+  double clearance(const FacePolygon& polygon, std::size_t i) const;
 
  private:
-  enum class Search : std::uint8_t { nearby, everywhere };
-  bool is_new_try(const FacePolygon& polygon, std::size_t i, Search search);
+  enum class Search : std::uint8_t { from_nearby, everywhere };
+  bool is_first_search(const FacePolygon& polygon, std::size_t i, Search search);
   std::optional<Bary> confirmed_point(const FacePolygon& polygon, std::size_t i, const Bary& start);
 
   const FaceDistances& distances_;
-  LabelIntervals& runs_;
-  std::set<std::tuple<Search, int, int, int>> tried_;  // searches for a branch point of three runs that found none
+  LabelIntervals& intervals_;
+  std::set<std::tuple<Search, int, int, int>> failed_;  // by the three intervals
 };
 
 }  // namespace gvd

@@ -7,41 +7,38 @@
 
 namespace gvd {
 
-/// One corner of what is left of a face to be assembled: a crossing, or a branch point that stands for two of them.
+/// A corner of the part of a face that remains to be assembled: a crossing, or a branch point that replaces two of
+/// them.
 struct PolygonCorner {
   ArcEnd end;
-  Bary bary;
-  GeneratorId next;  ///< generator of the run from here to the next corner
-  int run;           ///< that run: the one of the face's boundary that follows crossing `run`
+  std::array<double, 3> bary;
+  GeneratorId next;  ///< generator of the label interval from here to the next corner
+  int interval;      ///< index of that interval on the face's boundary: it follows the crossing of that index
 };
 
-/// A convex polygon in a face, counter-clockwise: its corners part the runs of labels round it.
+/// A convex polygon in a face, counter-clockwise. Its corners separate the label intervals round it.
 using FacePolygon = std::vector<PolygonCorner>;
 
-/// How much of every barycentric coordinate a branch point keeps that lies by a tie on a side or at a vertex, where the
-/// metric is as good as exact: it is not moved by more than rounding. A little below what such a metric puts its points
-/// inside by, so that these are taken as they are.
-inline constexpr double kInsideExactly = 1.2e-12;
+/// How far a triangle's corner may lie on the wrong side of the opposite edge, in barycentric coordinates, where the
+/// distances can confirm branch points. A branch point at a vertex, by a tie, lies kInsideFace from it, as near as the
+/// crossings round it, and on either side of them. Less than the 1e-11 from which a piece counts as inverted.
+inline constexpr double kTieInversion = 4.8e-12;
 
-/// How far beyond its opposite side a triangle's corner may lie, in barycentric coordinates. A branch point at a
-/// vertex, by a tie, lies kInsideFace from it, as near as the crossings round it, and on whichever side of them; below
-/// the 1e-11 from which a piece counts as turned.
-inline constexpr double kTurnedByTie = 4.8e-12;
+/// The midpoint of corner i and the next one.
+std::array<double, 3> midpoint(const FacePolygon& polygon, std::size_t i);
+/// The mean of all corners.
+std::array<double, 3> centre(const FacePolygon& polygon);
 
-/// The middle between corner i and the next one, and that of all corners.
-Bary middle(const FacePolygon& polygon, std::size_t i);
-Bary centre(const FacePolygon& polygon);
+/// Whether a polygon of three corners or more is convex and counter-clockwise. Every three consecutive corners may be
+/// inverted by up to `inversion`, in barycentric coordinates.
+bool is_convex(const std::vector<std::array<double, 3>>& polygon, double inversion);
 
-/// Whether a polygon, of three corners or more, is convex; every three corners that follow each other may be turned the
-/// wrong way round by up to `beyond`.
-bool is_convex(const std::vector<Bary>& polygon, double beyond);
+/// Whether p lies in the face and in the polygon, on its boundary, or up to `inversion` outside of it. Crossings of one
+/// edge form a polygon without area: then p must lie on that edge, and the pieces between such points have no area, but
+/// no negative area either.
+bool is_inside(const FacePolygon& polygon, const std::array<double, 3>& p, double inversion);
 
-/// In the face and in the polygon, or on its boundary, or up to `beyond` outside of it. Crossings of one edge span a
-/// polygon without area: then branch points lie on that edge, and the pieces between them have no area either, but
-/// never a negative one.
-bool is_inside(const FacePolygon& polygon, const Bary& p, double beyond);
-
-/// Distance in barycentric coordinates.
-double apart(const Bary& p, const Bary& q);
+/// Distance of two points in barycentric coordinates: that of their last two.
+double bary_distance(const std::array<double, 3>& p, const std::array<double, 3>& q);
 
 }  // namespace gvd

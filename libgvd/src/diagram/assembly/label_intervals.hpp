@@ -9,29 +9,32 @@
 
 namespace gvd {
 
-/// The runs of labels round a face, run i from crossing i to the next one, and which of them are known to be one piece
-/// of a cell. The boundary and the metric must outlive it.
+/// The label intervals of a face's boundary, interval i from crossing i to the next one, and which of them are known to
+/// belong to one piece of a cell. The boundary and the distances must outlive it.
 class LabelIntervals {
  public:
+  /// `boundary`: at least two crossings.
   LabelIntervals(const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances)
       : boundary_(boundary), distances_(distances), pieces_(boundary.size()) {}
 
-  /// Unites the runs of one generator that are known to be one piece: the shortest path to the middle of the one comes
-  /// into the face through the other.
+  /// Unites two intervals of one generator where the shortest path to the middle of the one enters the face through the
+  /// other. Does nothing where the distances don't know the paths.
   void unite_by_paths();
-  void unite(int run, int other) { pieces_.unite(run, other); }
+  void unite(int interval, int other) { pieces_.unite(interval, other); }
 
-  int piece(int run) { return pieces_.find(run); }
-  bool are_one_piece(int run, int other) { return piece(run) == piece(other); }
+  /// A number that all intervals known to belong to one piece share.
+  int piece(int interval) { return pieces_.find(interval); }
+  bool are_one_piece(int interval, int other) { return piece(interval) == piece(other); }
 
-  /// Whether the shortest path to p of run's generator comes into the face by that run, or by one of its piece.
-  bool path_enters_through(int run, const std::array<double, 3>& p);
+  /// Whether the shortest path to p of the interval's generator enters the face through an interval of its piece. A
+  /// path within rounding of a crossing counts as one through the intervals on both sides of it.
+  bool path_enters_through(int interval, const std::array<double, 3>& p);
 
  private:
-  double place(std::size_t crossing) const { return boundary_[crossing].corner + boundary_[crossing].t; }
-  int run_at(double where) const;
-  std::array<double, 3> middle_of_run(std::size_t i) const;
-  bool is_near_crossing(double where, std::size_t i) const;
+  double position(std::size_t crossing) const { return boundary_[crossing].corner + boundary_[crossing].t; }
+  int interval_at(double position) const;
+  std::array<double, 3> middle_of_interval(std::size_t i) const;
+  bool is_near_crossing(double position, std::size_t i) const;
 
   const std::vector<BoundaryCrossing>& boundary_;
   const FaceDistances& distances_;

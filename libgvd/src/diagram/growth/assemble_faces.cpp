@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagram/assembly/face_assembly.hpp"
+#include "diagram/assembly/form_distances.hpp"
 
 namespace gvd {
 namespace {

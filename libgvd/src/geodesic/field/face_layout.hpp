@@ -11,19 +11,20 @@
 
 namespace gvd {
 
-/// A face laid out in the plane: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above. Mesh units.
+/// A face laid out in the plane: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it. Mesh
+/// units.
 struct FaceLayout {
   std::array<Vec2, 3> corner;
   double twice_area;  ///< > 0
 
-  /// Height of a face without area, relative to its longest edge: its barycentric coordinates then change by at most
-  /// 1e12 an edge length, and its lengths by 1e-12 of themselves.
+  /// Least height of the layout, relative to the longest edge; faces without area get it. It changes lengths by at most
+  /// 1e-12 of themselves, and keeps the rate of barycentric coordinates below 1e12 per edge length.
   static constexpr double kLeastHeight = 1e-12;
 
   FaceLayout(const Mesh& mesh, FaceId f) {
     const double l0 = mesh.length(Mesh::halfedge(f, 0)), l1 = mesh.length(Mesh::halfedge(f, 1)),
                  l2 = mesh.length(Mesh::halfedge(f, 2));
-    // From the sides themselves: where this one is short, the law of cosines would lose the digits of the long ones.
+    // Computed from the vectors of the sides: the law of cosines cancels where side 0 is much shorter than the others.
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
     const double height = std::max(base.cross(side).stableNorm() / l0, kLeastHeight * std::max({l0, l1, l2}));
@@ -42,7 +43,7 @@ struct FaceLayout {
   Vec2 side(int i) const {
     return (corner[static_cast<std::size_t>((i + 1) % 3)] - corner[static_cast<std::size_t>(i)]).normalized();
   }
-  /// How fast the barycentric coordinates change along a direction, per mesh unit.
+  /// Derivative of the barycentric coordinates in a direction, per mesh unit.
   Bary bary_rate(const Vec2& direction) const {
     Bary rate{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -8,45 +8,46 @@
 
 namespace gvd {
 
-/// Distance from one generator to one vertex: one number, that all faces round the vertex share.
+/// Distance from one generator to one vertex. All faces round the vertex share it.
 struct VertexDistance {
   double distance;        ///< mesh units, with the generator's symbolic offset
-  GeneratorId generator;  ///< invalid in the first place of a vertex that nothing reaches
-  std::int32_t next;      ///< the vertex's next one, or -1
-  HalfedgeId via;         ///< halfedge of the triangle that gave the distance, opposite to the vertex; invalid at the
-                          ///< generator's own vertex, and beside it where the distance is that along the edge
+  GeneratorId generator;  ///< invalid in the first item of a vertex that no generator reaches
+  std::int32_t next;      ///< index of the vertex's next item, or -1
+  HalfedgeId via;         ///< halfedge opposite the vertex, in the triangle that gave the distance; invalid at the
+                          ///< generator's own vertex, and at its neighbours where the distance is that along the edge
 };
 
-/// One line of a triangle's generator table (section 4.1): a generator that may own a part of the triangle.
+/// An entry of a triangle's generator table (section 4.1): a generator that may own a part of the triangle.
 struct TableEntry {
-  GeneratorId generator;  ///< invalid in the first place of a triangle that nothing reaches
+  GeneratorId generator;  ///< invalid in the first entry of a triangle that no generator reaches
   FaceId face;
-  std::array<std::int32_t, 3> corner;  ///< places of the three VertexDistances
-  std::int32_t next;                   ///< the face's next entry, or -1
-  double processed_key;                ///< sum of the distances when it was last propagated; infinity before
-  bool dominated;                      ///< another generator is nearer all over the triangle
+  std::array<std::int32_t, 3> corner;  ///< indices of the VertexDistances at the three corners
+  std::int32_t next;                   ///< index of the face's next entry, or -1
+  double processed_key;                ///< sum of the distances at the last propagation; infinity before the first
+  bool dominated;                      ///< another generator is nearer everywhere in the triangle
 };
 
 /// The generator tables of all triangles and vertices.
 ///
-/// Nearly every vertex and triangle has one generator: the first line stands in the array itself, at its vertex's or
-/// face's index, and the others are chained behind. Memory: about 60 bytes a face.
+/// Nearly every vertex and triangle has one generator. So the first item of each is in the array at the index of its
+/// vertex or face, and the others are a linked list behind all first ones. Memory: about 60 bytes a face.
 class GeneratorTable {
  public:
   GeneratorTable(std::int32_t vertices, std::int32_t faces)
       : distances_(static_cast<std::size_t>(vertices), VertexDistance{0, GeneratorId(), -1, HalfedgeId()}),
         entries_(static_cast<std::size_t>(faces), TableEntry{GeneratorId(), FaceId(), {-1, -1, -1}, -1, 0, false}) {}
 
-  VertexDistance& distance(std::int32_t place) { return distances_[static_cast<std::size_t>(place)]; }
-  const VertexDistance& distance(std::int32_t place) const { return distances_[static_cast<std::size_t>(place)]; }
-  TableEntry& entry(std::int32_t place) { return entries_[static_cast<std::size_t>(place)]; }
-  const TableEntry& entry(std::int32_t place) const { return entries_[static_cast<std::size_t>(place)]; }
+  VertexDistance& distance(std::int32_t index) { return distances_[static_cast<std::size_t>(index)]; }
+  const VertexDistance& distance(std::int32_t index) const { return distances_[static_cast<std::size_t>(index)]; }
+  TableEntry& entry(std::int32_t index) { return entries_[static_cast<std::size_t>(index)]; }
+  const TableEntry& entry(std::int32_t index) const { return entries_[static_cast<std::size_t>(index)]; }
 
-  /// Place of generator g's distance at v, or -1.
+  /// Index of generator g's distance at v, or -1. Cost: O(generators that reach v).
   std::int32_t find(VertexId v, GeneratorId g) const { return find_in(distances_, v.value(), g); }
-  /// Place of generator g's entry in f's table, or -1.
+  /// Index of generator g's entry in f's table, or -1.
   std::int32_t find(FaceId f, GeneratorId g) const { return find_in(entries_, f.value(), g); }
 
+  /// Adds an item that is not there yet, and returns its index. References to other items become invalid.
   std::int32_t add(VertexId v, GeneratorId g, double distance, HalfedgeId via) {
     return add_to(distances_, v.value(), VertexDistance{distance, g, -1, via});
   }
@@ -91,12 +92,12 @@ class GeneratorTable {
       first = item;
       return head;
     }
-    const auto place = static_cast<std::int32_t>(items.size());
+    const auto index = static_cast<std::int32_t>(items.size());
     const std::int32_t second = first.next;
-    first.next = place;
+    first.next = index;
     items.push_back(item);
     items.back().next = second;
-    return place;
+    return index;
   }
 
   std::vector<VertexDistance> distances_;

@@ -10,8 +10,8 @@
 
 namespace gvd {
 
-/// The two halves of a face on either side of the median to one of its edges, A B, opposite to corner C. They are the
-/// same for every generator.
+/// The two halves of a face, cut by the median from corner C to the opposite edge A B. They do not depend on the
+/// generator.
 struct MedianHalves {
   UpdateTriangle at_a, at_b;  ///< base from C to A, or to B; the apex is the midpoint of A B
 };
@@ -26,8 +26,8 @@ inline MedianHalves make_median_halves(const FaceShape& shape, std::size_t side)
           make_update_triangle(bc, median, 0.5 * length, twice_area)};
 }
 
-/// Distance of the midpoint of corner `side`'s edge, seen through the face from its two other edges: the auxiliary
-/// distance of section 4.1. `corner` holds the generator's distances at the face's corners, mesh units. Cost: O(1).
+/// Distance at the midpoint of corner `side`'s edge, updated through the face from its two other edges: the auxiliary
+/// distance of section 4.1. `corner`: the generator's distances at the face's corners, mesh units. Cost: O(1).
 inline double auxiliary_distance(const MedianHalves& halves, const std::array<double, 3>& corner, std::size_t side,
                                  Front front) {
   const double a = corner[side], b = corner[(side + 1) % 3], c = corner[(side + 2) % 3];

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/bucket_queue.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/local_update.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -14,18 +15,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Largest symbolic offset, in mean edge lengths. Mirror-symmetric models put whole bisectors exactly on edges; offsets
-/// that grow with the generator's id decide every tie the same way all along. Far above rounding (1e-16 times a
-/// distance of up to 1e5 edges), far below any length that shows.
-constexpr double kTieOffset = 1e-9;
-
 /// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
 constexpr double kBucketWidth = 1;
 
-/// Bound on the number of buckets: beyond it keys share the last one, which costs repeated events, not exactness.
+/// Bound on the number of buckets. Larger keys share the last bucket, which costs repeated events, not exactness.
 constexpr double kMaxBuckets = 1 << 16;
 
-/// An improvement below this part of the distance is rounding: it is not propagated again.
+/// Least improvement of a distance that is propagated, relative to the distance: less is rounding.
 constexpr double kImprovement = 1e-13;
 
 /// The corners after and before corner i of a face.
@@ -39,7 +35,7 @@ class Marcher {
         progress_(progress),
         table_(mesh_.vertex_count(), mesh_.face_count()),
         queue_(kBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
-        offset_step_(kTieOffset * mesh_.mean_edge_length() / static_cast<double>(working.generator_vertices().size())) {
+        offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), working.generator_vertices().size())) {
     place_generators(working);
   }
 
@@ -48,7 +44,7 @@ class Marcher {
       if (++pops_ % kProgressStride == 0) report();
       process(queue_.pop());
     }
-    return {std::move(table_), offset_step_, events_};
+    return {std::move(table_), offset_, events_};
   }
 
  private:
@@ -61,26 +57,26 @@ class Marcher {
     return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / (kBucketWidth * mesh.mean_edge_length()) + 3));
   }
 
-  /// Every generator reaches the faces round its vertex along their edges.
+  /// Gives every generator its distances on the faces round its vertex, along their edges.
   void place_generators(const WorkingMesh& working) {
     for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
       const GeneratorId g(static_cast<std::int64_t>(i));
-      const double offset = static_cast<double>(i + 1) * offset_step_;
+      const double offset = offset_.of(g);
       table_.add(working.vertex(g), g, offset, HalfedgeId());
       for_each_outgoing(mesh_, working.vertex(g), [&](HalfedgeId h) {
-        reach_along(mesh_.to(h), g, offset + mesh_.length(h));
-        reach_along(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
+        set_nearer(mesh_.to(h), g, offset + mesh_.length(h));
+        set_nearer(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
         add_entry(Mesh::face(h), g);
       });
     }
   }
 
-  void reach_along(VertexId v, GeneratorId g, double distance) {
-    const std::int32_t place = table_.find(v, g);
-    if (place < 0) {
+  void set_nearer(VertexId v, GeneratorId g, double distance) {
+    const std::int32_t index = table_.find(v, g);
+    if (index < 0) {
       table_.add(v, g, distance, HalfedgeId());
     } else {
-      table_.distance(place).distance = std::min(table_.distance(place).distance, distance);
+      table_.distance(index).distance = std::min(table_.distance(index).distance, distance);
     }
   }
 
@@ -96,25 +92,25 @@ class Marcher {
     return d[0] + d[1] + d[2];
   }
 
-  /// A triangle event: the domination test, then the three neighbours.
-  void process(std::int32_t place) {
-    TableEntry& entry = table_.entry(place);
-    const double now = key(entry);
-    if (!(now < entry.processed_key)) return;  // an older event of an entry that has improved since
-    entry.processed_key = now;
+  /// Handles the event of one triangle and generator: the domination test, then the three neighbours.
+  void process(std::int32_t index) {
+    TableEntry& entry = table_.entry(index);
+    const double current = key(entry);
+    if (!(current < entry.processed_key)) return;  // the entry has improved since this event was queued
+    entry.processed_key = current;
     entry.dominated = is_dominated(entry);
     if (entry.dominated) return;
     ++events_;
     const FaceId f = entry.face;
-    const std::array<std::int32_t, 3> corner = entry.corner;  // by value: new entries move the table
+    const std::array<std::int32_t, 3> corner = entry.corner;  // a copy: adding entries moves the table
     const GeneratorId g = entry.generator;
     for (std::size_t side = 0; side < 3; ++side) {
       const HalfedgeId twin = mesh_.twin(Mesh::halfedge(f, static_cast<int>(side)));
-      if (twin.valid()) propagate(twin, g, corner[kNext[side]], corner[side]);  // it runs the other way
+      if (twin.valid()) propagate(twin, g, corner[kNext[side]], corner[side]);  // the twin has the other direction
     }
   }
 
-  /// Section 4.1: another generator of the table is nearer at the three corners, and at the three midpoints.
+  /// Whether another generator of the face is nearer at all corners and all edge midpoints (section 4.1).
   bool is_dominated(const TableEntry& entry) const {
     const std::int32_t head = entry.face.value();
     if (table_.entry(head).next < 0) return false;
@@ -122,57 +118,60 @@ class Marcher {
     for (std::int32_t i = head; i >= 0; i = table_.entry(i).next) {
       const TableEntry& other = table_.entry(i);
       if (other.generator == entry.generator || other.dominated) continue;
-      const auto theirs = table_.corner_distances(other);
-      if (theirs[0] < own[0] && theirs[1] < own[1] && theirs[2] < own[2] && dominates_midpoints(other, entry))
+      const auto others = table_.corner_distances(other);
+      if (others[0] < own[0] && others[1] < own[1] && others[2] < own[2] && dominates_midpoints(other, entry))
         return true;
     }
     return false;
   }
 
   bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
-    const auto own = table_.corner_distances(entry), theirs = table_.corner_distances(other);
+    const auto own = table_.corner_distances(entry), others = table_.corner_distances(other);
     const FaceShape& shape = mesh_.shape(entry.face);
     for (std::size_t i = 0; i < 3; ++i) {
-      // A distance changes by half a length at the most from a corner to the midpoint.
+      // From a corner to the midpoint a distance changes by at most half the edge length.
       const std::size_t j = kNext[i];
-      if (std::min(theirs[i], theirs[j]) + shape.length[i] < std::max(own[i], own[j])) continue;
+      if (std::min(others[i], others[j]) + shape.length[i] < std::max(own[i], own[j])) continue;
       const MedianHalves halves = make_median_halves(shape, i);
-      if (!(auxiliary_distance(halves, theirs, i, front_) < auxiliary_distance(halves, own, i, front_))) return false;
+      if (!(auxiliary_distance(halves, others, i, front_) < auxiliary_distance(halves, own, i, front_))) return false;
     }
     return true;
   }
 
-  /// Carries generator g, whose distances stand at place_a and place_b, across halfedge h from A to B into its face, to
-  /// the corner D opposite.
-  void propagate(HalfedgeId h, GeneratorId g, std::int32_t place_a, std::int32_t place_b) {
-    const double distance_a = table_.distance(place_a).distance, distance_b = table_.distance(place_b).distance;
+  /// Carries generator g across halfedge h, from A to B, into h's face, to the corner D opposite. `index_a`, `index_b`:
+  /// where the table holds g's distances at A and B.
+  void propagate(HalfedgeId h, GeneratorId g, std::int32_t index_a, std::int32_t index_b) {
+    const double distance_a = table_.distance(index_a).distance, distance_b = table_.distance(index_b).distance;
     const FaceId face = Mesh::face(h);
     const auto i = static_cast<std::size_t>(h.value() - 3 * face.value());
     const VertexId d = mesh_.vertices(face)[kPrevious[i]];
     const std::int32_t neighbour = table_.find(face, g);
-    std::int32_t place_d = neighbour >= 0 ? table_.entry(neighbour).corner[kPrevious[i]] : table_.find(d, g);
+    std::int32_t index_d = neighbour >= 0 ? table_.entry(neighbour).corner[kPrevious[i]] : table_.find(d, g);
     bool improved = false;
-    // By the triangle inequality no point of the edge is nearer than this, and so is no corner beyond it.
+    // By the triangle inequality no point of the edge is nearer than this, and no corner beyond the edge.
     const double least = 0.5 * (distance_a + distance_b - mesh_.shape(face).length[i]);
-    if (place_d < 0 || table_.distance(place_d).distance > least) {
-      const double distance_d = update(face, i, distance_a, distance_b);
-      if (place_d < 0) {
-        place_d = table_.add(d, g, distance_d, h);
-      } else if (distance_d < table_.distance(place_d).distance * (1 - kImprovement)) {
-        table_.distance(place_d).distance = distance_d;
-        table_.distance(place_d).via = h;
-        improved = true;
-      }
+    if (index_d < 0) {
+      index_d = table_.add(d, g, update(face, i, distance_a, distance_b), h);
+    } else if (table_.distance(index_d).distance > least) {
+      improved = improve(table_.distance(index_d), update(face, i, distance_a, distance_b), h);
     }
     if (neighbour < 0) {
       std::array<std::int32_t, 3> corner{};
-      corner[i] = place_a;
-      corner[kNext[i]] = place_b;
-      corner[kPrevious[i]] = place_d;
+      corner[i] = index_a;
+      corner[kNext[i]] = index_b;
+      corner[kPrevious[i]] = index_d;
       const std::int32_t added = table_.add(face, g, corner, kInfinity);
       queue_.push(key(table_.entry(added)), added);
     }
-    if (improved) requeue_round(Mesh::previous(h), g);
+    if (improved) requeue_around(Mesh::previous(h), g);
+  }
+
+  /// Replaces a vertex's distance by a shorter one. False where it is not shorter beyond rounding.
+  static bool improve(VertexDistance& at_vertex, double distance, HalfedgeId via) {
+    if (!(distance < at_vertex.distance * (1 - kImprovement))) return false;
+    at_vertex.distance = distance;
+    at_vertex.via = via;
+    return true;
   }
 
   /// Distance at the corner opposite side i of a face.
@@ -183,8 +182,8 @@ class Marcher {
                                    : update_planar(t, distance_a, distance_b);
   }
 
-  /// The distance at the vertex that h leaves improved: its triangles have to go through the queue again.
-  void requeue_round(HalfedgeId h, GeneratorId g) {
+  /// Queues the faces round the vertex that h leaves, because its distance improved.
+  void requeue_around(HalfedgeId h, GeneratorId g) {
     for_each_outgoing(mesh_, mesh_.from(h), [&](HalfedgeId outgoing) {
       const std::int32_t e = table_.find(Mesh::face(outgoing), g);
       if (e >= 0) queue_.push(key(table_.entry(e)), e);
@@ -201,7 +200,7 @@ class Marcher {
   const Progress& progress_;
   GeneratorTable table_;
   BucketQueue<std::int32_t> queue_;
-  double offset_step_;
+  SymbolicOffset offset_;
   std::int64_t pops_ = 0, events_ = 0;
 };
 

@@ -8,10 +8,9 @@
 namespace gvd {
 namespace {
 
-/// An improvement below this part of the distance is rounding: it is not propagated again. At each vertex the part
-/// doubles with every improvement, so that none has more than 44: in chains of needles, updates that bring each other
-/// down could otherwise go round for ever longer, twice as often with each needle. A vertex of an ordinary mesh has
-/// less than ten.
+/// Least improvement of a distance that is propagated, relative to the distance: less is rounding. It doubles with
+/// every improvement of a vertex, so that no vertex has more than 44. Without that, updates in a chain of needles lower
+/// each other twice as often with each needle. A vertex of an ordinary mesh has less than ten improvements.
 constexpr double kImprovement = 1e-13;
 
 double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
@@ -43,11 +42,12 @@ void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<Ver
     std::pop_heap(heap_.begin(), heap_.end());
     const Event event = heap_.back();
     heap_.pop_back();
-    if (event.distance == nodes_[event.vertex].distance) relax(event.vertex);  // else it has improved since
+    if (event.distance == nodes_[event.vertex].distance) relax(event.vertex);  // else outdated by an improvement
   }
 }
 
-/// The corners of the faces that hold the start see it straight; from a vertex the updates do the same.
+/// Gives the corners of the faces that contain the start their straight distances. A start at a vertex needs no more
+/// than its own: the updates along its edges are straight.
 void LocalMarch::place_start(const SurfacePoint& start) {
   start_faces_.clear();
   start_corners_.clear();
@@ -99,15 +99,16 @@ double LocalMarch::update(HalfedgeId h) const {
   const int i = Mesh::corner(h);
   const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
   const double distance_a = nodes_[mesh_.from(h)].distance, distance_b = nodes_[mesh_.to(h)].distance;
-  // A flat apex can come out nearer than both ends. In faces without area, folded on each other, each such value would
-  // bring others down in turn: the front has to go forwards. What is no number stays so.
+  // At a flat apex the update can be less than both distances. In faces without area, folded on each other, such values
+  // would lower each other in turn. So the result is at least the smaller distance; not-a-number is kept.
   return std::max(update_by(front_, t, distance_a, distance_b), std::min(distance_a, distance_b));
 }
 
-/// Carries the distance of v into its faces. Beyond the bound v only helps a neighbour that is below its own; but a
-/// generator's own corners always go on, since its cell can leave the face through the inside of an edge.
+/// Propagates the distance of v into its faces. A vertex that is not below its bound only updates together with a
+/// neighbour that is below its own. The corners of the start's faces always propagate: the cell of a generator can
+/// leave its face through the inside of an edge.
 void LocalMarch::relax(VertexId v) {
-  const bool goes_on = below_bound(v) || is_start_corner(v);
+  const bool propagates = below_bound(v) || is_start_corner(v);
   const HalfedgeId start = mesh_.halfedge(v);
   HalfedgeId h = start;
   do {
@@ -116,17 +117,18 @@ void LocalMarch::relax(VertexId v) {
     const VertexId b = mesh_.to(h), c = mesh_.from(before);
     const bool has_b = nodes_[b].run == run_, has_c = nodes_[c].run == run_;
     const double d = nodes_[v].distance;
-    // The edge comes first in std::min: an update that overflows, in a face without shape, is no number and loses.
+    // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
+    // degenerate face).
     const double along_b = d + shapes_[f].length[Mesh::corner(h)],
                  along_c = d + shapes_[f].length[Mesh::corner(before)];
-    if (has_b && (goes_on || below_bound(b))) {
+    if (has_b && (propagates || below_bound(b))) {
       reach(c, std::min(along_c, update(h)));
-    } else if (goes_on) {
+    } else if (propagates) {
       reach(c, along_c);
     }
-    if (has_c && (goes_on || below_bound(c))) {
+    if (has_c && (propagates || below_bound(c))) {
       reach(b, std::min(along_b, update(before)));
-    } else if (goes_on) {
+    } else if (propagates) {
       reach(b, along_b);
     }
     h = mesh_.twin(before);

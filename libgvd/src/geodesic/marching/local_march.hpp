@@ -9,36 +9,36 @@
 
 namespace gvd {
 
-/// Distances from one point, carried only as far as they are below a bound at each vertex.
+/// Distances from one point, propagated only as far as they are below a bound at each vertex.
 ///
-/// The work space is made once and used by many runs, so that a run costs what it reaches and not what the mesh holds.
-/// Memory: 40 bytes a face.
+/// Many runs share one work space, so that the cost of a run depends on the vertices that it reaches, not on the size
+/// of the mesh. Memory: 40 bytes a face.
 class LocalMarch {
  public:
   LocalMarch(const Mesh& mesh, Front front);
 
   /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[v] where `upper` is
-  /// given. The ring of vertices round these gets its distances too, since they improve those inside.
+  /// given. The ring of vertices round these gets distances too, because they improve those inside.
   ///
-  /// Label-correcting: the distances are a fixed point of the updates, whatever the queue's order; where updates bring
-  /// each other down again and again it ends near one. Cost: O(k log k) for k vertices reached.
+  /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
+  /// Where updates lower each other again and again, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 
-  /// The vertices that the last run reached, each once, in the order in which it first did.
+  /// The vertices that the last run reached, each once, in the order in which it first reached them.
   const std::vector<VertexId>& reached() const { return reached_; }
-  /// Mesh units; infinity where the last run did not arrive.
+  /// Mesh units; infinity at vertices that the last run did not reach.
   double distance(VertexId v) const {
     return nodes_[v].run == run_ ? nodes_[v].distance : std::numeric_limits<double>::infinity();
   }
-  /// Distance of any point, from those at the corners of its face; straight in the faces of the start. Infinity where
-  /// the last run did not arrive. Cost: O(1).
+  /// Distance at any point, from those at the corners of its face; along a straight line in the faces of the start.
+  /// Infinity in faces that the last run did not reach. Cost: O(1).
   double distance(const SurfacePoint& point) const;
 
  private:
   struct Node {
     double distance;
     std::int32_t run;
-    std::int32_t improvements;  // in that run
+    std::int32_t improvements;  // number of them in that run
   };
   struct Event {
     double distance;
@@ -58,7 +58,7 @@ class LocalMarch {
   bool is_start_corner(VertexId v) const;
   void reach(VertexId v, double distance);
   void relax(VertexId v);
-  /// Distance at the corner before h, from those at the ends of h. Both must be reached.
+  /// Distance at the corner opposite h, from those at the ends of h. Both must be reached.
   double update(HalfedgeId h) const;
 
   const Mesh& mesh_;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/apex_foot.hpp"
+
 namespace gvd {
 
-/// A triangle A, B, D seen from its base A B: the frame of the local distance update. Mesh units.
+/// A triangle A, B, D in coordinates along its base A B: the frame of the local distance update. Mesh units.
 struct UpdateTriangle {
   double base;          ///< |A B|, > 0
   double inverse_base;  ///< 1 / |A B|
@@ -18,28 +20,28 @@ struct UpdateTriangle {
 /// The frame of a triangle from its three lengths, > 0, and twice its area, >= 0.
 inline UpdateTriangle make_update_triangle(double base, double side_a, double side_b, double twice_area) {
   const double inverse = 1 / base;
-  const double x = 0.5 * (base + (side_a - side_b) * (side_a + side_b) * inverse);
+  const double x = apex_foot_by_inverse(base, inverse, side_a, side_b);
   return {base, inverse, side_a, side_b, x, twice_area * inverse};
 }
 
-/// Distance at D along the edges A D and B D alone: a real path, hence an upper bound.
+/// Distance at D along the edges A D and B D: the length of a path of the surface, hence an upper bound.
 inline double update_along_edges(const UpdateTriangle& t, double distance_a, double distance_b) {
   return std::min(distance_a + t.side_a, distance_b + t.side_b);
 }
 
-/// Distance at corner D of a triangle whose corners A and B are already reached, by a front that is a circle round the
-/// point source that the two distances unfold to, on the far side of A B.
+/// Distance at corner D of a triangle from those at A and B, by a circular front. Its centre is the image of the point
+/// source at these two distances, on the other side of A B.
 ///
 /// Source:  section 4.1 of the paper, with a point source in place of its linear front.
 /// Inputs:  distances >= 0 in mesh units
-/// Returns: mesh units; never less than (distance_a + distance_b - base) / 2, for the ray meets the base between A and
+/// Returns: mesh units; at least (distance_a + distance_b - base) / 2, because the ray crosses the base between A and
 ///   B. It may be less than both distances: a source close behind a long base is nearer to D than to A and B.
-/// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) where the
-///   distances break the triangle inequality, or the source does not see D through A B (obtuse triangles), it falls
-///   back to the edges: an acausal update would be worth less than that upper bound.
+/// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) equal to
+///   update_along_edges where the distances break the triangle inequality, or where the source does not see D through
+///   A B (obtuse triangles): a ray from outside of A B is no path of the surface.
 /// Cost: O(1), two square roots.
 inline double update_circle(const UpdateTriangle& t, double distance_a, double distance_b) {
-  const double source_x = 0.5 * (t.base + (distance_a - distance_b) * (distance_a + distance_b) * t.inverse_base);
+  const double source_x = apex_foot_by_inverse(t.base, t.inverse_base, distance_a, distance_b);
   const double depth_squared = (distance_a - source_x) * (distance_a + source_x);
   if (depth_squared < 0) return update_along_edges(t, distance_a, distance_b);
   const double depth = std::sqrt(depth_squared);
@@ -51,10 +53,11 @@ inline double update_circle(const UpdateTriangle& t, double distance_a, double d
   return std::sqrt(dx * dx + span * span);
 }
 
-/// The same with a front that is linear over the triangle: the paper's planar front.
+/// The same with a front that is linear over the triangle: the planar front of the paper.
 ///
 /// Source:  section 4.1 of the paper (fast marching of Kimmel and Sethian, 1998).
-/// Properties: (1) symmetric in A and B; (2) exact for a plane wave; (3) falls back to the edges like update_circle.
+/// Properties: (1) symmetric in A and B; (2) exact for a plane wave; (3) equal to update_along_edges where no
+///   characteristic reaches D through A B.
 /// Cost: O(1), one square root.
 inline double update_planar(const UpdateTriangle& t, double distance_a, double distance_b) {
   const double slope = (distance_b - distance_a) * t.inverse_base;  // the sine of the front's tilt

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "base/apex_foot.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {
@@ -39,8 +40,8 @@ void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const
       const auto d = table_.corner_distances(entry);
       const auto i = static_cast<std::size_t>(Mesh::corner(side));
       const double a = side == h ? d[i] : d[(i + 1) % 3], b = side == h ? d[(i + 1) % 3] : d[i];
-      const double x = 0.5 * (length + (a - b) * (a + b) / length);
-      // Where the distances unfold to no point, the ways along the edge are all there is.
+      const double x = apex_foot(length, a, b);
+      // Distances that break the triangle inequality have no image: only the paths along the edge remain.
       if (std::abs(x) <= a) sources.push_back({0, length, x, std::sqrt((a - x) * (a + x)), 0, entry.generator});
     });
   }

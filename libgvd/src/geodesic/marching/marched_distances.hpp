@@ -5,12 +5,12 @@
 
 namespace gvd {
 
-/// The distances of the adapted fast marching, as sources: over every side a generator's point source is unfolded from
-/// its distances at the two ends (section 4.1's circle front). Several may hold a generator; the nearest is the one
-/// that the front came from.
+/// The distances of the adapted fast marching, as sources: over every side of a face, the image of each generator is
+/// unfolded from its distances at the side's two ends (the circle front in place of the linear one of section 4.1). A
+/// generator has one image for each side; the nearest one is the one that its front came from.
 class MarchedDistances final : public DistanceField {
  public:
-  /// Both have to outlive this.
+  /// Both must outlive this.
   MarchedDistances(const Mesh& mesh, const GeneratorTable& table) : mesh_(mesh), table_(table) {}
 
   std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;

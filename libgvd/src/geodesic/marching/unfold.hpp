@@ -4,25 +4,26 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/apex_foot.hpp"
 #include "base/plane.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {
 
-/// The image of a point source in the plane of a, b, at distances d_a and d_b from them, on the right of a -> b:
-/// outside of a triangle that lies to the left. Distances that break the triangle inequality put it on the line through
-/// a and b.
+/// Image of a point source at distances d_a from a and d_b from b, on the right of a -> b: outside of a triangle on the
+/// left. Where the distances break the triangle inequality, the image lies on the line through a and b.
+/// Inputs: mesh units, distances >= 0, a and b different. Cost: O(1).
 inline Vec2 unfold_source(const Vec2& a, const Vec2& b, double d_a, double d_b) {
   const Vec2 along = b - a;
   const double length = along.norm();
-  const double x = 0.5 * (length + (d_a - d_b) * (d_a + d_b) / length);
+  const double x = apex_foot(length, d_a, d_b);
   const double depth = std::sqrt(std::max(0.0, (d_a - x) * (d_a + x)));
   const Vec2 unit = along / length;
   return a + x * unit - depth * turned_left(unit);
 }
 
-/// The image of a generator in the plane of a triangle, from its distances to the three corners: unfolded over the edge
-/// that its front enters by, the one with the smallest sum of distances.
+/// Image of a generator in the plane of a triangle, from its distances to the three corners. It is unfolded over the
+/// side through which its front enters: the one with the smallest sum of distances.
 inline Vec2 unfold_generator(const std::array<Vec2, 3>& corner, const std::array<double, 3>& distance) {
   std::size_t side = 0;
   for (std::size_t i = 1; i < 3; ++i) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/apex_foot.hpp"
+
 namespace gvd {
 namespace {
 
@@ -56,7 +58,7 @@ double compute_reach(const std::array<double, 3>& length, double twice_area, con
   for (std::size_t i = 0; i < 3; ++i) {
     on_sides = std::max(on_sides, 0.5 * (distance[i] + distance[(i + 1) % 3] + length[i]));
   }
-  const double x2 = 0.5 * (length[0] + (length[2] - length[1]) * (length[2] + length[1]) / length[0]);
+  const double x2 = apex_foot(length[0], length[2], length[1]);
   const double inside = solve_equal_reach({length[0], x2, twice_area / length[0]}, length[2], distance);
   if (std::isnan(inside) || on_sides > most) return most;
   return std::clamp(inside, on_sides, most);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/apex_foot.hpp"
 #include "geodesic/marching/local_update.hpp"
 
 namespace gvd {
@@ -29,7 +30,7 @@ inline PolarStep step_to_corner(const UpdateTriangle& t, double distance_a, doub
     const double a = distance_a + t.side_a, b = distance_b + t.side_b;
     return a <= b ? PolarStep{a, PolarStep::Way::along_a} : PolarStep{b, PolarStep::Way::along_b};
   };
-  const double source_x = 0.5 * (t.base + (distance_a - distance_b) * (distance_a + distance_b) * t.inverse_base);
+  const double source_x = apex_foot_by_inverse(t.base, t.inverse_base, distance_a, distance_b);
   const double depth_squared = (distance_a - source_x) * (distance_a + source_x);
   if (depth_squared < 0) return along_edges();
   const double depth = std::sqrt(depth_squared), span = depth + t.height;

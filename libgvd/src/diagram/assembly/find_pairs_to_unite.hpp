@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "diagram/assembly/face_distances.hpp"
+#include "diagram/assembly/face_polygon.hpp"
+
+namespace gvd {
+
+/// Two label intervals of one generator, by the corners i < j of a polygon that they begin at.
+struct IntervalPair {
+  double
+      excess;  ///< how much farther their generator is than the nearest other one, halfway between the two; < 0: nearer
+  std::size_t i, j;
+
+  /// Whether arcs that unite the one pair must cross those that unite the other.
+  bool crosses(const IntervalPair& other) const;
+};
+
+/// The pairs of intervals to unite to one piece each, none of which crosses another one: those whose generator is the
+/// nearest one halfway between them, ascending by excess. Where there are none, the pair of least excess, if one must
+/// be united: no three consecutive intervals have different generators, or the distances have confirmed no branch
+/// point.
+/// Cost: O(k^3) for k corners.
+std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const FaceDistances& distances);
+
+}  // namespace gvd
