@@ -33,19 +33,19 @@ TEST_CASE("a point to which three images are equally far is found, whatever thei
       sources.push_back(source(image, 8 - (p - image).norm()));
     }
     INFO("round " << round);
-    REQUIRE(nearest_to(equidistant_points(one[0], one[1], one[2]), p) < 1e-7);
+    REQUIRE(nearest_to(find_equidistant_points(one[0], one[1], one[2]), p) < 1e-7);
   }
 }
 
 TEST_CASE("images on one line, and equal offsets, are no exception") {
   const std::vector<FaceSource> a{source({0, 0}, 0)}, b{source({2, 0}, 0)}, c{source({0, 2}, 0)},
       d{source({3, 0}, 0.5)};
-  CHECK(nearest_to(equidistant_points(a, b, c), {1, 1}) < 1e-12);
-  for (const Vec2& p : equidistant_points(a, b, d)) CHECK(p.allFinite());
+  CHECK(nearest_to(find_equidistant_points(a, b, c), {1, 1}) < 1e-12);
+  for (const Vec2& p : find_equidistant_points(a, b, d)) CHECK(p.allFinite());
   // On the line half way between the first two, sqrt(1 + y^2) + 1/2 = sqrt(4 + y^2).
   const std::vector<FaceSource> near{source({0, 0}, 0.5)}, other{source({2, 0}, 0.5)}, far{source({3, 0}, 0)};
   bool equal = false;
-  for (const Vec2& p : equidistant_points(near, other, far)) {
+  for (const Vec2& p : find_equidistant_points(near, other, far)) {
     const double first = 0.5 + p.norm(), third = (p - Vec2(3, 0)).norm();
     equal = equal || std::abs(first - third) < 1e-12;
   }
@@ -55,6 +55,6 @@ TEST_CASE("images on one line, and equal offsets, are no exception") {
 TEST_CASE("every triple of sources is looked at, and three that are one have no such point") {
   const std::vector<FaceSource> a{source({0, 0}, 0), source({-4, 1}, 0)}, b{source({2, 0}, 0)},
       c{source({0, 2}, 0), source({5, -3}, 0)};
-  CHECK(equidistant_points(a, b, c).size() == 8);
-  CHECK(equidistant_points(b, b, b).empty());
+  CHECK(find_equidistant_points(a, b, c).size() == 8);
+  CHECK(find_equidistant_points(b, b, b).empty());
 }

@@ -65,16 +65,16 @@ TEST_CASE("the way back leaves the face where the path came in") {
   const Mesh mesh = test::make_triangle();
   distances.enter(mesh, FaceId(0));
   const Vec2 p(0.8, 0.25);
-  const auto entry = distances.entry(kA, distances.bary(p));
+  const auto entry = distances.entry(kA, distances.layout().bary(p));
   REQUIRE(entry);
   // The line from (1, -1) to (0.8, 0.25) meets y = 0 after 1 / 1.25 of its way; the side is 2 long.
   CHECK(*entry == Approx((1 - 0.2 * (1 / 1.25)) / 2).epsilon(1e-14));
-  CHECK(*distances.entry(kB, distances.bary(p)) == 2);
-  const auto other = distances.entry(kC, distances.bary(p));
+  CHECK(*distances.entry(kB, distances.layout().bary(p)) == 2);
+  const auto other = distances.entry(kC, distances.layout().bary(p));
   REQUIRE(other);
   const Vec2 through = k1 + (*other - 1) * (k2 - k1), way = Vec2(2, 1.5) - p;
   CHECK(std::abs(way.x() * (through - p).y() - way.y() * (through - p).x()) < 1e-14);
-  CHECK_FALSE(distances.entry(GeneratorId(9), distances.bary(p)));
+  CHECK_FALSE(distances.entry(GeneratorId(9), distances.layout().bary(p)));
 }
 
 TEST_CASE("an unsure metric knows no way back and no branch point") {

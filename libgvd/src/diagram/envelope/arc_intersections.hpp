@@ -15,17 +15,16 @@ struct ArcSegment {
   std::int32_t arc;
 };
 
-/// Which arcs of a face meet. A face after the other is looked at with the same object, which saves allocations.
+/// Finds the arcs of a face that intersect. Using one object for many faces saves allocations.
 class ArcIntersections {
  public:
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
-  /// The pairs of arcs (an arc with itself, too) of which two segments meet elsewhere than where both end: where they
-  /// cross or touch, and where rounding leaves that open. What is not among them is disjoint, but
-  /// for segments that go the same way from one end that they share.
-  /// `segments`: one arc after the other, each from its beginning to its end. Ascending, each pair once; valid until
-  /// the next call.
-  /// Cost: O(n log n) for n segments where few come near each other, by a tree of bounding boxes.
+  /// The pairs of arcs (also of an arc with itself) of which two segments may intersect elsewhere than at a common end.
+  /// All other pairs are disjoint, except for segments of the same direction from a common end.
+  /// `segments`: the arcs one after the other, each from its begin to its end.
+  /// Returns: ascending, each pair once; valid until the next call.
+  /// Cost: O(n log n) for n segments of which few are near each other, by a tree of bounding boxes.
   const std::vector<Pair>& find(const std::vector<ArcSegment>& segments);
 
  private:

@@ -3,57 +3,46 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagram/graph/crossings.hpp"
 #include "geodesic/field/distance_field.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 
 namespace gvd {
 
-/// The least of the distances along one edge, piece by piece, and where it passes from one generator to another.
+/// The lower envelope of the sources' distances along one edge: which source is the nearest where.
 ///
-/// Every source is a branch of a hyperbola over its interval; two of them meet twice at the most. The ends' own sources
-/// reach all of the edge, so that there is no gap.
+/// The distance of a source is a branch of a hyperbola over its interval, and two of them are equal in at most two
+/// points. The sources of the edge's ends reach all of it, so that there is no gap.
 /// Cost: O(k^2) for k sources at worst; k is seldom above 8.
 class EdgeEnvelope {
  public:
-  /// `sources` as DistanceField::collect gives them, at least two; `tie_step` is the symbolic offset between two
-  /// generators that follow each other, mesh units.
-  void build(const std::vector<EdgeSource>& sources, double length, double tie_step);
+  /// An interval of the edge on which one source is the nearest. It begins where the one before ends.
+  struct Segment {
+    double end;           ///< mesh units
+    std::int32_t source;  ///< index
+  };
 
-  /// Appends the crossings between different generators, ascending, with `first` and `last` as the labels of the ends.
-  void append_crossings(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings);
+  /// `sources` as DistanceField::collect gives them, at least two; `length` of the edge in mesh units, > 0.
+  void build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset);
 
-  /// Appends one crossing between two different labels of the ends, where their generators are equally far if there is
-  /// such a place.
-  void append_plain_crossing(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings) const;
+  double length() const { return length_; }
+  /// Ascending, up to `length`. Neighbours have different sources, but often the same generator.
+  const std::vector<Segment>& segments() const { return segments_; }
+  GeneratorId generator(const Segment& s) const { return sources_[static_cast<std::size_t>(s.source)].generator; }
+  /// Length of the shortest path of generator g to t, with its symbolic offset; infinite where it has no source.
+  double distance(GeneratorId g, double t) const;
 
  private:
-  struct Segment {
-    double end;
-    std::int32_t source;
-  };
-  struct Run {
-    double begin;  // mesh units
-    GeneratorId generator;
-  };
-
-  GeneratorId generator(const Segment& s) const { return sources_[static_cast<std::size_t>(s.source)].generator; }
-  double straight(std::int32_t source, double t) const;
-  double distance(GeneratorId g, double t) const;
   std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const;
   void insert(std::int32_t source);
   void append(double end, std::int32_t source);
-  bool compare(std::int32_t old_source, std::int32_t source, double begin, double end);
-  double polish(std::int32_t a, std::int32_t b, double begin, double end, double t) const;
-  void find_runs(GeneratorId first, GeneratorId last);
-  bool is_gap(GeneratorId before, GeneratorId g, double begin, double end) const;
-  double meeting(GeneratorId a, GeneratorId b, double low, double t, double high) const;
+  bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
+  bool append_nearer_pieces(std::int32_t old_source, std::int32_t source, double begin, double end);
 
   std::vector<EdgeSource> sources_;
   std::vector<Segment> segments_;
-  std::vector<Segment> pieces_;  // that a new source parts segments into
-  std::vector<Run> runs_;
+  std::vector<Segment> pieces_;  // that replace some segments when a source is inserted
   double length_ = 0;
-  double unit_ = 1;  // a power of two that brings the edge's length near 1: sixth powers of it stay in range
+  double unit_ = 1;  // as equidistant_positions wants it
 };
 
 }  // namespace gvd

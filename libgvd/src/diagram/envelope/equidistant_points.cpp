@@ -1,18 +1,19 @@
 #include "diagram/envelope/equidistant_points.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
+
+#include "base/quadratic.hpp"
 
 namespace gvd {
 namespace {
 
-/// A place and its distance to a generator, seen from the image of a first source and less that source's offset: on
-/// the cone |p| = d.
+/// A point p with its distance d to a generator, relative to the image of a first source and its offset: a point of the
+/// cone |p| = d.
 using OnCone = Vec3;
 
-/// Where the distance to another image is as much longer as its offset is shorter: a plane. |p|^2 = d^2 less
-/// |p - image|^2 = (d - offset)^2 is linear.
+/// The points whose distance to a second image differs from d by the difference of the offsets. They form a plane,
+/// because |p|^2 = d^2 minus |p - image|^2 = (d - offset)^2 is linear.
 struct Plane {
   Vec3 normal;
   double level;
@@ -20,7 +21,7 @@ struct Plane {
       : normal(image.x(), image.y(), -offset), level(0.5 * (image.squaredNorm() - offset * offset)) {}
 };
 
-/// Appends the points of the cone on both planes, as places beside the cone's tip.
+/// Appends the points of the cone that lie on both planes. `tip`: the cone's tip in the face.
 void append_common_points(const Plane& first, const Plane& second, const Vec2& tip, std::vector<Vec2>& points) {
   const Vec3 normals = first.normal.cross(second.normal);
   const double size = normals.norm();
@@ -28,19 +29,16 @@ void append_common_points(const Plane& first, const Plane& second, const Vec2& t
   const Vec3 along = normals / size;
   const OnCone start = (first.level * second.normal - second.level * first.normal).cross(along) / size;
   const auto product = [](const Vec3& u, const Vec3& v) { return u.x() * v.x() + u.y() * v.y() - u.z() * v.z(); };
-  // The line start + t along meets |p|^2 = d^2. Rounding can make the discriminant of a double root negative.
-  const double a = product(along, along), half = product(start, along), constant = product(start, start);
-  const double root = std::sqrt(std::max(0.0, half * half - a * constant));
-  const double q = -(half + std::copysign(root, half));
-  for (const double t : {q / a, constant / q}) {
+  // The common line of the planes is start + t along; it intersects |p|^2 = d^2 in the roots.
+  for (const double t : quadratic_roots(product(along, along), product(start, along), product(start, start))) {
     if (std::isfinite(t)) points.push_back(tip + (start + t * along).head<2>());
   }
 }
 
 }  // namespace
 
-std::vector<Vec2> equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
-                                     std::span<const FaceSource> c) {
+std::vector<Vec2> find_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                                          std::span<const FaceSource> c) {
   std::vector<Vec2> points;
   for (const FaceSource& first : a) {
     for (const FaceSource& second : b) {

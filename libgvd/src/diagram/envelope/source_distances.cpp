@@ -14,23 +14,24 @@ namespace {
 /// three terms.
 constexpr double kEqual = 1e-14;
 
-/// What is accepted where Newton's steps no longer gain anything: the rounding of a point far from its images.
+/// Difference accepted where Newton's steps no longer improve it, as a part of the distance: the rounding of a point far
+/// from its images.
 constexpr double kResidual = 1e-12;
 
-/// Another generator this much nearer, as a part of the distance, is as near as the three: a branch point of degree
-/// four.
+/// Another generator nearer by up to this part of the distance is equally far: the branch point has degree four.
 constexpr double kTie = 1e-12;
 
-/// Two distances to a crossing differ by up to this part of themselves: they are taken for equal within a quarter of
-/// it, and are rounded sums.
+/// Difference of the two distances at a crossing, as a part of them. The envelope takes them for equal within a quarter
+/// of it, and they are rounded sums.
 constexpr double kCrossingError = 4e-14;
 
-/// Where three distances differ by less than this part of themselves, Newton's method finds the place where they don't.
-constexpr double kNearMeeting = 1e-6;
+/// Candidates for branch points: points whose three distances differ by less than this part of themselves. Newton's
+/// method starts there.
+constexpr double kNearlyEqual = 1e-6;
 
 constexpr int kNewtonSteps = 40, kHalvings = 6;
 
-/// Moves a point that lies a little beyond a side, or just on it, inside.
+/// Moves a point that lies on a side, or a little beyond it, inside the face.
 std::array<double, 3> moved_inside(std::array<double, 3> bary) {
   const double least = *std::min_element(bary.begin(), bary.end());
   if (least >= kInsideFace || least < -kBeyondFace) return bary;
@@ -39,6 +40,23 @@ std::array<double, 3> moved_inside(std::array<double, 3> bary) {
   for (double& b : bary) b /= sum;
   return bary;
 }
+
+/// The shortest paths of three generators to a point.
+struct ThreePaths {
+  Vec2 p;
+  FaceSource::Path a, b, c;
+  Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
+  double size() const { return error().cwiseAbs().maxCoeff(); }
+  bool are_equal() const { return !(size() > kEqual * a.distance); }
+  /// Newton's step to the point where the three are equally long, if they keep their last straight pieces.
+  Vec2 newton_step() const {
+    const Vec2 u = direction(p, a.from), v = direction(p, b.from), w = direction(p, c.from);
+    const Vec2 first = u - v, second = u - w, e = error();
+    const double determinant = cross(first, second);
+    return {(second.y() * e.x() - first.y() * e.y()) / -determinant,
+            (first.x() * e.y() - second.x() * e.x()) / -determinant};
+  }
+};
 
 }  // namespace
 
@@ -55,7 +73,7 @@ void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   bring_nearest_forward();
 }
 
-/// The most likely one of each generator comes first: then most of the others are passed over without a square root.
+/// Puts the nearest source of each generator first, as seen from the centre. Then most others need no square root.
 void SourceDistances::bring_nearest_forward() {
   const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
   FaceSource::Path best{};
@@ -68,23 +86,23 @@ void SourceDistances::bring_nearest_forward() {
   }
 }
 
-void SourceDistances::set_symbolic_offsets(bool tied) {
-  if (tied == has_offsets_) return;
+void SourceDistances::set_symbolic_offsets(bool use) {
+  if (use == has_offsets_) return;
   if (others_.empty()) {
     others_ = sources_;
     for (FaceSource& source : others_) {
-      const double tie = tie_step_ * static_cast<double>(source.generator.value());
-      source.offset += tie;
-      source.distance_begin += tie;
-      source.distance_end += tie;
+      const double offset = offset_.of(source.generator);
+      source.offset += offset;
+      source.distance_begin += offset;
+      source.distance_end += offset;
     }
   }
   std::swap(sources_, others_);
-  has_offsets_ = tied;
+  has_offsets_ = use;
 }
 
 std::span<const FaceSource> SourceDistances::sources(GeneratorId g) const {
-  // By halving: one large face beside hundreds of small cells has thousands of sources.
+  // Binary search: a large face beside hundreds of small cells has thousands of sources.
   const auto begin = std::partition_point(sources_.begin(), sources_.end(),
                                           [g](const FaceSource& source) { return source.generator < g; });
   const auto end = std::find_if(begin, sources_.end(), [g](const FaceSource& source) { return source.generator != g; });
@@ -98,8 +116,6 @@ SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> so
   }
   return best;
 }
-
-FaceDistances::Bary SourceDistances::bary(const Vec2& p) const { return layout_->bary(p); }
 
 std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) const {
   if (!can_confirm_) return std::nullopt;
@@ -117,45 +133,35 @@ double SourceDistances::at(GeneratorId g, const Bary& p) const { return nearest(
 
 std::optional<FaceDistances::Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, GeneratorId c,
                                                                 const Bary& start) const {
-  struct State {
-    Vec2 p;
-    FaceSource::Path a, b, c;
-    Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
-    double size() const { return error().cwiseAbs().maxCoeff(); }
-  };
-  const auto look = [&](const Vec2& p) { return State{p, nearest(a, p), nearest(b, p), nearest(c, p)}; };
-  State now = look(layout_->at(start));
+  const auto paths_to = [&](const Vec2& p) { return ThreePaths{p, nearest(a, p), nearest(b, p), nearest(c, p)}; };
+  ThreePaths paths = paths_to(layout_->at(start));
   const double longest =
       (layout_->corner[1] - layout_->corner[0]).norm() + (layout_->corner[2] - layout_->corner[1]).norm();
-  for (int step = 0; step < kNewtonSteps && now.size() > kEqual * now.a.distance; ++step) {
-    const Vec2 u = direction(now.p, now.a.from), v = direction(now.p, now.b.from), w = direction(now.p, now.c.from);
-    const Vec2 first = u - v, second = u - w, error = now.error();
-    const double determinant = cross(first, second);
-    Vec2 move((second.y() * error.x() - first.y() * error.y()) / -determinant,
-              (first.x() * error.y() - second.x() * error.x()) / -determinant);
-    if (!move.allFinite()) break;
-    if (move.norm() > longest) move *= longest / move.norm();
-    State next = look(now.p + move);
-    for (int half = 0; half < kHalvings && !(next.size() < now.size()); ++half) {
-      move *= 0.5;
-      next = look(now.p + move);
+  for (int i = 0; i < kNewtonSteps && !paths.are_equal(); ++i) {
+    Vec2 step = paths.newton_step();
+    if (!step.allFinite()) break;
+    if (step.norm() > longest) step *= longest / step.norm();
+    ThreePaths next = paths_to(paths.p + step);
+    for (int half = 0; half < kHalvings && !(next.size() < paths.size()); ++half) {
+      step *= 0.5;
+      next = paths_to(paths.p + step);
     }
-    if (!(next.size() < now.size())) break;
-    now = next;
+    if (!(next.size() < paths.size())) break;
+    paths = next;
   }
-  // Infinite where the face knows nothing of a generator.
-  if (std::isinf(now.a.distance) || !(now.size() <= kResidual * now.a.distance)) return std::nullopt;
-  return moved_inside(bary(now.p));
+  // Infinite where the face has no source of a generator.
+  if (std::isinf(paths.a.distance) || !(paths.size() <= kResidual * paths.a.distance)) return std::nullopt;
+  return moved_inside(layout_->bary(paths.p));
 }
 
 std::vector<FaceDistances::Bary> SourceDistances::equidistant_points(GeneratorId a, GeneratorId b,
                                                                      GeneratorId c) const {
   std::vector<Bary> found;
-  for (const Vec2& p : gvd::equidistant_points(sources(a), sources(b), sources(c))) {
-    const Bary at = bary(p);
-    if (!(*std::min_element(at.begin(), at.end()) > -kBeyondFace)) continue;
-    const auto [least, most] = std::minmax({this->at(a, at), this->at(b, at), this->at(c, at)});
-    if (most - least <= kNearMeeting * least) found.push_back(at);
+  for (const Vec2& p : find_equidistant_points(sources(a), sources(b), sources(c))) {
+    const Bary bary = layout_->bary(p);
+    if (!(*std::min_element(bary.begin(), bary.end()) > -kBeyondFace)) continue;
+    const auto [least, most] = std::minmax({at(a, bary), at(b, bary), at(c, bary)});
+    if (most - least <= kNearlyEqual * least) found.push_back(bary);
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -7,19 +8,20 @@
 #include "diagram/assembly/face_distances.hpp"
 #include "geodesic/field/distance_field.hpp"
 #include "geodesic/field/face_layout.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 
 namespace gvd {
 
-/// Unit vector at p, away from `from`; zero where they are the same.
+/// Unit vector at p, away from `from`; zero where they are the same point.
 inline Vec2 direction(const Vec2& p, const Vec2& from) {
   const Vec2 way = p - from;
   const double length = way.norm();
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
-/// Whether the path of a source to p is shorter than `best`, which it then replaces.
+/// Replaces `best` by the path of a source to p where that is shorter. Returns whether it is.
 inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Path& best) {
-  // No path of a source is shorter than the straight one.
+  // No path of a source is shorter than the straight one. This test costs no square root.
   const double rest = best.distance - source.offset;
   if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) return false;
   const auto path = source.shortest_path(p);
@@ -28,20 +30,21 @@ inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Pat
   return true;
 }
 
-/// Distances inside one face, from the sources that a solver knows there: as good as the solver.
+/// The distances inside one face from a solver's sources: as accurate as the solver.
 class SourceDistances final : public FaceDistances {
  public:
-  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units: as on the edges.
-  explicit SourceDistances(const DistanceField& field, double tie_step = 0) : field_(field), tie_step_(tie_step) {}
+  /// `field` must outlive this. `offset`: as on the edges.
+  explicit SourceDistances(const DistanceField& field, const SymbolicOffset& offset = {})
+      : field_(field), offset_(offset) {}
 
-  /// Makes this the metric of face f.
+  /// Collects the sources of face f, without symbolic offsets. The other members are about this face.
   void enter(const Mesh& mesh, FaceId f);
 
   const FaceLayout& layout() const { return *layout_; }
-  /// The sources of generator g; the first one is the nearest to the face's centre.
+  /// The sources of generator g; the first one is the nearest to the face's centre. Cost: O(log k + sources of g).
   std::span<const FaceSource> sources(GeneratorId g) const;
 
-  /// The shortest path over some sources, and the one that it comes from; null, and infinite, where there is none.
+  /// The shortest path over some sources, and its source: null, and infinite, where there is none.
   struct Nearest {
     const FaceSource* source;
     FaceSource::Path path;
@@ -49,36 +52,36 @@ class SourceDistances final : public FaceDistances {
   static Nearest nearest(std::span<const FaceSource> sources, const Vec2& p);
   /// The shortest path from generator g to p.
   FaceSource::Path nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).path; }
-  /// The distance to the nearest of all generators.
+  /// The distance from p to the nearest of all generators.
   double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).path.distance; }
-  Bary bary(const Vec2& p) const;
 
-  /// Whether each generator is behind by its symbolic offset, so that the crossings on the edges and what lies between
-  /// them decide every tie alike. Not so where a face has just been entered.
-  void set_symbolic_offsets(bool tied);
-  /// False makes assembly take every point for a guess.
-  void set_can_confirm(bool sure) { can_confirm_ = sure; }
+  /// Adds the symbolic offsets to all distances, or takes them away again, bit by bit. With them, every tie inside the
+  /// face is decided as at the crossings on its edges.
+  void set_symbolic_offsets(bool use);
+  /// False makes the assembly treat every branch point as a guess.
+  void set_can_confirm(bool can_confirm) { can_confirm_ = can_confirm; }
   bool can_confirm() const override { return can_confirm_; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
 
   /// The distance itself, mesh units.
   double at(GeneratorId g, const Bary& p) const override;
-  /// Newton's method on the differences of the distances. Nothing where it does not converge.
+  /// By Newton's method with damping, on the differences of the distances. Nothing where it does not converge.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
   std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
   double crossing_error(const BoundaryCrossing& crossing) const override;
-  /// Inside the face, with no other generator nearer, and the three directions counter-clockwise.
+  /// True for a point inside the face to which no other generator is nearer, with the three directions
+  /// counter-clockwise.
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
  private:
   void bring_nearest_forward();
 
   const DistanceField& field_;
-  double tie_step_;
+  SymbolicOffset offset_;
   bool can_confirm_ = true, has_offsets_ = false;
   std::optional<FaceLayout> layout_;
   std::vector<FaceSource> sources_;  // by generator
-  std::vector<FaceSource> others_;   // the same, tied where these are not, and the other way round; or empty
+  std::vector<FaceSource> others_;   // with symbolic offsets where sources_ is without, and vice versa; or empty
   std::vector<FaceSource> found_;
   std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
 };
