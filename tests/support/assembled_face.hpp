@@ -52,7 +52,7 @@ struct AssembledFace {
     return result;
   }
 
-  std::array<double, 3> place(const ArcEnd& end) const {
+  Bary place(const ArcEnd& end) const {
     if (end.branch.valid()) return diagram.branches[end.branch].bary;
     return boundary[end.crossing.index()].bary();
   }

@@ -2,6 +2,7 @@
 #include <limits>
 #include <vector>
 
+#include "diagram/envelope/edge_crossings.hpp"
 #include "diagram/envelope/edge_envelope.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -42,11 +43,11 @@ std::vector<EdgeSource> with_ends(std::vector<EdgeSource> sources) {
 }
 
 std::vector<Crossing> find_crossings(const std::vector<EdgeSource>& sources, GeneratorId first, GeneratorId last,
-                                     double tie_step = 0) {
+                                     double offset_step = 0) {
   EdgeEnvelope envelope;
-  envelope.build(sources, 1, tie_step);
+  envelope.build(sources, 1, {offset_step});
   std::vector<Crossing> crossings;
-  envelope.append_crossings(EdgeId(7), first, last, crossings);
+  EdgeCrossings().append_all(envelope, EdgeId(7), first, last, crossings);
   return crossings;
 }
 
@@ -170,12 +171,12 @@ TEST_CASE("a run of rounding is dropped, a short one that is real stays") {
 TEST_CASE("a plain crossing lies where the labels of the ends are equally far, whoever is between them") {
   const auto sources = with_ends({all_over(kA, 0, 0.1, 0), all_over(kB, 1, 0.2, 0), all_over(kC, 0.5, 0.01, 0)});
   EdgeEnvelope envelope;
-  envelope.build(sources, 1, 0);
+  envelope.build(sources, 1, {});
   std::vector<Crossing> crossings;
-  envelope.append_crossings(EdgeId(7), kA, kB, crossings);
+  EdgeCrossings().append_all(envelope, EdgeId(7), kA, kB, crossings);
   CHECK(crossings.size() == 2);
   crossings.clear();
-  envelope.append_plain_crossing(EdgeId(7), kA, kB, crossings);
+  EdgeCrossings::append_single(envelope, EdgeId(7), kA, kB, crossings);
   require_chain(crossings, kA, kB);
   REQUIRE(crossings.size() == 1);
   CHECK(crossings[0].t == Approx(0.5 + 0.015).epsilon(1e-12));  // (1 + 0.04 - 0.01) / 2

@@ -10,9 +10,9 @@ using namespace gvd;
 
 namespace {
 
-using Polyline = std::vector<std::array<double, 3>>;
+using Polyline = std::vector<Bary>;
 
-std::array<double, 3> at(double x, double y) { return {1 - x - y, x, y}; }
+Bary at(double x, double y) { return {1 - x - y, x, y}; }
 
 bool meets_itself(const Polyline& polyline) {
   std::vector<ArcSegment> segments;

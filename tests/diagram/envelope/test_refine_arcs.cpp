@@ -22,8 +22,8 @@ const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle,
 struct BentArc {
   HandMadeField field;
   SourceDistances distances{field};
-  FaceDistances::Bary begin{}, end{};
-  std::vector<FaceDistances::Bary> inner;
+  Bary begin{}, end{};
+  std::vector<Bary> inner;
 
   BentArc(std::vector<FaceSource> sources, int from, int to, double tolerance) : field(std::move(sources)) {
     distances.enter(test::make_triangle(), FaceId(0));
@@ -35,12 +35,12 @@ struct BentArc {
     ArcRefiner(distances, tolerance).refine(arc, begin, end, inner);
   }
 
-  double error(const FaceDistances::Bary& p) const { return distances.at(kA, p) - distances.at(kB, p); }
+  double error(const Bary& p) const { return distances.at(kA, p) - distances.at(kB, p); }
 
   /// By bisection along the side, which has to change hands once.
-  FaceDistances::Bary meeting_on(int side) const {
+  Bary meeting_on(int side) const {
     const auto at = [side](double t) {
-      FaceDistances::Bary p{0, 0, 0};
+      Bary p{0, 0, 0};
       p[std::size_t(side)] = 1 - t;
       p[std::size_t((side + 1) % 3)] = t;
       return p;

@@ -45,7 +45,7 @@ TEST_CASE("the nearest of a generator's sources counts, and no other generator's
   test::Random random(1);
   for (int i = 0; i < 200; ++i) {
     const double u = random.real(0, 1), v = random.real(0, 1 - u);
-    const std::array<double, 3> bary{u, v, 1 - u - v};
+    const Bary bary{u, v, 1 - u - v};
     const Vec2 p = u * k0 + v * k1 + (1 - u - v) * k2;
     const double expected =
         std::min({0.5 + (p - Vec2(1, -1)).norm(), 0.7 + (p - k2).norm(), 2 + (p - Vec2(1.8, 1.1)).norm()});
@@ -53,7 +53,7 @@ TEST_CASE("the nearest of a generator's sources counts, and no other generator's
   }
   CHECK(std::isinf(distances.at(kC, {1, 0, 0})));
   // What has no source is nowhere as near as the others.
-  const std::array<double, 3> centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
+  const Bary centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
   CHECK_FALSE(distances.equidistant(kC, kA, kB, centre).has_value());
   CHECK_FALSE(distances.equidistant(kA, kB, kC, centre).has_value());
 }
@@ -176,9 +176,9 @@ TEST_CASE("rounding moves a crossing far along its edge where its two generators
 
 TEST_CASE("tied, each generator is behind by its symbolic offset; untied again, bit by bit as before") {
   const HandMadeField field(three_behind_sides(0, 0.05, 0.1));
-  SourceDistances distances(field, 0.25);
+  SourceDistances distances(field, {0.25});
   distances.enter(test::make_triangle(), FaceId(0));
-  const std::array<double, 3> centre{0.3, 0.3, 0.4};
+  const Bary centre{0.3, 0.3, 0.4};
   const double a = distances.at(kA, centre), c = distances.at(kC, centre);
   distances.set_symbolic_offsets(true);
   CHECK(distances.at(kA, centre) == a);

@@ -9,8 +9,6 @@
 namespace gvd {
 namespace {
 
-using Bary = BranchPlacement::Bary;
-
 /// Least barycentric coordinate of a guessed branch point: ten times the gap between crossings and corners. It moves
 /// the point by at most a millionth of the triangle's height.
 constexpr double kInside = 1e-6;

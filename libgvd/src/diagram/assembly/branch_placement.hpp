@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "base/barycentric.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 
 namespace gvd {
@@ -11,8 +11,6 @@ namespace gvd {
 /// a point that is valid for certain.
 class BranchPlacement {
  public:
-  using Bary = std::array<double, 3>;
-
   /// `is_accurate`: whether the guesses come from distances that can confirm branch points. Then they are kept as near
   /// to a side, and as much beyond another arc, as ties demand.
   explicit BranchPlacement(bool is_accurate) : is_accurate_(is_accurate) {}

@@ -7,8 +7,6 @@
 namespace gvd {
 namespace {
 
-using Bary = FaceDistances::Bary;
-
 /// A polygon's interval i and the intervals before and after it, each by the corner that it begins at.
 struct Neighbours {
   const PolygonCorner &before, &own, &after;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "base/barycentric.hpp"
 #include "diagram/assembly/face_distances.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 #include "diagram/assembly/label_intervals.hpp"
@@ -17,8 +17,6 @@ namespace gvd {
 /// The distances and the intervals must outlive it.
 class BranchSearch {
  public:
-  using Bary = FaceDistances::Bary;
-
   BranchSearch(const FaceDistances& distances, LabelIntervals& intervals)
       : distances_(distances), intervals_(intervals) {}
 

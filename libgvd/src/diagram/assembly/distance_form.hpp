@@ -23,7 +23,7 @@ struct DistanceForm {
   double at(const Bary& bary) const { return interpolate(bary, corner[0], corner[1], corner[2]); }
 };
 
-/// The form's value for a distance in mesh units. Symbolic offsets can be negative distances, whose sign is kept.
+/// The form's value for a distance in mesh units. The sign of a negative value is kept.
 inline double form_value(Front front, double distance) {
   return front == Front::circle ? distance * std::abs(distance) : distance;
 }

@@ -14,8 +14,6 @@
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 class FaceAssembly {
  public:
   FaceAssembly(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,

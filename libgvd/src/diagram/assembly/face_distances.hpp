@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/crossings.hpp"
 
 namespace gvd {
@@ -18,7 +18,6 @@ inline constexpr double kInsideFace = 2e-12;
 /// The distances inside one face, as its assembly uses them.
 class FaceDistances {
  public:
-  using Bary = std::array<double, 3>;
   virtual ~FaceDistances() = default;
 
   /// Whether the distances are accurate enough to confirm branch points: if not, entry() and is_branch_point() have no

@@ -11,7 +11,7 @@ namespace gvd {
 /// them.
 struct PolygonCorner {
   ArcEnd end;
-  std::array<double, 3> bary;
+  Bary bary;
   GeneratorId next;  ///< generator of the label interval from here to the next corner
   int interval;      ///< index of that interval on the face's boundary: it follows the crossing of that index
 };
@@ -25,20 +25,20 @@ using FacePolygon = std::vector<PolygonCorner>;
 inline constexpr double kTieInversion = 4.8e-12;
 
 /// The midpoint of corner i and the next one.
-std::array<double, 3> midpoint(const FacePolygon& polygon, std::size_t i);
+Bary midpoint(const FacePolygon& polygon, std::size_t i);
 /// The mean of all corners.
-std::array<double, 3> centre(const FacePolygon& polygon);
+Bary centre(const FacePolygon& polygon);
 
 /// Whether a polygon of three corners or more is convex and counter-clockwise. Every three consecutive corners may be
 /// inverted by up to `inversion`, in barycentric coordinates.
-bool is_convex(const std::vector<std::array<double, 3>>& polygon, double inversion);
+bool is_convex(const std::vector<Bary>& polygon, double inversion);
 
 /// Whether p lies in the face and in the polygon, on its boundary, or up to `inversion` outside of it. Crossings of one
 /// edge form a polygon without area: then p must lie on that edge, and the pieces between such points have no area, but
 /// no negative area either.
-bool is_inside(const FacePolygon& polygon, const std::array<double, 3>& p, double inversion);
+bool is_inside(const FacePolygon& polygon, const Bary& p, double inversion);
 
 /// Distance of two points in barycentric coordinates: that of their last two.
-double bary_distance(const std::array<double, 3>& p, const std::array<double, 3>& q);
+double bary_distance(const Bary& p, const Bary& q);
 
 }  // namespace gvd

@@ -29,18 +29,18 @@ int LabelIntervals::interval_at(double position) const {
 }
 
 /// The point halfway along interval i on the boundary.
-std::array<double, 3> LabelIntervals::middle_of_interval(std::size_t i) const {
+Bary LabelIntervals::middle_of_interval(std::size_t i) const {
   const double begin = position(i), end = position((i + 1) % boundary_.size());
   const double half = 0.5 * (begin + end + (end > begin ? 0 : 3));
   const double middle = half < 3 ? half : half - 3;
   const auto corner = std::min<std::size_t>(static_cast<std::size_t>(middle), 2);
-  std::array<double, 3> bary{0, 0, 0};
+  Bary bary{0, 0, 0};
   bary[corner] = 1 - (middle - static_cast<double>(corner));
   bary[(corner + 1) % 3] = middle - static_cast<double>(corner);
   return bary;
 }
 
-bool LabelIntervals::path_enters_through(int interval, const std::array<double, 3>& p) {
+bool LabelIntervals::path_enters_through(int interval, const Bary& p) {
   const auto entry = distances_.entry(boundary_[static_cast<std::size_t>(interval)].next, p);
   if (!entry) return false;
   const auto belongs = [&](std::size_t other) { return are_one_piece(static_cast<int>(other), interval); };

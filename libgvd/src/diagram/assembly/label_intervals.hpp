@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "base/union_find.hpp"
 #include "diagram/assembly/face_distances.hpp"
 #include "diagram/graph/crossings.hpp"
@@ -28,12 +28,12 @@ class LabelIntervals {
 
   /// Whether the shortest path to p of the interval's generator enters the face through an interval of its piece. A
   /// path within rounding of a crossing counts as one through the intervals on both sides of it.
-  bool path_enters_through(int interval, const std::array<double, 3>& p);
+  bool path_enters_through(int interval, const Bary& p);
 
  private:
   double position(std::size_t crossing) const { return boundary_[crossing].corner + boundary_[crossing].t; }
   int interval_at(double position) const;
-  std::array<double, 3> middle_of_interval(std::size_t i) const;
+  Bary middle_of_interval(std::size_t i) const;
   bool is_near_crossing(double position, std::size_t i) const;
 
   const std::vector<BoundaryCrossing>& boundary_;

@@ -32,8 +32,7 @@ bool is_farther_between(const EndPaths& paths, const EndPaths& others, double wi
   const double first = paths.begin.slope(), last = paths.end.slope();
   if (!(last > first)) return true;
   const double intersection = (paths.begin.distance - paths.end.distance + last * width) / (last - first);
-  const double chord =
-      others.begin.distance + (others.end.distance - others.begin.distance) * (intersection / width);
+  const double chord = others.begin.distance + (others.end.distance - others.begin.distance) * (intersection / width);
   return paths.begin.distance + first * intersection > chord;
 }
 
@@ -54,8 +53,8 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
   const double first_x = first.x * unit, second_x = second.x * unit;
   const double first_depth = first.depth * unit, second_depth = second.depth * unit;
   const double slope = 2 * (first_x - second_x);
-  const double rest = (second_x - first_x) * (second_x + first_x) +
-                      (second_depth - first_depth) * (second_depth + first_depth) - c * c;
+  const double rest =
+      (second_x - first_x) * (second_x + first_x) + (second_depth - first_depth) * (second_depth + first_depth) - c * c;
   if (c == 0) return {slope != 0 ? -rest / slope / unit : -1, -1};
   const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * first_x;
   const double constant = rest * rest - 4 * c * c * (first_x * first_x + first_depth * first_depth);
@@ -69,8 +68,8 @@ double refine_equidistant(const EdgeSource& first, const EdgeSource& second, dou
                           double position) {
   double t = position, error = first.straight(t) - second.straight(t);
   for (int step = 0; step < kNewtonSteps && error != 0; ++step) {
-    const double slope = (t - first.x) / (first.straight(t) - first.offset) -
-                         (t - second.x) / (second.straight(t) - second.offset);
+    const double slope =
+        (t - first.x) / (first.straight(t) - first.offset) - (t - second.x) / (second.straight(t) - second.offset);
     const double next = t - error / slope;
     if (!(next > begin && next < end)) break;
     const double after = first.straight(next) - second.straight(next);

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <array>
 #include <vector>
+
+#include "base/barycentric.hpp"
 
 namespace gvd {
 
-/// Takes the loops out of a polyline, given in barycentric coordinates: where it meets itself, it goes on from there
-/// the way that it goes when it leaves the place for the last time. Its ends stay; what is left is a part of what was
-/// there, and meets itself nowhere, to rounding.
+/// Erases the loops of a polyline in barycentric coordinates. At an intersection with itself, the polyline continues
+/// along the last of its segments there. Its ends stay. The result is a part of the polyline, and does not intersect
+/// itself beyond rounding.
 ///
-/// Where a bisector turns back sharply, points that are found across a chord may lie on the wrong one of its two legs,
-/// and the polyline through them goes to and fro.
-/// Cost: O(n^2) for n points and each loop. False, and nothing is done, where there is no loop, or where there are more than 1000
-/// points.
-bool erase_loops(std::vector<std::array<double, 3>>& polyline);
+/// Loops occur where a bisector turns back sharply: points found across a chord may then lie on either of its two
+/// branches, and the polyline through them alternates between these.
+/// Returns: false, and nothing changes, where there is no loop, or where there are more than 1000 points.
+/// Cost: O(n^2) for n points, for each round of erasing; one or two are the rule.
+bool erase_loops(std::vector<Bary>& polyline);
 
 }  // namespace gvd

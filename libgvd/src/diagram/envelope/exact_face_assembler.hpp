@@ -4,70 +4,57 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/envelope/arc_intersections.hpp"
+#include "diagram/envelope/open_face.hpp"
 #include "diagram/envelope/refine_arcs.hpp"
+#include "diagram/envelope/separate_arcs.hpp"
 #include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
-#include "diagram/graph/face_pieces.hpp"
 #include "geodesic/field/distance_field.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
 
-/// Faces whose crossings are joined.
+/// The arcs and branch points of a number of faces.
 struct AssembledFaces {
   FaceDiagram diagram;
-  std::int64_t straightened = 0;  ///< faces with an arc that would have met itself or another one
+  std::int64_t straightened = 0;  ///< faces with an arc that lost points because it intersected itself or another one
 };
 
-/// Closes faces one after the other: assembles each from its crossings and the distances in it, bends the arcs to
-/// within `tolerance` (mesh units) of the bisectors and measures the branch points. What it reads has to outlive it.
+/// Assembles faces one after the other: joins their crossings by the distances in them, refines the arcs to within a
+/// tolerance of the bisectors, and measures the branch points.
 ///
-/// Arcs are bent only as far as they keep apart: one that meets itself loses its loops; of arcs that meet each other
-/// when they are bent, some stay straight; and where straight ones cross too, because the distances contradict each
-/// other, the face is assembled by convex steps alone.
-/// Cost: O(points of the bisectors), and what the assembly takes where a face has many crossings.
+/// Arcs never intersect. A refined arc that intersects itself loses its loops; of refined arcs that intersect each
+/// other, some stay straight. Where even straight arcs intersect, because rounded distances contradict each other, the
+/// face is assembled again by convex steps alone.
+/// Cost: O(points of the bisectors), and that of the assembly in faces with many crossings.
 class ExactFaceAssembler {
  public:
   ExactFaceAssembler(const ExactFaceAssembler&) = delete;
   ExactFaceAssembler& operator=(const ExactFaceAssembler&) = delete;
-  /// `tie_step`: the symbolic offset between two generators that follow each other, mesh units, as on the edges.
-  ExactFaceAssembler(const Mesh& mesh, const Crossings& crossings, const DistanceField& field, double tie_step,
-                     double tolerance)
-      : mesh_(mesh), crossings_(crossings), distances_(field, tie_step), refiner_(distances_, tolerance) {}
+  /// All that it reads must outlive it. `offset`: the symbolic offset of the crossings; `tolerance`: mesh units, > 0.
+  ExactFaceAssembler(const Mesh& mesh, const Crossings& crossings, const DistanceField& field,
+                     const SymbolicOffset& offset, double tolerance)
+      : mesh_(mesh), crossings_(crossings), distances_(field, offset), refiner_(distances_, tolerance) {}
 
-  /// Appends face f to the result; faces come in ascending order.
-  void close(FaceId f);
+  /// Appends face f to the result. Faces come in ascending order.
+  void assemble(FaceId f);
 
-  AssembledFaces take_result() { return std::move(closed_); }
+  AssembledFaces take_result() { return std::move(result_); }
 
  private:
-  /// What the result held before the face at work.
-  struct Before {
-    std::size_t arcs, branches, points;
-  };
-
-  void assemble(FaceId f);
-  void refine(FaceArc& arc);
-  void keep_apart(FaceArc& arc);
-  FaceDistances::Bary place(const ArcEnd& end) const;
-  bool may_meet(const Before& before) const;
-  bool advances(const FaceArc& arc) const;
-  void outline(const Before& before);
-  FaceArc* most_met(const Before& before);
-  bool are_turned(const Before& before);
-  void measure_branches(const Before& before);
+  void join_crossings(FaceId f);
+  void refine(const OpenFace& face, FaceArc& arc);
+  void measure_branches(const OpenFace& face);
 
   const Mesh& mesh_;
   const Crossings& crossings_;
-  SourceDistances distances_;  // of the face at work
+  SourceDistances distances_;  // in the current face
   ArcRefiner refiner_;
+  ArcSeparator separator_;
   std::vector<BoundaryCrossing> boundary_;
-  std::vector<ArcSegment> segments_;
-  ArcIntersections meetings_;
-  WorkingPieces pieces_;
-  AssembledFaces closed_;
+  AssembledFaces result_;
 };
 
 }  // namespace gvd

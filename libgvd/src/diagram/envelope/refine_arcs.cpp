@@ -36,8 +36,8 @@ constexpr double kBandWidth = 0.05;
 
 }  // namespace
 
-/// Distance from the chord to the lines along the tangents at its ends. A bisector with one corner stays within it, even
-/// where an end is a corner too, whose tangent says nothing about what follows.
+/// Distance from the chord to the lines along the tangents at its ends. A bisector with one corner stays within it,
+/// even where an end is a corner too, whose tangent says nothing about what follows.
 double ArcRefiner::height_by_tangents(const BisectorPoint& begin, const BisectorPoint& end) {
   const Vec2 chord = end.point - begin.point;
   return std::max(std::abs(cross(begin.tangent, chord)) / begin.tangent.norm(),
@@ -60,8 +60,8 @@ void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, 
   }
 }
 
-/// Appends the inner points between begin and end, if the segment between them is not near enough to the bisector. False
-/// where the bisector leaves the search band.
+/// Appends the inner points between begin and end, if the segment between them is not near enough to the bisector.
+/// False where the bisector leaves the search band.
 bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, int halvings) {
   const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
   const double length = chord.norm();

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/envelope/bisector_sample.hpp"
 #include "diagram/envelope/source_distances.hpp"
 #include "diagram/envelope/visible_sources.hpp"
@@ -19,8 +20,6 @@ namespace gvd {
 /// bisector. Whether it is follows from the tangents at its ends and from a few samples.
 class ArcRefiner {
  public:
-  using Bary = FaceDistances::Bary;
-
   /// `distances` must outlive this. No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
   ArcRefiner(const SourceDistances& distances, double tolerance) : distances_(distances), tolerance_(tolerance) {}
 

@@ -14,8 +14,8 @@ namespace {
 /// three terms.
 constexpr double kEqual = 1e-14;
 
-/// Difference accepted where Newton's steps no longer improve it, as a part of the distance: the rounding of a point far
-/// from its images.
+/// Difference accepted where Newton's steps no longer improve it, as a part of the distance: the rounding of a point
+/// far from its images.
 constexpr double kResidual = 1e-12;
 
 /// Another generator nearer by up to this part of the distance is equally far: the branch point has degree four.
@@ -32,7 +32,7 @@ constexpr double kNearlyEqual = 1e-6;
 constexpr int kNewtonSteps = 40, kHalvings = 6;
 
 /// Moves a point that lies on a side, or a little beyond it, inside the face.
-std::array<double, 3> moved_inside(std::array<double, 3> bary) {
+Bary moved_inside(Bary bary) {
   const double least = *std::min_element(bary.begin(), bary.end());
   if (least >= kInsideFace || least < -kBeyondFace) return bary;
   double sum = 0;
@@ -131,8 +131,7 @@ std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) co
 
 double SourceDistances::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }
 
-std::optional<FaceDistances::Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, GeneratorId c,
-                                                                const Bary& start) const {
+std::optional<Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const {
   const auto paths_to = [&](const Vec2& p) { return ThreePaths{p, nearest(a, p), nearest(b, p), nearest(c, p)}; };
   ThreePaths paths = paths_to(layout_->at(start));
   const double longest =
@@ -154,8 +153,7 @@ std::optional<FaceDistances::Bary> SourceDistances::equidistant(GeneratorId a, G
   return moved_inside(layout_->bary(paths.p));
 }
 
-std::vector<FaceDistances::Bary> SourceDistances::equidistant_points(GeneratorId a, GeneratorId b,
-                                                                     GeneratorId c) const {
+std::vector<Bary> SourceDistances::equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const {
   std::vector<Bary> found;
   for (const Vec2& p : find_equidistant_points(sources(a), sources(b), sources(c))) {
     const Bary bary = layout_->bary(p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "diagram/envelope/edge_crossings.hpp"
 #include "diagram/envelope/edge_envelope.hpp"
 #include "diagram/envelope/exact_face_assembler.hpp"
 #include "diagram/graph/connected_tracer.hpp"
@@ -10,45 +11,41 @@
 namespace gvd {
 namespace {
 
-/// Symbolic offset between the first and the last generator, as a part of the bounding box's diagonal. Mirror-symmetric
-/// models put whole bisectors exactly on edges; offsets that grow with the generator's id decide every such tie the
-/// same way all along. Far above rounding where generators are few, and a tenth of what a crossing may be off.
-constexpr double kTieOffset = 1e-13;
-
-/// Chunks of so many edges, or of faces with so much work, the square of the crossings round them: half a millisecond,
-/// which is long enough for threads and short enough to be cancelled after.
+/// Chunks of so many edges, or of faces with so much work: the sum of the squares of their crossings. Half a
+/// millisecond, long enough to occupy a thread and short enough to cancel after.
 constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 
-/// Crosses edges one after the other, where the lower envelope of their distances passes from cell to cell.
+/// Finds the crossings of one edge after the other.
 class EdgeCrosser {
  public:
-  EdgeCrosser(const Mesh& mesh, const NearestLabels& labels, const DistanceField& field, double tie_step)
-      : mesh_(mesh), labels_(labels), field_(field), tie_step_(tie_step) {}
+  EdgeCrosser(const Mesh& mesh, const NearestLabels& labels, const DistanceField& field, const SymbolicOffset& offset)
+      : mesh_(mesh), labels_(labels), field_(field), offset_(offset) {}
 
-  /// Appends the crossings of e; `plainly`: at most one, between the labels of its ends.
-  void cross(EdgeId e, bool plainly) {
+  /// Appends the crossings of e; with `at_most_once` only one, between different labels of its ends.
+  void cross(EdgeId e, bool at_most_once) {
     const HalfedgeId h = mesh_.halfedge(e);
     const GeneratorId first = labels_.label[mesh_.from(h)], last = labels_.label[mesh_.to(h)];
-    if (plainly && first == last) return;
+    if (at_most_once && first == last) return;
     field_.collect(e, sources_);
-    envelope_.build(sources_, mesh_.length(e), tie_step_);
-    if (plainly) {
-      envelope_.append_plain_crossing(e, first, last, crossings_);
+    envelope_.build(sources_, mesh_.length(e), offset_);
+    if (at_most_once) {
+      EdgeCrossings::append_single(envelope_, e, first, last, result_);
     } else {
-      envelope_.append_crossings(e, first, last, crossings_);
+      crossings_.append_all(envelope_, e, first, last, result_);
     }
   }
 
-  std::vector<Crossing> take_result() { return std::move(crossings_); }
+  std::vector<Crossing> take_result() { return std::move(result_); }
 
  private:
   const Mesh& mesh_;
   const NearestLabels& labels_;
   const DistanceField& field_;
-  double tie_step_;
-  EdgeEnvelope envelope_;  // of the edge at work
+  SymbolicOffset offset_;
+  EdgeEnvelope envelope_;  // of the current edge
+  EdgeCrossings crossings_;
   std::vector<EdgeSource> sources_;
-  std::vector<Crossing> crossings_;
+  std::vector<Crossing> result_;
 };
 
 class EnvelopeTracer final : public ConnectedTracer {
@@ -59,7 +56,7 @@ class EnvelopeTracer final : public ConnectedTracer {
         field_(field),
         parallel_(parallel),
         tolerance_(tolerance),
-        tie_step_(kTieOffset * mesh_.bbox_diagonal() / static_cast<double>(working.generator_vertices().size())) {}
+        offset_(SymbolicOffset::of_envelope(mesh_.bbox_diagonal(), working.generator_vertices().size())) {}
 
  private:
   Crossings cross_edges() override {
@@ -77,10 +74,10 @@ class EnvelopeTracer final : public ConnectedTracer {
   }
 
   /// The crossings of these edges, ascending as they are.
-  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, bool plainly, const StepPart& step) const {
+  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, bool at_most_once, const StepPart& step) const {
     return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-      EdgeCrosser crosser(mesh_, labels_, field_, tie_step_);
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) crosser.cross(edges[i], plainly);
+      EdgeCrosser crosser(mesh_, labels_, field_, offset_);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) crosser.cross(edges[i], at_most_once);
       return crosser.take_result();
     });
   }
@@ -94,9 +91,9 @@ class EnvelopeTracer final : public ConnectedTracer {
       return count * count;
     };
     const auto close = [&](const Chunk& chunk) {
-      ExactFaceAssembler closer(mesh_, traced.crossings, field_, tie_step_, tolerance_);
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) closer.close(faces[i]);
-      return closer.take_result();
+      ExactFaceAssembler assembler(mesh_, traced.crossings, field_, offset_, tolerance_);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) assembler.assemble(faces[i]);
+      return assembler.take_result();
     };
     report.straightened_faces = 0;
     for (const AssembledFaces& part :
@@ -109,7 +106,8 @@ class EnvelopeTracer final : public ConnectedTracer {
 
   const DistanceField& field_;
   const ParallelChunks& parallel_;
-  double tolerance_, tie_step_;
+  double tolerance_;
+  SymbolicOffset offset_;
 };
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "diagram/envelope/separate_arcs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/barycentric.hpp"
+#include "base/segment.hpp"
+#include "diagram/envelope/erase_loops.hpp"
+
+namespace gvd {
+namespace {
+
+/// Largest negative area of a piece, and largest overlap of straight arcs, that counts as rounding: as a part of the
+/// face's area, or in twice the area of barycentric coordinates.
+constexpr double kInverted = 1e-11;
+
+/// Whether every segment of the arc leads towards its end.
+bool advances(const OpenFace& face, const FaceArc& arc) {
+  if (arc.point_count < 2) return true;
+  Vec2 last = affine_point(face.position(arc.begin));
+  const Vec2 end = affine_point(face.position(arc.end)), chord = end - last;
+  const auto is_forward = [&](const Vec2& p) { return (p - std::exchange(last, p)).dot(chord) > 0; };
+  const auto inner = face.inner_points(arc);
+  return std::all_of(inner.begin(), inner.end(), [&](const Bary& p) { return is_forward(affine_point(p)); }) &&
+         is_forward(end);
+}
+
+/// A quick test: false only where no arcs intersect. A single arc can only intersect itself.
+bool can_intersect(const OpenFace& face) {
+  const auto arcs = face.arcs();
+  if (arcs.size() == 1) return !advances(face, arcs.front());
+  return std::any_of(arcs.begin(), arcs.end(), [](const FaceArc& arc) { return arc.point_count > 0; });
+}
+
+/// Erases the loops of an arc; an arc without loops becomes straight.
+void simplify(OpenFace& face, FaceArc& arc) {
+  const auto inner = face.inner_points(arc);
+  std::vector<Bary> polyline{face.position(arc.begin)};
+  polyline.insert(polyline.end(), inner.begin(), inner.end());
+  polyline.push_back(face.position(arc.end));
+  arc.point_count = 0;
+  if (!erase_loops(polyline)) return;
+  arc.point_count = static_cast<std::int32_t>(polyline.size()) - 2;
+  std::copy(polyline.begin() + 1, polyline.end() - 1, inner.begin());
+}
+
+}  // namespace
+
+bool ArcSeparator::separate(OpenFace& face) {
+  bool changed = false;
+  while (FaceArc* arc = most_intersecting(face)) {
+    simplify(face, *arc);
+    changed = true;
+  }
+  return changed;
+}
+
+/// The arc with inner points that intersects the most arcs, itself counted twice; null where no arcs intersect.
+FaceArc* ArcSeparator::most_intersecting(OpenFace& face) {
+  if (!can_intersect(face)) return nullptr;
+  collect_segments(face);
+  const auto& pairs = intersections_.find(segments_);
+  if (pairs.empty()) return nullptr;
+  const auto arcs = face.arcs();
+  std::vector<int> counts(arcs.size(), 0);
+  for (const auto& [first, second] : pairs) {
+    ++counts[static_cast<std::size_t>(first)];
+    ++counts[static_cast<std::size_t>(second)];
+  }
+  FaceArc* most = nullptr;
+  int most_count = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (arcs[i].point_count == 0 || counts[i] <= most_count) continue;
+    most = &arcs[i];
+    most_count = counts[i];
+  }
+  return most;
+}
+
+void ArcSeparator::collect_segments(const OpenFace& face) {
+  segments_.clear();
+  const auto arcs = face.arcs();
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    Vec2 last = affine_point(face.position(arcs[i].begin));
+    const auto append = [&](const Bary& p) {
+      segments_.push_back({{last, affine_point(p)}, static_cast<std::int32_t>(i)});
+      last = affine_point(p);
+    };
+    for (const Bary& p : face.inner_points(arcs[i])) append(p);
+    append(face.position(arcs[i].end));
+  }
+}
+
+bool ArcSeparator::is_inverted(const OpenFace& face) {
+  straight_.clear();
+  for (const FaceArc& arc : face.arcs()) {
+    if (arc.point_count > 0) continue;
+    straight_.push_back({affine_point(face.position(arc.begin)), affine_point(face.position(arc.end))});
+  }
+  for (std::size_t i = 0; i < straight_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (intersect_beyond(straight_[i], straight_[j], kInverted)) return true;
+    }
+  }
+  trace_pieces(face.boundary(), face.arcs(), face.diagram(), pieces_);
+  return std::any_of(pieces_.pieces.begin(), pieces_.pieces.end(),
+                     [](const WorkingPiece& piece) { return area_share(piece.corners) < -kInverted; });
+}
+
+}  // namespace gvd
