@@ -1,0 +1,42 @@
+#include <cmath>
+
+#include "geodesic/field/face_layout.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+TEST_CASE("a face without area gets the least height, and finite coordinates") {
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}}, {{0, 1, 2}});
+  const FaceLayout layout(mesh, FaceId(0));
+  CHECK(layout.corner[2].y() == Approx(FaceLayout::kLeastHeight));
+  CHECK(layout.twice_area > 0);
+  for (const double b : layout.bary({0.25, 0})) CHECK(std::isfinite(b));
+}
+
+TEST_CASE("distances between the corners are the lengths of the edges, on every family") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      const FaceLayout layout(mesh, FaceId(f));
+      for (int i = 0; i < 3; ++i) {
+        const Vec2 side = layout.corner[std::size_t((i + 1) % 3)] - layout.corner[std::size_t(i)];
+        REQUIRE(side.norm() == Approx(mesh.length(Mesh::halfedge(FaceId(f), i))).epsilon(1e-9));
+        REQUIRE(layout.side(i).norm() == Approx(1).epsilon(1e-14));
+      }
+      REQUIRE(layout.twice_area == Approx(2 * mesh.area(FaceId(f))).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("points and barycentric coordinates convert to each other, and change by the stated rate") {
+  const FaceLayout layout(test::make_triangle(), FaceId(0));
+  test::Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 p(random.real(-1, 3), random.real(-1, 2)), direction(random.real(-1, 1), random.real(-1, 1));
+    const Bary bary = layout.bary(p), moved = layout.bary(p + direction), rate = layout.bary_rate(direction);
+    REQUIRE((layout.at(bary) - p).norm() < 1e-14);
+    for (std::size_t k = 0; k < 3; ++k) REQUIRE(moved[k] - bary[k] == Approx(rate[k]).epsilon(1e-12).margin(1e-13));
+  }
+}
