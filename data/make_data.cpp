@@ -1,10 +1,11 @@
 // Writes the meshes of data/, or checks that the files there are the ones it would write.
-#include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "encode_mesh.hpp"
@@ -58,12 +59,14 @@ bool same_as_written(const std::filesystem::path& path, const std::string& bytes
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Writes the meshes of data/ into FOLDER");
-  std::string folder;
-  bool check = false;
-  app.add_option("folder", folder, "where the files are")->required()->check(CLI::ExistingDirectory);
-  app.add_flag("--check", check, "write nothing; fail where a file differs");
-  CLI11_PARSE(app, argc, argv);
+  const bool check = argc > 1 && std::string_view(argv[1]) == "--check";
+  const char* folder = argv[argc - 1];
+  if (argc != (check ? 3 : 2) || !std::filesystem::is_directory(folder)) {
+    std::cerr << "Usage: make_data [--check] FOLDER\n"
+                 "Writes the meshes of data/ into FOLDER, which must exist. With --check it writes nothing and fails "
+                 "where a file differs.\n";
+    return 2;
+  }
 
   bool same = true;
   for (const NamedFile& file : make_files()) {

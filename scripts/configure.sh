@@ -11,6 +11,8 @@ if [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
   export CMAKE_GENERATOR=Ninja
 fi
 if command -v ccache >/dev/null 2>&1; then
-  set -- -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
+  # Without these two, ccache refuses sources that use a precompiled header.
+  sloppiness=$(ccache --get-config sloppiness | tr -d ' '),pch_defines,time_macros
+  set -- "-DCMAKE_CXX_COMPILER_LAUNCHER=cmake;-E;env;CCACHE_SLOPPINESS=${sloppiness#,};ccache" "$@"
 fi
 exec cmake --preset "$preset" -B "$folder" "$@"

@@ -1,4 +1,4 @@
-// The test programs' main(), compiled once.
+// The test programs' main(), compiled where Catch2 brings no library with one.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_session.hpp>
 int main(int argc, char* argv[]) { return Catch::Session().run(argc, argv); }
