@@ -56,6 +56,7 @@ test:
 	@$(install_deps) build test
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
+	@scripts/check_examples.sh $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 # What is known to fail is left out without FUZZ_ALL=1.
