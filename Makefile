@@ -34,7 +34,7 @@ help:
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make format    lay out the sources with clang-format"
-	@echo "make lint      check layout and names with clang-format and clang-tidy, and the links in the documents"
+	@echo "make lint      check layout, names, includes, sizes, and the links in the documents"
 	@echo "make clean     remove the build trees and the demo's output"
 
 build:
@@ -99,8 +99,10 @@ lint:
 	@$(install_deps) build test lint
 	@scripts/check_links.py
 	@$(sources) | xargs clang-format --dry-run -Werror
-	@$(configure) development build-development
-	@run-clang-tidy -quiet -p build-development -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'
+	@scripts/check_includes.py
+	@scripts/check_sizes.py
+	@$(configure) development build-lint -DGVD_PRECOMPILE_HEADERS=OFF
+	@run-clang-tidy -quiet -p build-lint -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'
 
 clean:
 	@rm -rf build build-* $(DEMO_OUTPUT)
