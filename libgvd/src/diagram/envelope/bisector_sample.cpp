@@ -3,14 +3,9 @@
 namespace gvd {
 namespace {
 
-/// Rounding of a difference of two distances, as a part of them.
-constexpr double kDistanceRounding = 1e-15;
-
 constexpr int kNewtonSteps = 4;
 
 }  // namespace
-
-double BisectorSample::rounding() const { return kDistanceRounding * left.distance; }
 
 double BisectorSample::distance_to_bisector(const Vec2& across, double precision) const {
   const Vec2 from_left = point - left.from, from_right = point - right.from;

@@ -29,11 +29,6 @@ double EdgeEnvelope::distance(GeneratorId g, double t) const {
   return least;
 }
 
-std::int32_t EdgeEnvelope::nearer(std::int32_t a, std::int32_t b, double t) const {
-  const EdgeSource &first = sources_[static_cast<std::size_t>(a)], &second = sources_[static_cast<std::size_t>(b)];
-  return second.straight(t) < first.straight(t) ? b : a;
-}
-
 void EdgeEnvelope::append(double end, std::int32_t source) {
   if (!pieces_.empty() && pieces_.back().source == source) {
     pieces_.back().end = end;

@@ -32,7 +32,10 @@ class EdgeEnvelope {
   double distance(GeneratorId g, double t) const;
 
  private:
-  std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const;
+  std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const {
+    const EdgeSource &first = sources_[static_cast<std::size_t>(a)], &second = sources_[static_cast<std::size_t>(b)];
+    return second.straight(t) < first.straight(t) ? b : a;
+  }
   void insert(std::int32_t source);
   void append(double end, std::int32_t source);
   bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
