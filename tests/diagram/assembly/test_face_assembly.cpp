@@ -10,17 +10,17 @@
 
 using namespace gvd;
 using test::AssembledFace;
-using test::BoundaryRun;
+using test::BoundaryInterval;
 
 namespace {
 
-/// Every crossing ends one arc, with the cells of its two runs on the right sides; every branch point ends three.
+/// Every crossing ends one arc, with the two cells on the correct sides; every branch point ends three.
 void require_complete(const AssembledFace& face) {
   for (const BoundaryCrossing& c : face.boundary) {
     int ends = 0;
     for (const FaceArc& arc : face.diagram.arcs) {
       REQUIRE(arc.left != arc.right);
-      // Seen from the boundary inwards, the run before the crossing lies on the left.
+      // Looking from the boundary into the face, the label before the crossing is on the left.
       if (arc.begin == at(c.id)) REQUIRE((++ends && arc.left == c.previous && arc.right == c.next));
       if (arc.end == at(c.id)) REQUIRE((++ends && arc.left == c.next && arc.right == c.previous));
     }
@@ -44,14 +44,14 @@ void require_apart(const AssembledFace& face) {
   const auto& arcs = face.diagram.arcs;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     for (std::size_t j = i + 1; j < arcs.size(); ++j) {
-      const PlaneSegment a{affine_point(face.place(arcs[i].begin)), affine_point(face.place(arcs[i].end))};
-      const PlaneSegment b{affine_point(face.place(arcs[j].begin)), affine_point(face.place(arcs[j].end))};
+      const PlaneSegment a{affine_point(face.position(arcs[i].begin)), affine_point(face.position(arcs[i].end))};
+      const PlaneSegment b{affine_point(face.position(arcs[j].begin)), affine_point(face.position(arcs[j].end))};
       REQUIRE_FALSE(intersect_beyond(a, b, 1e-12));
     }
   }
 }
 
-/// The pieces fill the face once, and each run of its boundary belongs to one piece of its own cell.
+/// The pieces cover the face once, and each label interval belongs to one piece of its own cell.
 void require_partition(const AssembledFace& face) {
   double sum = 0;
   const auto [pieces, piece_of_interval] = face.pieces();
@@ -62,8 +62,8 @@ void require_partition(const AssembledFace& face) {
     REQUIRE(std::count(piece_of_interval.begin(), piece_of_interval.end(), static_cast<int>(i)) > 0);
   }
   REQUIRE(piece_of_interval.size() == face.boundary.size());
-  for (std::size_t run = 0; run < face.boundary.size(); ++run) {
-    REQUIRE(face.boundary[run].next == pieces.at(static_cast<std::size_t>(piece_of_interval[run])).generator);
+  for (std::size_t i = 0; i < face.boundary.size(); ++i) {
+    REQUIRE(face.boundary[i].next == pieces.at(static_cast<std::size_t>(piece_of_interval[i])).generator);
   }
   REQUIRE(sum == Approx(1).epsilon(1e-12));
 }
@@ -85,9 +85,10 @@ TEST_CASE("no crossing: nothing is added") {
 }
 
 TEST_CASE("two crossings make one arc") {
-  for (const auto& runs :
-       {std::vector<BoundaryRun>{{0, 0.5, 1}, {1, 0.5, 0}}, {{0, 0.2, 1}, {0, 0.7, 0}}, {{2, 0.3, 0}, {2, 0.31, 1}}}) {
-    const AssembledFace face(runs, test::flat_forms(2));
+  for (const auto& intervals : {std::vector<BoundaryInterval>{{0, 0.5, 1}, {1, 0.5, 0}},
+                                {{0, 0.2, 1}, {0, 0.7, 0}},
+                                {{2, 0.3, 0}, {2, 0.31, 1}}}) {
+    const AssembledFace face(intervals, test::flat_forms(2));
     require_sound(face);
     CHECK(face.diagram.arcs.size() == 1);
     CHECK(face.diagram.branches.empty());
@@ -103,19 +104,19 @@ TEST_CASE("three crossings make a branch point where the three forms agree") {
   for (const double coordinate : face.diagram.branches[BranchPointId(0)].bary) CHECK(coordinate == Approx(1.0 / 3));
 }
 
-TEST_CASE("a branch point that is wanted outside of the face stays inside of it") {
+TEST_CASE("a branch point guessed outside of the face is placed inside") {
   const std::vector<DistanceForm> forms{test::form(0, 0, 5, 1), test::form(1, 1, 0.9, 1), test::form(2, 1, 1.2, 0)};
   const AssembledFace face({{0, 0.5, 1}, {1, 0.5, 2}, {2, 0.5, 0}}, forms);
   require_sound(face);
   for (const double coordinate : face.diagram.branches[BranchPointId(0)].bary) CHECK(coordinate >= 1e-6);
 }
 
-TEST_CASE("four crossings of two cells: the nearer one in the middle is united") {
-  const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
+TEST_CASE("four crossings of two cells: the cell that is nearer in the middle is united") {
+  const std::vector<BoundaryInterval> intervals{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
   for (const int near : {0, 1}) {
     const std::vector<DistanceForm> forms{test::form(0, near == 0 ? 1 : 2, near == 0 ? 1 : 2, near == 0 ? 1 : 2),
                                           test::form(1, 1.5, 1.5, 1.5)};
-    const AssembledFace face(runs, forms);
+    const AssembledFace face(intervals, forms);
     require_sound(face);
     CHECK(face.diagram.arcs.size() == 2);
     CHECK(face.diagram.branches.empty());
@@ -126,19 +127,19 @@ TEST_CASE("four crossings of two cells: the nearer one in the middle is united")
 }
 
 TEST_CASE("four, five and six crossings of as many cells make two, three and four branch points") {
-  const std::vector<BoundaryRun> places{{0, 0.25, 0}, {0, 0.75, 0}, {1, 0.25, 0},
-                                        {1, 0.75, 0}, {2, 0.25, 0}, {2, 0.75, 0}};
+  const std::vector<BoundaryInterval> positions{{0, 0.25, 0}, {0, 0.75, 0}, {1, 0.25, 0},
+                                                {1, 0.75, 0}, {2, 0.25, 0}, {2, 0.75, 0}};
   for (std::size_t k = 4; k <= 6; ++k) {
-    std::vector<BoundaryRun> runs(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k));
-    for (std::size_t i = 0; i < k; ++i) runs[i].next = static_cast<int>(i);
-    const AssembledFace face(runs, test::flat_forms(static_cast<int>(k)));
+    std::vector<BoundaryInterval> intervals(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(k));
+    for (std::size_t i = 0; i < k; ++i) intervals[i].next = static_cast<int>(i);
+    const AssembledFace face(intervals, test::flat_forms(static_cast<int>(k)));
     require_sound(face);
     CHECK(face.diagram.branches.size() == k - 2);
     CHECK(face.diagram.arcs.size() == 2 * k - 3);
   }
 }
 
-TEST_CASE("runs that meet nowhere get branch points amid the corners round them, and pieces with area") {
+TEST_CASE("cells without equidistant points get branch points between their corners, and pieces with area") {
   std::vector<DistanceForm> parallel;  // equally far nowhere
   for (int g = 0; g < 5; ++g) parallel.push_back(test::form(g, g, g, g));
   const AssembledFace face({{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.5, 3}, {2, 0.3, 4}, {2, 0.7, 0}}, parallel);
@@ -147,24 +148,24 @@ TEST_CASE("runs that meet nowhere get branch points amid the corners round them,
   for (const WorkingPiece& piece : face.pieces().pieces) CHECK(area_share(piece.corners) > 1e-3);
 }
 
-TEST_CASE("a run between two runs of one cell is closed off: a, b, a, c") {
-  const std::vector<BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 2}, {1, 0.8, 0}};
+TEST_CASE("a cell between two intervals of another one: a, b, a, c") {
+  const std::vector<BoundaryInterval> intervals{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 2}, {1, 0.8, 0}};
   const std::vector<DistanceForm> near{test::form(0, 0, 0, 0), test::form(1, 1, 1, 1), test::form(2, 1, 1, 1)};
-  const AssembledFace united(runs, near);
+  const AssembledFace united(intervals, near);
   require_sound(united);
   CHECK(united.diagram.branches.empty());
   const std::vector<DistanceForm> far{test::form(0, 2, 2, 2), test::form(1, 1, 1, 1.1), test::form(2, 1.1, 1, 1)};
-  const AssembledFace parted(runs, far);
-  require_sound(parted);
-  CHECK(parted.diagram.branches.size() == 2);
+  const AssembledFace split(intervals, far);
+  require_sound(split);
+  CHECK(split.diagram.branches.size() == 2);
 }
 
 TEST_CASE("all crossings on one edge") {
   for (int k = 2; k <= 6; ++k) {
     for (int corner = 0; corner < 3; ++corner) {
-      std::vector<BoundaryRun> runs;
-      for (int i = 0; i < k; ++i) runs.push_back({corner, 0.1 + 0.8 * i / k, (i + 1) % k});
-      require_sound(AssembledFace(runs, test::flat_forms(k)));
+      std::vector<BoundaryInterval> intervals;
+      for (int i = 0; i < k; ++i) intervals.push_back({corner, 0.1 + 0.8 * i / k, (i + 1) % k});
+      require_sound(AssembledFace(intervals, test::flat_forms(k)));
     }
   }
 }
@@ -176,44 +177,48 @@ TEST_CASE("crossings at their least distance from a corner and from each other")
   require_sound(AssembledFace({{0, 1 - g, 1}, {1, g, 2}, {1, 2 * g, 3}, {2, 0.5, 0}}, test::flat_forms(4)));
 }
 
-TEST_CASE("forms that agree everywhere, are infinite, huge or no number do not matter for completeness") {
+TEST_CASE("forms that are equal, infinite, huge or not a number: still complete") {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const std::vector<std::vector<BoundaryRun>> all{
+  const std::vector<std::vector<BoundaryInterval>> all{
       {{0, 0.3, 1}, {0, 0.7, 2}, {1, 0.4, 1}, {1, 0.8, 3}, {2, 0.5, 0}},
-      {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}},  // no three different cells in a row: only uniting helps
+      {{0, 0.3, 1},
+       {0, 0.7, 0},
+       {1, 0.4, 1},
+       {1, 0.8, 0}},  // no three different cells in a row: only uniting is possible
       {{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}, {2, 0.2, 1}, {2, 0.4, 0}}};
-  for (const auto& runs : all) {
+  for (const auto& intervals : all) {
     for (const double value : {0.0, 1e-300, 1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
       std::vector<DistanceForm> forms;
       for (int g = 0; g < 4; ++g) forms.push_back(test::form(g, value, value, value));
       INFO("value " << value);
-      require_sound(AssembledFace(runs, forms));
+      require_sound(AssembledFace(intervals, forms));
     }
   }
 }
 
-TEST_CASE("random runs and random forms: always complete, apart and a partition") {
+TEST_CASE("random label intervals and random forms: complete, without intersections, and a partition") {
   test::Random random(31);
   for (int round = 0; round < 6000; ++round) {
     const int count = 2 + random.below(7), cells = 2 + random.below(5);
-    const auto runs = test::random_runs(random, count, cells);
-    if (runs.empty()) continue;
+    const auto intervals = test::random_intervals(random, count, cells);
+    if (intervals.empty()) continue;
     std::vector<DistanceForm> forms;
     for (int g = 0; g < cells; ++g) {
       const double size = std::pow(10.0, random.real(-6, 6));
       forms.push_back(test::form(g, size * random.real(-1, 1), size * random.real(-1, 1), size * random.real(-1, 1)));
     }
     INFO("round " << round);
-    require_sound(AssembledFace(runs, forms));
+    require_sound(AssembledFace(intervals, forms));
   }
 }
 
 namespace {
 
-/// Says that it is sure, and lets paths come in anywhere.
-class ConfusedMetric final : public FaceDistances {
+/// Claims to confirm, with paths that enter anywhere.
+class ContradictoryDistances final : public FaceDistances {
  public:
-  ConfusedMetric(const std::vector<DistanceForm>& forms, test::Random& random) : forms_(forms), random_(random) {}
+  ContradictoryDistances(const std::vector<DistanceForm>& forms, test::Random& random)
+      : forms_(forms), random_(random) {}
   bool can_confirm() const override { return true; }
   double at(GeneratorId g, const Bary& p) const override { return forms_.at(g, p); }
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
@@ -236,14 +241,14 @@ class ConfusedMetric final : public FaceDistances {
 
 }  // namespace
 
-TEST_CASE("paths that contradict each other, by rounding where all is a tie: still complete") {
+TEST_CASE("paths that contradict each other, as by rounding of ties: still complete") {
   test::Random random(11);
   for (int trial = 0; trial < 3000; ++trial) {
     CAPTURE(trial);
-    const auto runs = test::random_runs(random, 2 + random.below(14), 2 + random.below(5));
-    if (runs.empty()) continue;
+    const auto intervals = test::random_intervals(random, 2 + random.below(14), 2 + random.below(5));
+    if (intervals.empty()) continue;
     const auto forms = test::flat_forms(7);
-    require_complete(AssembledFace(runs, ConfusedMetric(forms, random)));
+    require_complete(AssembledFace(intervals, ContradictoryDistances(forms, random)));
   }
 }
 
@@ -255,15 +260,15 @@ TEST_CASE("the lower envelope of random linear forms comes back: branch points w
     std::vector<DistanceForm> forms;
     for (int g = 0; g < cells; ++g)
       forms.push_back(test::form(g, random.real(0, 1), random.real(0, 1), random.real(0, 1)));
-    const auto runs = test::envelope_runs(forms);
-    if (runs.size() < 2) continue;
-    const AssembledFace face(runs, forms);
+    const auto intervals = test::envelope_intervals(forms);
+    if (intervals.size() < 2) continue;
+    const AssembledFace face(intervals, forms);
     INFO("round " << round);
     require_sound(face);
-    if (runs.size() != 3) continue;
+    if (intervals.size() != 3) continue;
     const auto& bary = face.diagram.branches[BranchPointId(0)].bary;
     std::array<double, 3> values{};
-    for (std::size_t i = 0; i < 3; ++i) values[i] = forms[static_cast<std::size_t>(runs[i].next)].at(bary);
+    for (std::size_t i = 0; i < 3; ++i) values[i] = forms[static_cast<std::size_t>(intervals[i].next)].at(bary);
     if (*std::min_element(bary.begin(), bary.end()) < 1e-5) continue;  // moved inwards
     ++branches;
     REQUIRE(*std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end()) < 1e-9);

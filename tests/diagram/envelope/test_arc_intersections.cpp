@@ -21,43 +21,43 @@ std::vector<ArcSegment> segments_of(const std::vector<std::vector<Vec2>>& arcs) 
   return segments;
 }
 
-Pairs meetings_of(const std::vector<std::vector<Vec2>>& arcs) {
-  ArcIntersections meetings;
-  return meetings.find(segments_of(arcs));
+Pairs intersections_of(const std::vector<std::vector<Vec2>>& arcs) {
+  ArcIntersections intersections;
+  return intersections.find(segments_of(arcs));
 }
 
 }  // namespace
 
-TEST_CASE("no arc, one segment, and two that follow each other meet nowhere") {
-  CHECK(meetings_of({}).empty());
-  CHECK(meetings_of({{{0, 0}, {1, 1}}}).empty());
-  CHECK(meetings_of({{{0, 0}, {1, 1}, {0.5, 0.2}}}).empty());
+TEST_CASE("no arc, one segment and two consecutive segments have no intersection") {
+  CHECK(intersections_of({}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 1}}}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 1}, {0.5, 0.2}}}).empty());
 }
 
-TEST_CASE("arcs that cross meet, with themselves too; those that end in one point don't") {
-  CHECK(meetings_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}}) == Pairs{{0, 1}});
-  CHECK(meetings_of({{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}).empty());
-  CHECK(meetings_of({{{0, 0}, {1, 0}, {1, 1}, {0.5, -1}}}) == Pairs{{0, 0}});
+TEST_CASE("arcs that cross intersect, also one with itself; arcs with a common end do not") {
+  CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 0}, {1, 1}, {0.5, -1}}}) == Pairs{{0, 0}});
 }
 
-TEST_CASE("an arc that ends on another one, or runs along a part of it, meets it") {
-  CHECK(meetings_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.5, 1}}}) == Pairs{{0, 1}});
-  CHECK(meetings_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.6, 0}}}) == Pairs{{0, 1}});
-  CHECK(meetings_of({{{0, 0}, {1, 0}}, {{1.5, 0}, {2, 0}}}).empty());
+TEST_CASE("an arc that ends on another one, or overlaps it, intersects it") {
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.5, 1}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.6, 0}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{1.5, 0}, {2, 0}}}).empty());
 }
 
-TEST_CASE("what rounding leaves open counts as met, what is beyond it does not") {
+TEST_CASE("an intersection that rounding leaves open is found; one beyond rounding is not") {
   const double third = 1.0 / 3;
   const auto touching = [&](double above) {
-    return meetings_of({{{0, 0}, {1, third}}, {{0.3, 0.3 * third + above}, {0.2, 1}}});
+    return intersections_of({{{0, 0}, {1, third}}, {{0.3, 0.3 * third + above}, {0.2, 1}}});
   };
   CHECK(touching(1e-17) == Pairs{{0, 1}});
   CHECK(touching(1e-15).empty());
 }
 
-TEST_CASE("as every pair of segments by itself, for random arcs of many lengths and sizes") {
+TEST_CASE("random arcs of many lengths and sizes: the result is that of all pairs of segments") {
   test::Random random(3);
-  ArcIntersections meetings;
+  ArcIntersections intersections;
   for (int round = 0; round < 400; ++round) {
     std::vector<std::vector<Vec2>> arcs(static_cast<std::size_t>(1 + random.below(5)));
     for (auto& arc : arcs) {
@@ -77,6 +77,6 @@ TEST_CASE("as every pair of segments by itself, for random arcs of many lengths 
     std::sort(expected.begin(), expected.end());
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
     INFO("round " << round);
-    REQUIRE(meetings.find(segments) == expected);
+    REQUIRE(intersections.find(segments) == expected);
   }
 }

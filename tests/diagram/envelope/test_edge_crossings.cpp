@@ -81,20 +81,20 @@ GeneratorId label_at(const std::vector<Crossing>& crossings, GeneratorId first, 
 
 }  // namespace
 
-TEST_CASE("two images without offsets meet where the line between them says") {
+TEST_CASE("two images without offsets have a crossing on their perpendicular bisector") {
   // On the perpendicular bisector of (0.1, -0.2) and (0.8, -0.3).
   const auto crossings = find_crossings(with_ends({all_over(kA, 0.1, 0.2, 0), all_over(kB, 0.8, 0.3, 0)}));
   REQUIRE(crossings.size() == 1);
   CHECK(crossings[0].t == Approx((0.64 + 0.09 - 0.01 - 0.04) / (2 * 0.7)).epsilon(1e-14));
 }
 
-TEST_CASE("two images with the same offset meet where they would without") {
+TEST_CASE("two images with the same offset have the crossing that they have without") {
   const auto crossings = find_crossings(with_ends({all_over(kA, 0.1, 0.2, 0.7), all_over(kB, 0.8, 0.3, 0.7)}));
   REQUIRE(crossings.size() == 1);
   CHECK(crossings[0].t == Approx(0.68 / 1.4).epsilon(1e-14));
 }
 
-TEST_CASE("two images with different offsets are equally far where they meet") {
+TEST_CASE("two images with different offsets are equally far from their crossing") {
   for (const double offset : {1e-12, 1e-6, 0.1, 0.4}) {
     const auto sources = with_ends({all_over(kA, 0.1, 0.2, 0), all_over(kB, 0.8, 0.3, offset)});
     const auto crossings = find_crossings(sources);
@@ -104,7 +104,7 @@ TEST_CASE("two images with different offsets are equally far where they meet") {
   }
 }
 
-TEST_CASE("a cell that pokes into an edge makes two crossings") {
+TEST_CASE("a cell that intersects an edge between two labels of another cell makes two crossings") {
   const auto sources = with_ends({all_over(kA, 0.5, 1, 0), all_over(kB, 0.5, 0.1, 0.8)});
   const auto crossings = find_crossings(sources);
   REQUIRE(crossings.size() == 2);
@@ -115,11 +115,11 @@ TEST_CASE("a cell that pokes into an edge makes two crossings") {
     CHECK(sources[2].straight(c.t) == Approx(sources[3].straight(c.t)).epsilon(2e-14));
 }
 
-TEST_CASE("a hyperbola that stays above touches nothing") {
+TEST_CASE("a source that is farther everywhere makes no crossing") {
   CHECK(find_crossings(with_ends({all_over(kA, 0.5, 1, 0), all_over(kB, 0.5, 0.1, 0.95)})).empty());
 }
 
-TEST_CASE("ties go to the lower generator all along, whatever the order of the sources") {
+TEST_CASE("a tie along the edge goes to the lower generator, in any order of the sources") {
   const EdgeSource a = all_over(kA, 0.5, 0.5, 0), b = all_over(kB, 0.5, 0.5, 0);
   const double end = a.straight(0);
   const EdgeSource start_cone{0, 1, 0, 0, end, kA}, end_cone{0, 1, 1, 0, end, kA};
@@ -127,7 +127,7 @@ TEST_CASE("ties go to the lower generator all along, whatever the order of the s
   CHECK(find_crossings({start_cone, end_cone, b, a}, kA, kA, 1e-13).empty());
 }
 
-TEST_CASE("the labels of the ends hold, whatever the sources say") {
+TEST_CASE("the labels of the ends are kept where the sources contradict them") {
   const EdgeSource a = all_over(kA, 0.2, 0.5, 0), b = all_over(kB, 0.7, 0.5, 1);  // a is nearer everywhere
   const EdgeSource start{0, 1, 0, 0, a.straight(0), kA}, end{0, 1, 1, 0, a.straight(1), kA};
   for (const GeneratorId first : {kA, kB}) {
@@ -139,7 +139,7 @@ TEST_CASE("the labels of the ends hold, whatever the sources say") {
   }
 }
 
-TEST_CASE("between two windows of one generator that should meet, nothing else shows") {
+TEST_CASE("a gap by rounding between two windows of one generator makes no crossing") {
   // In the gap only the cones of the ends are left of A, and B is nearer than those.
   for (const double gap : {1e-12, 1e-9, 4e-7}) {
     EdgeSource left = all_over(kA, 0.5, 0.5, 0), right = left;
@@ -150,7 +150,7 @@ TEST_CASE("between two windows of one generator that should meet, nothing else s
   }
 }
 
-TEST_CASE("what shows through a wide opening is another cell") {
+TEST_CASE("in a wide gap between two windows another cell makes two crossings") {
   EdgeSource left = all_over(kA, 0.5, 0.5, 0), right = left;
   left.end = 0.2;
   right.begin = 0.8;
@@ -159,7 +159,7 @@ TEST_CASE("what shows through a wide opening is another cell") {
   CHECK(crossings.size() == 2);
 }
 
-TEST_CASE("a run of rounding is dropped, a short one that is real stays") {
+TEST_CASE("a label interval as short as rounding is dropped, a longer one stays") {
   for (const auto& [width, expected] : {std::pair(1e-10, 0), std::pair(1e-7, 2)}) {
     EdgeSource dip = all_over(kB, 0.5, 0.1, 0.8);
     dip.begin = 0.5;
@@ -168,7 +168,7 @@ TEST_CASE("a run of rounding is dropped, a short one that is real stays") {
   }
 }
 
-TEST_CASE("a plain crossing lies where the labels of the ends are equally far, whoever is between them") {
+TEST_CASE("a single crossing is equally far from the labels of the ends, whichever generator is nearest there") {
   const auto sources = with_ends({all_over(kA, 0, 0.1, 0), all_over(kB, 1, 0.2, 0), all_over(kC, 0.5, 0.01, 0)});
   EdgeEnvelope envelope;
   envelope.build(sources, 1, {});
@@ -182,12 +182,12 @@ TEST_CASE("a plain crossing lies where the labels of the ends are equally far, w
   CHECK(crossings[0].t == Approx(0.5 + 0.015).epsilon(1e-12));  // (1 + 0.04 - 0.01) / 2
 }
 
-TEST_CASE("crossings of random sources are those that sampling finds") {
-  constexpr int kRuns = 400, kSamples = 400;
+TEST_CASE("random sources: the crossings agree with samples of all distances") {
+  constexpr int kRounds = 400, kSamples = 400;
   test::Random random(3);
   int found = 0;
-  for (int run = 0; run < kRuns; ++run) {
-    INFO("run " << run);
+  for (int round = 0; round < kRounds; ++round) {
+    INFO("round " << round);
     std::vector<EdgeSource> windows;
     const int count = 2 + random.below(5);
     for (int g = 0; g < count; ++g) {
@@ -215,5 +215,5 @@ TEST_CASE("crossings of random sources are those that sampling finds") {
       REQUIRE(distance_at(sources, label, t) <= distance_at(sources, nearest_at(sources, t), t) + 1e-8);
     }
   }
-  CHECK(found > kRuns / 2);
+  CHECK(found > kRounds / 2);
 }

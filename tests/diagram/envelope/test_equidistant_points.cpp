@@ -37,7 +37,7 @@ TEST_CASE("a point to which three images are equally far is found, whatever thei
   }
 }
 
-TEST_CASE("images on one line, and equal offsets, are no exception") {
+TEST_CASE("collinear images and equal offsets have finite points") {
   const std::vector<FaceSource> a{source({0, 0}, 0)}, b{source({2, 0}, 0)}, c{source({0, 2}, 0)},
       d{source({3, 0}, 0.5)};
   CHECK(nearest_to(find_equidistant_points(a, b, c), {1, 1}) < 1e-12);
@@ -52,7 +52,7 @@ TEST_CASE("images on one line, and equal offsets, are no exception") {
   CHECK(equal);
 }
 
-TEST_CASE("every triple of sources is looked at, and three that are one have no such point") {
+TEST_CASE("every triple of sources is solved, and three equal ones have no point") {
   const std::vector<FaceSource> a{source({0, 0}, 0), source({-4, 1}, 0)}, b{source({2, 0}, 0)},
       c{source({0, 2}, 0), source({5, -3}, 0)};
   CHECK(find_equidistant_points(a, b, c).size() == 8);

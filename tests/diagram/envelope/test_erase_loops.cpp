@@ -14,25 +14,25 @@ using Polyline = std::vector<Bary>;
 
 Bary at(double x, double y) { return {1 - x - y, x, y}; }
 
-bool meets_itself(const Polyline& polyline) {
+bool intersects_itself(const Polyline& polyline) {
   std::vector<ArcSegment> segments;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     segments.push_back({{affine_point(polyline[i - 1]), affine_point(polyline[i])}, 0});
   }
-  ArcIntersections meetings;
-  return !meetings.find(segments).empty();
+  ArcIntersections intersections;
+  return !intersections.find(segments).empty();
 }
 
 }  // namespace
 
-TEST_CASE("a polyline without a loop is left alone") {
+TEST_CASE("a polyline without a loop does not change") {
   Polyline polyline{at(0, 0), at(0.2, 0.1), at(0.3, 0.4), at(0.1, 0.6)};
   const Polyline before = polyline;
   CHECK_FALSE(erase_loops(polyline));
   CHECK(polyline == before);
 }
 
-TEST_CASE("a loop goes, and the place where it closed stays") {
+TEST_CASE("a loop is erased up to the intersection that closes it") {
   Polyline polyline{at(0, 0), at(0.4, 0), at(0.4, 0.2), at(0.2, 0.2), at(0.2, -0.2), at(0.5, -0.3)};
   CHECK(erase_loops(polyline));
   REQUIRE(polyline.size() == 4);
@@ -41,7 +41,7 @@ TEST_CASE("a loop goes, and the place where it closed stays") {
   CHECK(polyline.back() == at(0.5, -0.3));
 }
 
-TEST_CASE("to and fro between the two legs of a sharp corner: what is left is simple and keeps its ends") {
+TEST_CASE("points that alternate between the two sides of a sharp corner: the result is simple and keeps its ends") {
   test::Random random(2);
   for (int round = 0; round < 300; ++round) {
     Polyline polyline;
@@ -53,15 +53,15 @@ TEST_CASE("to and fro between the two legs of a sharp corner: what is left is si
     for (int i = 10; i >= 0; --i) polyline.push_back(at(0.05 * i, 0.2));
     const Polyline before = polyline;
     INFO("round " << round);
-    const bool had_loops = meets_itself(before);
+    const bool had_loops = intersects_itself(before);
     REQUIRE(erase_loops(polyline) == had_loops);
-    REQUIRE_FALSE(meets_itself(polyline));
+    REQUIRE_FALSE(intersects_itself(polyline));
     REQUIRE(polyline.front() == before.front());
     REQUIRE(polyline.back() == before.back());
   }
 }
 
-TEST_CASE("more points than rounding alone makes are not looked at") {
+TEST_CASE("a polyline of more than 1000 points does not change") {
   Polyline polyline;
   for (int i = 0; i < 2000; ++i) polyline.push_back(at(0.1 + 0.1 * (i % 3), 0.1 + 0.1 * (i % 2)));
   CHECK_FALSE(erase_loops(polyline));

@@ -19,16 +19,16 @@ const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle,
 
 /// The arc between A, on its left, and B, from the point where they are equally far on side `from` to that on side
 /// `to`.
-struct BentArc {
+struct RefinedArc {
   HandMadeField field;
   SourceDistances distances{field};
   Bary begin{}, end{};
   std::vector<Bary> inner;
 
-  BentArc(std::vector<FaceSource> sources, int from, int to, double tolerance) : field(std::move(sources)) {
+  RefinedArc(std::vector<FaceSource> sources, int from, int to, double tolerance) : field(std::move(sources)) {
     distances.enter(test::make_triangle(), FaceId(0));
-    begin = meeting_on(from);
-    end = meeting_on(to);
+    begin = equidistant_on(from);
+    end = equidistant_on(to);
     FaceArc arc;
     arc.left = kA;
     arc.right = kB;
@@ -37,8 +37,8 @@ struct BentArc {
 
   double error(const Bary& p) const { return distances.at(kA, p) - distances.at(kB, p); }
 
-  /// By bisection along the side, which has to change hands once.
-  Bary meeting_on(int side) const {
+  /// By bisection along the side, where the nearer of the two has to change once.
+  Bary equidistant_on(int side) const {
     const auto at = [side](double t) {
       Bary p{0, 0, 0};
       p[std::size_t(side)] = 1 - t;
@@ -83,7 +83,7 @@ std::vector<FaceSource> hyperbola() {
   return {through_side(0, 2, {-0.3, 0.4}, k2, k0, 0.4), through_side(1, 1, {1.9, 0.7}, k1, k2, 0)};
 }
 
-/// The same, bent so that it leaves its chord by a tenth of its length.
+/// A hyperbola that is a tenth of its chord's length away from the chord.
 std::vector<FaceSource> strong_hyperbola() {
   return {through_side(0, 2, {-0.356, 1.074}, k2, k0, 0), through_side(1, 0, {0.167, -0.0337}, k0, k1, 0.956)};
 }
@@ -92,7 +92,7 @@ std::vector<FaceSource> strong_hyperbola() {
 
 TEST_CASE("the inner points of a hyperbola lie on it") {
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-    const BentArc arc(hyperbola(), 0, 2, tolerance);
+    const RefinedArc arc(hyperbola(), 0, 2, tolerance);
     for (const auto& p : arc.inner) {
       // As near as a hundredth of the tolerance; the gradient of the difference is at most 2.
       REQUIRE(std::abs(arc.error(p)) <= 2e-2 * tolerance + 1e-14);
@@ -101,11 +101,11 @@ TEST_CASE("the inner points of a hyperbola lie on it") {
   }
 }
 
-TEST_CASE("straight pieces are within the tolerance of the bisector, and not many more than it takes") {
+TEST_CASE("segments are within the tolerance of the bisector, and there are not many more than necessary") {
   std::size_t before = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     INFO(tolerance);
-    const BentArc arc(hyperbola(), 0, 2, tolerance);
+    const RefinedArc arc(hyperbola(), 0, 2, tolerance);
     CHECK(arc.farthest() <= tolerance);
     CHECK(arc.inner.size() >= before);
     // A chord's distance falls with the square of its length, and halving costs a factor of two at most.
@@ -115,34 +115,34 @@ TEST_CASE("straight pieces are within the tolerance of the bisector, and not man
   CHECK(before > 50);
 }
 
-TEST_CASE("the inner points come in order") {
-  const BentArc arc(hyperbola(), 0, 2, 1e-5);
+TEST_CASE("the inner points are in order along the arc") {
+  const RefinedArc arc(hyperbola(), 0, 2, 1e-5);
   const auto points = arc.polyline();
   const Vec2 along = (points.back() - points.front()).normalized();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) REQUIRE((points[i + 1] - points[i]).dot(along) > 0);
 }
 
-TEST_CASE("with equal offsets the bisector is straight, and stays as it is") {
+TEST_CASE("with equal offsets the bisector is straight, and gets no inner points") {
   for (const double offset : {0.0, 0.3}) {
-    const BentArc arc({through_side(0, 2, {-0.3, 0.4}, k2, k0, offset), through_side(1, 1, {1.9, 0.7}, k1, k2, offset)},
-                      0, 1, 1e-10);
+    const RefinedArc arc(
+        {through_side(0, 2, {-0.3, 0.4}, k2, k0, offset), through_side(1, 1, {1.9, 0.7}, k1, k2, offset)}, 0, 1, 1e-10);
     CHECK(arc.inner.empty());
   }
 }
 
-TEST_CASE("where another source of a generator comes first, the bisector has a corner, and is followed round it") {
+TEST_CASE("a bisector with a corner, where the nearest source of a generator changes, is traced on both sides of it") {
   // Side 0, y = 0: the left one sees the left half and the right one the right half of what lies behind it.
   const auto sources = [] {
     return std::vector{through_side(1, 1, {1.4, 1.3}, k1, k2, 0), through_side(0, 0, {0.4, -0.5}, k0, k1, 0),
                        through_side(0, 0, {1.6, -0.2}, k0, k1, 0.1)};
   };
-  const BentArc rough(sources(), 1, 2, 1e-2), fine(sources(), 1, 2, 1e-6);
+  const RefinedArc rough(sources(), 1, 2, 1e-2), fine(sources(), 1, 2, 1e-6);
   CHECK(rough.farthest() <= 1e-2);
   CHECK(fine.farthest() <= 1e-6);
   CHECK(!fine.inner.empty());
 }
-TEST_CASE("a source that sees nothing near the chord counts where the bisector comes by it") {
-  const auto points = BentArc(strong_hyperbola(), 2, 0, 1e-3).polyline();
+TEST_CASE("a source that sees the bisector but nothing near its chord is used") {
+  const auto points = RefinedArc(strong_hyperbola(), 2, 0, 1e-3).polyline();
   const Vec2 chord = points.back() - points.front(), along = chord.normalized();
   const auto height = [&](const Vec2& p) { return std::abs(cross(along, p - points.front())); };
   const Vec2 apex = *std::max_element(points.begin(), points.end(),
@@ -155,16 +155,17 @@ TEST_CASE("a source that sees nothing near the chord counts where the bisector c
     return Vec2(k1 + cross(image - k1, ray) / cross(side, ray) * side);
   };
   auto sources = strong_hyperbola();
-  const double lead = 0.01, known = sources[0].distance(apex);
-  sources.push_back(through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - lead - (apex - image).norm()));
-  const BentArc arc(sources, 2, 0, 1e-4);
-  REQUIRE(arc.distances.nearest(kA, apex).distance < known - 0.9 * lead);
+  const double clearance = 0.01, known = sources[0].distance(apex);
+  sources.push_back(
+      through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - clearance - (apex - image).norm()));
+  const RefinedArc arc(sources, 2, 0, 1e-4);
+  REQUIRE(arc.distances.nearest(kA, apex).distance < known - 0.9 * clearance);
   CHECK(arc.farthest() <= 1e-4);
 }
 
-TEST_CASE("a generator that sees nothing of the arc counts by its ways round the end of what it sees") {
+TEST_CASE("a generator whose sources see nothing of the arc is used by its paths round the ends of their openings") {
   // A sees the corner k0 alone, past the slit from (0.05, 0) to (0.1, 0).
-  const BentArc arc(
+  const RefinedArc arc(
       {through_side(0, 0, {1.5, -0.05}, {0.05, 0}, {0.1, 0}, 0), through_side(1, 1, {1.9, 0.7}, k1, k2, 1.2)}, 0, 2,
       1e-4);
   CHECK_FALSE(arc.inner.empty());

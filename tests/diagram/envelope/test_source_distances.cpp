@@ -25,7 +25,7 @@ std::vector<FaceSource> three_behind_sides(double offset_a, double offset_b, dou
 
 }  // namespace
 
-TEST_CASE("inside what a source sees the way is straight, beyond it goes round the end of the opening") {
+TEST_CASE("the path is straight where the source sees the point, and bends round an end of the opening elsewhere") {
   const HandMadeField field({through_side(0, 0, {1, -1}, {0.9, 0}, {1.1, 0}, 0.25)});
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
@@ -37,7 +37,7 @@ TEST_CASE("inside what a source sees the way is straight, beyond it goes round t
   CHECK((round_right.from - Vec2(1.1, 0)).norm() == 0);
 }
 
-TEST_CASE("the nearest of a generator's sources counts, and no other generator's") {
+TEST_CASE("the distance of a generator is that over its own sources, the nearest of them") {
   const HandMadeField field({through_side(1, 0, {1, -0.1}, k0, k1, 0), through_side(0, 0, {1, -1}, k0, k1, 0.5),
                              from_corner(0, 2, k2, 0.7), through_side(0, 1, {1.8, 1.1}, k1, k2, 2)});
   SourceDistances distances(field);
@@ -52,13 +52,13 @@ TEST_CASE("the nearest of a generator's sources counts, and no other generator's
     REQUIRE(distances.at(kA, bary) == Approx(expected).epsilon(1e-14));
   }
   CHECK(std::isinf(distances.at(kC, {1, 0, 0})));
-  // What has no source is nowhere as near as the others.
+  // A generator without a source has no equidistant point.
   const Bary centre{1.0 / 3, 1.0 / 3, 1.0 / 3};
   CHECK_FALSE(distances.equidistant(kC, kA, kB, centre).has_value());
   CHECK_FALSE(distances.equidistant(kA, kB, kC, centre).has_value());
 }
 
-TEST_CASE("the way back leaves the face where the path came in") {
+TEST_CASE("the entry is where the path crosses the side") {
   const HandMadeField field({through_side(0, 0, {1, -1}, {0.2, 0}, {1.8, 0}, 0), from_corner(1, 2, k2, 0.1),
                              through_side(2, 1, {2, 1.5}, k1, k2, 0)});
   SourceDistances distances(field);
@@ -67,7 +67,7 @@ TEST_CASE("the way back leaves the face where the path came in") {
   const Vec2 p(0.8, 0.25);
   const auto entry = distances.entry(kA, distances.layout().bary(p));
   REQUIRE(entry);
-  // The line from (1, -1) to (0.8, 0.25) meets y = 0 after 1 / 1.25 of its way; the side is 2 long.
+  // The line from (1, -1) to (0.8, 0.25) crosses y = 0 after 1 / 1.25 of its length; the side is 2 long.
   CHECK(*entry == Approx((1 - 0.2 * (1 / 1.25)) / 2).epsilon(1e-14));
   CHECK(*distances.entry(kB, distances.layout().bary(p)) == 2);
   const auto other = distances.entry(kC, distances.layout().bary(p));
@@ -77,7 +77,7 @@ TEST_CASE("the way back leaves the face where the path came in") {
   CHECK_FALSE(distances.entry(GeneratorId(9), distances.layout().bary(p)));
 }
 
-TEST_CASE("an unsure metric knows no way back and no branch point") {
+TEST_CASE("distances that can't confirm know no entry and no branch point") {
   const HandMadeField field(three_behind_sides(0, 0, 0));
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
@@ -89,12 +89,12 @@ TEST_CASE("an unsure metric knows no way back and no branch point") {
   CHECK_FALSE(distances.is_branch_point(kA, kB, kC, *p));
 }
 
-TEST_CASE("Newton's steps find the branch point from all over the face, offsets or not") {
+TEST_CASE("Newton's method finds the branch point from most starts in the face, with and without offsets") {
   test::Random random(4);
   int found = 0;
-  for (int run = 0; run < 300; ++run) {
-    INFO("run " << run);
-    const bool plain = run % 3 == 0;
+  for (int round = 0; round < 300; ++round) {
+    INFO("round " << round);
+    const bool plain = round % 3 == 0;
     const auto offset = [&] { return plain ? 0 : random.real(0, 0.25); };
     const auto sources = three_behind_sides(offset(), offset(), offset());
     const HandMadeField field(sources);
@@ -113,7 +113,7 @@ TEST_CASE("Newton's steps find the branch point from all over the face, offsets 
   CHECK(found >= 270);  // 285; assembly starts from several places
 }
 
-TEST_CASE("a branch point has its cells counter-clockwise round it, nobody nearer, and lies inside") {
+TEST_CASE("a branch point lies inside, has its cells counter-clockwise, and no generator is nearer") {
   auto sources = three_behind_sides(0, 0.05, 0.1);
   const Mesh mesh = test::make_triangle();
   const HandMadeField field(sources);
@@ -132,14 +132,14 @@ TEST_CASE("a branch point has its cells counter-clockwise round it, nobody neare
     const Vec2 at_p = distances.layout().at(*p);
     auto four = sources;
     four.push_back(from_corner(3, 0, k0, distance * radius - at_p.norm()));
-    const HandMadeField crowded(four);
-    SourceDistances other(crowded);
+    const HandMadeField with_fourth(four);
+    SourceDistances other(with_fourth);
     other.enter(mesh, FaceId(0));
     CHECK(other.is_branch_point(kA, kB, kC, *p) == expected);
   }
 }
 
-TEST_CASE("where three generators are never equally far, none is found") {
+TEST_CASE("three generators with parallel bisectors have no branch point") {
   // All on one line, behind one side: their bisectors are parallel.
   const HandMadeField field({through_side(0, 0, {0.5, -1}, k0, k1, 0), through_side(1, 0, {1, -1}, k0, k1, 0),
                              through_side(2, 0, {1.5, -1}, k0, k1, 0)});
@@ -149,7 +149,7 @@ TEST_CASE("where three generators are never equally far, none is found") {
   CHECK_FALSE((p && distances.is_branch_point(kA, kB, kC, *p)));
 }
 
-TEST_CASE("a place where the three are equally far is named, and none where a generator has no source") {
+TEST_CASE("the equidistant points contain the branch point, and are none where a generator has no source") {
   const HandMadeField field(three_behind_sides(0, 0, 0));
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
@@ -160,7 +160,7 @@ TEST_CASE("a place where the three are equally far is named, and none where a ge
   CHECK(distances.equidistant_points(kA, kB, GeneratorId(7)).empty());
 }
 
-TEST_CASE("rounding moves a crossing far along its edge where its two generators nearly coincide") {
+TEST_CASE("the error of a crossing grows as its two generators approach each other") {
   for (const double apart : {1e-2, 1e-5, 1e-8}) {
     CAPTURE(apart);
     const HandMadeField field(
@@ -174,7 +174,7 @@ TEST_CASE("rounding moves a crossing far along its edge where its two generators
   }
 }
 
-TEST_CASE("tied, each generator is behind by its symbolic offset; untied again, bit by bit as before") {
+TEST_CASE("symbolic offsets add to all distances, and go without a trace") {
   const HandMadeField field(three_behind_sides(0, 0.05, 0.1));
   SourceDistances distances(field, {0.25});
   distances.enter(test::make_triangle(), FaceId(0));

@@ -1,4 +1,5 @@
-// Exact diagrams against one exact run a generator, the planar Voronoi diagram, and what has no number.
+// Exact diagrams, compared with an exact field for each generator, with the planar Voronoi diagram, and in degenerate
+// cases.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,10 +40,10 @@ Diagram compute_exact(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   return compute_sound(mesh, generators, Method::exact, chord_tolerance);
 }
 
-/// One exact run for each generator alone, no matter which other ones there are.
-class LonelyFields {
+/// An exact field for each generator alone.
+class SeparateFields {
  public:
-  LonelyFields(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  SeparateFields(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
     for (const SurfacePoint& g : generators) fields_.push_back(std::make_unique<ExactField>(mesh, std::vector{g}));
   }
   double distance(GeneratorId g, const SurfacePoint& p) const { return fields_[g.index()]->nearest(p).distance; }
@@ -56,7 +57,7 @@ class LonelyFields {
   std::vector<std::unique_ptr<ExactField>> fields_;
 };
 
-/// How far the points of a diagram are from what they should be; mesh units.
+/// The largest errors of a diagram's points, mesh units.
 struct Faults {
   double crossing = 0;  ///< difference of the two distances where a bisector crosses an edge of the mesh
   double inner = 0;     ///< and at its other points
@@ -65,7 +66,7 @@ struct Faults {
 };
 
 Faults find_faults(const Mesh& mesh, const Diagram& diagram) {
-  const LonelyFields fields(mesh, diagram.generators);
+  const SeparateFields fields(mesh, diagram.generators);
   Faults faults;
   for (const Bisector& b : diagram.bisectors) {
     if (b.left == b.right) continue;
@@ -88,9 +89,9 @@ Faults find_faults(const Mesh& mesh, const Diagram& diagram) {
   return faults;
 }
 
-/// E / length by one exact run a generator.
+/// E / length, by an exact field for each generator.
 double mean_error(const Mesh& mesh, const Diagram& diagram) {
-  const LonelyFields fields(mesh, diagram.generators);
+  const SeparateFields fields(mesh, diagram.generators);
   const auto find_id = [&](const SurfacePoint& g) {
     const auto at = std::find(diagram.generators.begin(), diagram.generators.end(), g);
     return GeneratorId(at - diagram.generators.begin());
@@ -118,7 +119,7 @@ std::vector<SurfacePoint> in_one_face(FaceId f, int count, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("every family, for few and many generators: sound, and exact at crossings and branch points") {
+TEST_CASE("every family, few and many generators: valid, and exact at crossings and branch points") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int count : {2, 7, 30}) {
       for (unsigned seed = 0; seed < 2; ++seed) {
@@ -135,7 +136,7 @@ TEST_CASE("every family, for few and many generators: sound, and exact at crossi
   }
 }
 
-TEST_CASE("every family is sound for more generators than faces, and for one") {
+TEST_CASE("every family is valid for more generators than faces, and for one") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     compute_exact(mesh, test::random_generators(mesh, mesh.face_count() + 100, 9));
@@ -145,12 +146,12 @@ TEST_CASE("every family is sound for more generators than faces, and for one") {
   }
 }
 
-TEST_CASE("vertices have the distance and the label of one run a generator") {
+TEST_CASE("vertices have the distance and the label of separate exact fields, one for each generator") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const auto generators = test::random_generators(mesh, 12, 4);
     const Diagram diagram = compute_exact(mesh, generators);
-    const LonelyFields fields(mesh, generators);
+    const SeparateFields fields(mesh, generators);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       const SurfacePoint p = vertex_point(mesh, VertexId(v));
       const double nearest = fields.nearest(p);
@@ -191,7 +192,7 @@ TEST_CASE("on a flat mesh the diagram is the planar Voronoi diagram") {
   }
 }
 
-TEST_CASE("E falls with the chord tolerance, down to rounding") {
+TEST_CASE("the error E decreases with the chord tolerance, down to rounding") {
   for (const auto& [name, mesh] : test::small_family()) {
     if (name != "torus" && name != "bumpy sphere" && name != "half sphere" && name != "genus 3") continue;
     INFO(name);
@@ -267,7 +268,7 @@ std::vector<SurfacePoint> centre_of_every_face(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("bisectors along edges that meet at vertices: all edges of regular solids, and the lines of a grid") {
+TEST_CASE("bisectors along edges: all edges of regular solids, and the lines of a grid") {
   const Mesh tetrahedron = test::make_tetrahedron();
   double edges = 0;
   for (int e = 0; e < tetrahedron.edge_count(); ++e) edges += tetrahedron.length(EdgeId(e));
@@ -292,7 +293,7 @@ TEST_CASE("bisectors along edges that meet at vertices: all edges of regular sol
   }
 }
 
-TEST_CASE("any solver goes with any tracer") {
+TEST_CASE("every solver works with every tracer") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Method method :
          {Method{Solver::windows, Tracer::growth}, Method{Solver::fast_marching, Tracer::envelope}}) {
@@ -311,8 +312,8 @@ TEST_CASE("the same input gives the same exact diagram, bit by bit") {
   CHECK(test::same_diagram(compute_exact(mesh, generators), compute_exact(mesh, generators)));
 }
 
-TEST_CASE("two runs of one cell whose paths come in by different sides are one piece") {
-  // A cell reaches the face round both sides of it; of the runs 0, 1, 0, 2 no three make a branch point.
+TEST_CASE("two label intervals of one cell whose paths enter through different sides are one piece") {
+  // A cell enters the face through two sides. No three of the label intervals 0, 1, 0, 2 have a branch point.
   const Mesh mesh = test::make_mesh({{-2.313232922078714, -0.24500076329078183, -4.9559022281649936},
                                      {3.6541655007717262, -1.6060447783812839, 4.7664874842163831},
                                      {1.9806961735113127, 0.49607427434267765, -0.82432827952762044},

@@ -30,9 +30,9 @@ TEST_CASE("an arc between two crossings of one edge: one piece goes all the way 
   CHECK(pieces[1].corners.size() == 5);
 }
 
-TEST_CASE("a cell with two runs is one piece when they are united, and two when they are not") {
-  const std::vector<test::BoundaryRun> runs{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
-  const AssembledFace united(runs, {test::form(0, 1, 1, 1), test::form(1, 2, 2, 2)});
+TEST_CASE("a cell with two intervals is one piece when they are united, and two when they are not") {
+  const std::vector<test::BoundaryInterval> intervals{{0, 0.3, 1}, {0, 0.7, 0}, {1, 0.4, 1}, {1, 0.8, 0}};
+  const AssembledFace united(intervals, {test::form(0, 1, 1, 1), test::form(1, 2, 2, 2)});
   const auto [pieces, piece_of_interval] = united.pieces();
   REQUIRE(pieces.size() == 3);
   CHECK(piece_of_interval[1] == piece_of_interval[3]);
@@ -53,8 +53,8 @@ TEST_CASE("a branch point is a corner of its three pieces") {
 }
 
 TEST_CASE("arcs may be listed in any order and from either end") {
-  const std::vector<test::BoundaryRun> runs{{0, 0.25, 1}, {0, 0.75, 2}, {1, 0.5, 3}, {2, 0.5, 0}};
-  const AssembledFace face(runs, test::flat_forms(4));
+  const std::vector<test::BoundaryInterval> intervals{{0, 0.25, 1}, {0, 0.75, 2}, {1, 0.5, 3}, {2, 0.5, 0}};
+  const AssembledFace face(intervals, test::flat_forms(4));
   std::vector<FaceArc> turned(face.diagram.arcs.rbegin(), face.diagram.arcs.rend());
   for (FaceArc& arc : turned) {
     std::swap(arc.begin, arc.end);

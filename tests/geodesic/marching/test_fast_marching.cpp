@@ -120,7 +120,7 @@ TEST_CASE("nearest distances at the vertices agree with the reference distances"
   }
 }
 
-TEST_CASE("the domination test keeps few generators a face") {
+TEST_CASE("the domination test leaves few generators per face") {
   const auto shared = test::shared_folder();
   if (!shared) return;
   const test::Reference spot = test::read_reference(*shared / "reference", "spot.m30");
@@ -139,7 +139,7 @@ TEST_CASE("the domination test keeps few generators a face") {
   }
 }
 
-TEST_CASE("the tables hold together on every family") {
+TEST_CASE("the indices of the tables are consistent on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : kFronts) {
       INFO(name << ", " << test::name(front));
@@ -165,7 +165,7 @@ TEST_CASE("the tables hold together on every family") {
   }
 }
 
-TEST_CASE("a generator's own distance is its offset, and no other generator's is as small there") {
+TEST_CASE("the distance of a generator's own vertex is its offset, and no other generator's is as small") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const auto generators = test::random_generators(mesh, 20, 6);
@@ -180,7 +180,7 @@ TEST_CASE("a generator's own distance is its offset, and no other generator's is
   }
 }
 
-TEST_CASE("a distance is never above the way along an edge from the face's other corners") {
+TEST_CASE("a distance is at most the length of the path along an edge from the face's other corners") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const test::Stages stages(mesh, test::random_generators(mesh, 5, 7), Front::circle);
@@ -199,7 +199,7 @@ TEST_CASE("a distance is never above the way along an edge from the face's other
   }
 }
 
-TEST_CASE("what no generator reaches stays out of the tables") {
+TEST_CASE("vertices and faces that no generator reaches have no entry") {
   const Mesh mesh = test::make_two_components();
   const test::Stages stages(mesh, test::at_vertices(mesh, {3}), Front::circle);
   const auto component = compute_face_components(mesh);
@@ -209,7 +209,8 @@ TEST_CASE("what no generator reaches stays out of the tables") {
 }
 
 TEST_CASE(
-    "with circles an auxiliary distance is exact on a flat grid where a front comes through the face's other edges") {
+    "with circle fronts an auxiliary distance is exact on a flat grid where the front enters through the face's other "
+    "edges") {
   const Mesh mesh = test::make_grid(12, 9);
   const VertexId from(4 * 13 + 6);
   for (const Front front : kFronts) {

@@ -36,7 +36,7 @@ TEST_CASE("in the faces of the start distances are straight, from a vertex, an e
   }
 }
 
-TEST_CASE("with circles distances on a flat grid are straight, at vertices and inside of faces") {
+TEST_CASE("with circle fronts distances on a flat grid are straight, at vertices and inside of faces") {
   const Mesh mesh = test::make_grid(9, 7);
   LocalMarch march(mesh, Front::circle);
   for (const SurfacePoint& start : {vertex_point(mesh, VertexId(34)), point_in(FaceId(50))}) {
@@ -79,7 +79,7 @@ TEST_CASE("a vertex that is nearer to something else does not propagate") {
   CHECK(march.reached().size() >= 11 * 21);
 }
 
-TEST_CASE("a second run does not see the first one") {
+TEST_CASE("a second run does not depend on the first one") {
   const Mesh mesh = test::make_bumpy_sphere(2, 4);
   LocalMarch used(mesh, Front::circle), fresh(mesh, Front::circle);
   used.run(vertex_point(mesh, VertexId(0)), kInfinity);

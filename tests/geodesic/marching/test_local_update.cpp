@@ -44,7 +44,7 @@ constexpr int kRounds = 20000;
 
 }  // namespace
 
-TEST_CASE("the frame of a triangle is the one its lengths say") {
+TEST_CASE("the frame of a triangle has its foot and height") {
   const UpdateTriangle t = triangle_of(2, {0.5, 1.5});
   CHECK(t.x == Approx(0.5));
   CHECK(t.height == Approx(1.5));
@@ -134,7 +134,7 @@ TEST_CASE("a triangle without height is a line, and its update a finite real pat
   }
 }
 
-TEST_CASE("no update is above the edges'") {
+TEST_CASE("no update is above that along the edges") {
   test::Random random(5);
   for (int i = 0; i < kRounds; ++i) {
     const Sample s = random_sample(random);
@@ -145,7 +145,7 @@ TEST_CASE("no update is above the edges'") {
   }
 }
 
-TEST_CASE("no update is below the smaller of its distances, but a circle's at an obtuse corner D") {
+TEST_CASE("no update is below the smaller distance, except that of circles at an obtuse corner D") {
   test::Random random(6);
   for (int i = 0; i < kRounds; ++i) {
     const Sample s = random_sample(random);
