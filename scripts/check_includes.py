@@ -49,7 +49,7 @@ PUBLIC = {
     "libgvd/src/diagram/graph": "diagram",
     "libgvd/src/diagram/evaluation": "check error_measure",
     "libgvd/src/io/generators": "generator_list",
-    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/run_report",
+    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "segment",
     "libgvd/lloyd": "lloyd",

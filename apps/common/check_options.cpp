@@ -1,10 +1,12 @@
+#include "common/check_options.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
-#include "common/register_options.hpp"
+#include "common/file_extension.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 
@@ -23,37 +25,35 @@ void check_generator_source(const GeneratorOptions& generators) {
   if (generators.radius) given.push_back("--radius");
   if (given.empty()) refuse("no generators: give one of -n, --generators, --vertices or --radius");
   if (given.size() > 1) {
-    refuse(fmt::format("generators come from one source, not from {}: keep one", fmt::join(given, " and ")));
+    refuse(fmt::format("generators come from one option, not from {}: keep one", fmt::join(given, " and ")));
   }
 }
 
-/// An option of the other method would be ignored: the run would not be what its command line says.
+/// Refuses options that the chosen method would ignore.
 void check_method(const ComputeOptions& compute) {
   if (compute.front && compute.method != Method::gbgvd) {
-    refuse("--front: exact distances have no front to choose; add --method gbgvd or leave --front out");
+    refuse("--front: only --method gbgvd has a front; add --method gbgvd or leave --front out");
   }
   if (compute.chord_tolerance && compute.method != Method::exact) {
-    refuse("--chord-tolerance: bisectors are bent by --method exact only; choose it or leave --chord-tolerance out");
+    refuse("--chord-tolerance: only --method exact has one; choose it or leave --chord-tolerance out");
   }
   if (compute.chord_tolerance && *compute.chord_tolerance < kLeastChordTolerance) {
-    refuse(
-        fmt::format("--chord-tolerance {}: below {} of a mean edge rounding decides where a bisector lies; give at "
-                    "least that",
-                    *compute.chord_tolerance, kLeastChordTolerance));
+    refuse(fmt::format("--chord-tolerance {}: below {} of a mean edge rounding errors are larger; give at least that",
+                       *compute.chord_tolerance, kLeastChordTolerance));
   }
 }
 
-/// Options that this build may lack.
+/// Refuses options of features that this build lacks.
 void check_build(const Options& options) {
 #ifndef GVD_HAS_VERIFY
-  if (options.compute.verify) refuse("--verify: this build is without it; configure with -DGVD_WITH_CGAL_GPL=ON");
+  if (options.compute.verify) refuse("--verify: this build lacks it; configure with -DGVD_WITH_CGAL_GPL=ON");
 #endif
   if (!options.output.view.empty() && !has_viewer()) {
-    refuse("--view: this build is without the viewer; configure with -DGVD_WITH_VIEWER=ON");
+    refuse("--view: this build lacks the viewer; configure with -DGVD_WITH_VIEWER=ON");
   }
 }
 
-/// A long run must not end on a target that was never writable.
+/// Refuses a target that can't be written before the run, not at its end.
 void check_target(const std::string& option, const std::string& path) {
   std::error_code ignored;
   const fs::path target(path);
@@ -67,15 +67,15 @@ void check_target(const std::string& option, const std::string& path) {
   }
 }
 
-/// One name for every way to spell a path ("a.ply", "./a.ply", a link to it), so that no target overwrites another.
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it): no target may overwrite another.
 std::string one_name(const std::string& path) {
   std::error_code failed;
   const fs::path target = fs::weakly_canonical(fs::absolute(path, failed), failed);
   return failed ? path : target.string();
 }
 
-/// What a run reads is not what it writes: the only copy of a mesh would be gone. By file and not by name, so a link of
-/// either kind is seen through.
+/// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
+/// symbolic and hard links are found.
 void check_not_read(const std::string& option, const std::string& path, const Options& options) {
   const std::string input = options.input.path == "-" ? "/dev/stdin" : options.input.path;
   std::error_code ignored;
@@ -86,42 +86,48 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   }
 }
 
-void check_output(const Options& options, const std::vector<std::string>& formats) {
-  const OutputOptions& output = options.output;
-  std::set<std::string> targets;
-  const auto claim = [&](const std::string& option, const std::string& path) {
+/// The targets of a run: each one is claimed once.
+class Targets {
+ public:
+  explicit Targets(const Options& options) : options_(options) {}
+
+  void claim(const std::string& option, const std::string& path) {
     if (path.empty()) return;
-    if (!targets.insert(path == "-" ? path : one_name(path)).second) {
-      refuse(fmt::format("{} {}: this file is named twice", option, path));
+    if (!names_.insert(path == "-" ? path : one_name(path)).second) {
+      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
     }
     if (path != "-") {
       check_target(option, path);
-      return check_not_read(option, path, options);
+      check_not_read(option, path, options_);
+    } else if (option != "-o") {
+      refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
     }
-    if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
-  };
-  for (const std::string& file : output.files) {
-    if (file.empty()) refuse("-o: the file name is empty");
-    const std::string kind = extension(file);
-    if (file != "-" && std::find(formats.begin(), formats.end(), kind) == formats.end()) {
-      refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
-    }
-    claim("-o", file);
   }
-  claim("--report", output.report);
-  claim("--diagram", output.diagram);
-  claim("--view", output.view);
+
+ private:
+  const Options& options_;
+  std::set<std::string> names_;
+};
+
+void check_format(const std::string& file, const std::vector<std::string>& formats) {
+  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file == "-" || std::find(formats.begin(), formats.end(), file_extension(file)) != formats.end()) return;
+  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
+}
+
+void check_output(const Options& options, const std::vector<std::string>& formats) {
+  const OutputOptions& output = options.output;
+  Targets targets(options);
+  for (const std::string& file : output.files) {
+    check_format(file, formats);
+    targets.claim("-o", file);
+  }
+  targets.claim("--report", output.report);
+  targets.claim("--diagram", output.diagram);
+  targets.claim("--view", output.view);
 }
 
 }  // namespace
-
-std::string extension(const std::string& path) {
-  std::string text = fs::path(path).extension().string();
-  if (!text.empty()) text.erase(0, 1);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
 
 void check_options(const Options& options, const std::vector<std::string>& output_formats) {
   if (options.input.path == "-" && options.input.format.empty()) {

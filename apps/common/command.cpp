@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <new>
 
+#include "common/check_options.hpp"
 #include "common/register_options.hpp"
 #include "gvd/error.hpp"
 
@@ -31,11 +32,11 @@ int exit_code(ErrorCode code) {
   return kNoResult;
 }
 
-/// A message for stdout that somebody asked for: --help and --version.
+/// Prints the text of --help or --version. Returns the exit code.
 int print_answer(const std::string& text, Console& console) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return kDone;
-  console.error("standard output: could not be written");
+  console.error("standard output: could not be written; is it full or closed?");
   return exit_code(ErrorCode::unwritable_output);
 }
 
@@ -47,16 +48,10 @@ std::string help_footer(const std::string& examples) {
 
 }  // namespace
 
-Command::Command(CommandInfo info) : info_(std::move(info)), cli_(info_.description, info_.name) {
-  cli_.set_help_flag("-h,--help", "Show this help");
-  cli_.set_version_flag("--version", info_.name + " " + GVD_VERSION, "Show the version");
-  cli_.footer(help_footer(info_.examples));
-  register_options(cli_, options_, info_.output_formats);
-}
-
-void Command::parse(int argc, const char* const* argv) {
-  cli_.parse(argc, argv);
-  check_options(options_, info_.output_formats);
+Command::Command(CommandInfo info)
+    : info_(std::move(info)),
+      line_(info_.name, info_.description, info_.name + " " + GVD_VERSION, help_footer(info_.examples)) {
+  register_options(line_, options_, info_.output_formats);
 }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
@@ -64,18 +59,12 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
   const ConsoleStyle style = detect_console_style();
   Console plain(info_.name, {}, false, false);
   try {
-    parse(argc, argv);
+    if (const auto answer = line_.parse(argc, argv)) return print_answer(*answer, plain);
+    check_options(options_, info_.output_formats);
     Console console(info_.name, style, options_.quiet, options_.verbose);
     Run run(info_.name, options_, console);
     body(run);
     return kDone;
-  } catch (const CLI::CallForVersion& version) {
-    return print_answer(std::string(version.what()) + "\n", plain);
-  } catch (const CLI::Success&) {
-    return print_answer(cli_.help(), plain);
-  } catch (const CLI::Error& error) {
-    plain.error(fmt::format("{} (see {} --help)", error.what(), info_.name));
-    return kUsage;
   } catch (const Error& error) {
     plain.error(error.what());
     return exit_code(error.code());
@@ -83,7 +72,7 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
     plain.error("out of memory; use a smaller mesh or fewer generators");
     return kNoResult;
   } catch (const std::exception& error) {
-    plain.error(fmt::format("unexpected: {}", error.what()));
+    plain.error(fmt::format("unexpected: {}; please report it", error.what()));
     return kNoResult;
   }
 }

@@ -1,11 +1,13 @@
+#include "common/load_input.hpp"
+
 #include <fmt/format.h>
 
 #include <iostream>
 #include <sstream>
 
-#include "common/pipeline.hpp"
-#include "common/register_options.hpp"
+#include "common/file_extension.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/mesh_writer.hpp"
 
 namespace gvd::app {
 namespace {
@@ -27,7 +29,7 @@ DefectPolicy policy(const std::string& name) {
   return name == "largest" ? DefectPolicy::largest : DefectPolicy::repair;
 }
 
-/// build_mesh knows no file: its errors get the name here.
+/// Adds the name of the input to the errors of build_mesh, which knows no file.
 CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
   try {
     return build_mesh(soup, policy(input.on_defect));
@@ -36,10 +38,11 @@ CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
   }
 }
 
-/// A long run must not end on a format that could never hold its result, which stays in the input's bounding box.
+/// Refuses formats that can't hold the result before the run, not at its end. Every result lies in the bounding box of
+/// the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& file : output.files) {
-    const auto format = parse_output_format(file == "-" ? output.stdout_format : extension(file));
+    const auto format = parse_output_format(file == "-" ? output.stdout_format : file_extension(file));
     if (format) check_format(mesh, *format);
   }
 }
@@ -52,13 +55,10 @@ CheckedMesh load_input(Run& run) {
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
   for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
   check_formats(run.options().output, checked.mesh);
-  RunReport& report = run.report();
-  report.input = compute_mesh_summary(checked.mesh);
-  for (const Defect& defect : checked.defects.defects) {
-    report.defects.emplace_back(std::string(gvd::name_of(defect.kind)), defect.count);
-  }
-  run.console().detail(fmt::format("{} vertices, {} faces, {} components, {} boundary loops", report.input.vertices,
-                                   report.input.faces, report.input.components, report.input.boundary_loops));
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  run.report().set_input(summary, checked.defects);
+  run.console().detail(fmt::format("{} vertices, {} faces, {} components, {} boundary loops", summary.vertices,
+                                   summary.faces, summary.components, summary.boundary_loops));
   return checked;
 }
 

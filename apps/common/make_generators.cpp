@@ -1,8 +1,9 @@
+#include "common/make_generators.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "common/pipeline.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 
@@ -18,10 +19,10 @@ GeneratorList read_list(const GeneratorOptions& options) {
   return list;
 }
 
-void tell(Run& run, const ResolvedGenerators& resolved) {
+void note_changes(Run& run, const ResolvedGenerators& resolved) {
   double largest = -1;
   for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
-  if (largest >= 0) run.console().note(fmt::format("generators: moved to the surface by at most {}", largest));
+  if (largest >= 0) run.console().note(fmt::format("generators: moved to the surface, by at most {}", largest));
   if (resolved.merged > 0) run.console().note(fmt::format("generators: {} merged with earlier ones", resolved.merged));
 }
 
@@ -33,7 +34,7 @@ ResolvedGenerators resolve(Run& run, const CheckedMesh& input) {
   options.merge_coincident = asked.merge_coincident;
   options.progress = run.progress();
   ResolvedGenerators resolved = resolve_generators(input.mesh, read_list(asked), options);
-  tell(run, resolved);
+  note_changes(run, resolved);
   return resolved;
 }
 
@@ -63,7 +64,8 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
   ResolvedGenerators found =
       run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh); });
   for (std::size_t i = 0; i < found.points.size(); ++i) {
-    run.report().generators.push_back({found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+    run.report().generators().push_back(
+        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
   }
   run.console().detail(fmt::format("{} generators", found.points.size()));
   return std::move(found.points);

@@ -12,7 +12,7 @@ namespace gvd::app {
 /// Where the mesh comes from.
 struct InputOptions {
   std::string path;                  ///< a file, or "-" for standard input
-  std::string format;                ///< obj, ply, off, stl; empty: by content and extension
+  std::string format;                ///< obj, ply, off, stl; empty: told from content and extension
   std::string on_defect = "repair";  ///< error, repair, largest
 };
 
@@ -33,21 +33,21 @@ struct GeneratorOptions {
 
 struct ComputeOptions {
   Method method = Method::exact;
-  std::optional<Front> front;             ///< set for gbgvd only
-  std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; exact only
-  std::int32_t threads = 0;               ///< 0: all cores; the results do not depend on it
+  std::optional<Front> front;             ///< for gbgvd only
+  std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; for exact only
+  std::int32_t threads = 0;               ///< 0: all cores; the results are the same for any number
   bool verify = false;
 };
 
 struct OutputOptions {
-  std::vector<std::string> files;  ///< by extension; "-" is standard output
-  std::string stdout_format;       ///< what "-" writes; an extension without its dot
+  std::vector<std::string> files;  ///< the extension names the format; "-" is standard output
+  std::string stdout_format;       ///< format of "-": an extension without its dot
   std::string report;
   std::string diagram;
   std::string view;
 };
 
-/// What the three commands share. A command keeps its own options beside these.
+/// The options that the three commands share. A command keeps its own beside these.
 struct Options {
   InputOptions input;
   GeneratorOptions generators;
@@ -56,5 +56,8 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
 };
+
+/// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
+DiagramOptions make_diagram_options(const ComputeOptions& compute);
 
 }  // namespace gvd::app

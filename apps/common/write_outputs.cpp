@@ -1,8 +1,9 @@
+#include "common/write_outputs.hpp"
+
 #include <filesystem>
 #include <iostream>
 
-#include "common/pipeline.hpp"
-#include "common/register_options.hpp"
+#include "common/file_extension.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -27,7 +28,7 @@ void write_stdout(const OutputWriter& write) {
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
                const std::map<std::string, OutputWriter>& own_formats) {
   const bool standard = path == "-";
-  const std::string format = standard ? run.options().output.stdout_format : extension(path);
+  const std::string format = standard ? run.options().output.stdout_format : file_extension(path);
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
     if (standard) return write_stdout(own->second);
@@ -44,7 +45,7 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
 void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
   const OutputOptions& output = run.options().output;
   if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty()) {
-    run.console().note("no file is written: name one with -o, --report, --diagram or --view");
+    run.console().note("no file is written; name one with -o, --report, --diagram or --view");
   }
   if (output.files.empty()) return;
   run.timed("write", [&] {
@@ -76,14 +77,8 @@ void write_report_file(Run& run) {
   const std::string& path = run.options().output.report;
   if (path.empty()) return;
   check_interrupt();
-  RunReport& report = run.report();
-  const auto text = [](const nlohmann::ordered_json& value) {
-    return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  };
-  report.options = text(run.reported_options());
-  report.results = text(run.results());
-  report.peak_memory_bytes = peak_memory_bytes();
-  write_file(path, [&](std::ostream& out) { write_run_report(out, report); });
+  run.report().set_peak_memory(peak_memory_bytes());
+  write_file(path, [&](std::ostream& out) { run.report().write(out); });
 }
 
 }  // namespace gvd::app

@@ -1,14 +1,19 @@
+// gvd-remesh: builds the coarse mesh that is dual to a diagram.
+
 #include <fmt/format.h>
 
 #include <cstddef>
 
 #include "common/command.hpp"
-#include "common/numbers.hpp"
-#include "common/pipeline.hpp"
-#include "gvd/generator_list.hpp"
-#include "gvd/io/run_report.hpp"
+#include "common/load_input.hpp"
+#include "common/make_generators.hpp"
+#include "common/step_times.hpp"
+#include "common/typed_options.hpp"
+#include "common/verify.hpp"
+#include "common/write_outputs.hpp"
 #include "gvd/remesh.hpp"
-#include "remesh_json.hpp"
+#include "remesh/remesh_json.hpp"
+#include "remesh/remesh_report.hpp"
 
 namespace {
 
@@ -27,80 +32,41 @@ struct Settings {
   bool no_refine = false;
 };
 
-void register_options(CLI::App& cli, Settings& settings) {
+void register_options(app::CommandLine& line, Settings& settings) {
   const std::string group = "Remesh";
-  app::add_number<std::int64_t>(cli, "--max-added", settings.remesh.max_added, kMaxAdded,
-                                "Most generators that may be added (default: ten for each given one, component, "
-                                "boundary loop and handle, and 100 more)")
-      ->group(group);
-  cli.add_flag("--no-refine", settings.no_refine,
-               "Add no generators: refuse where the dual of the given ones is no proper mesh")
-      ->group(group);
+  app::add_number(line,
+                  {"--max-added", "",
+                   "Most generators that may be added (default: ten for each given one, component, boundary loop and "
+                   "handle, and 100 more)",
+                   group},
+                  settings.remesh.max_added, kMaxAdded);
+  line.add_flag(
+      {"--no-refine", "", "Add no generators: refuse where the dual of the given ones is no proper mesh", group},
+      settings.no_refine);
 }
 
-nlohmann::ordered_json to_json(const MeshSummary& s) {
-  return {{"vertices", s.vertices},
-          {"faces", s.faces},
-          {"components", s.components},
-          {"boundary_loops", s.boundary_loops},
-          {"euler_characteristic", s.euler_characteristic},
-          {"area", s.area}};
-}
-
-nlohmann::ordered_json to_json(const TriangleQuality& q) {
-  return {{"q_min", q.q_min},
-          {"q_average", q.q_average},
-          {"angle_min", q.angle_min},
-          {"angle_min_average", q.angle_min_average},
-          {"percent_below_30", q.percent_below_30}};
-}
-
-nlohmann::ordered_json to_json(const RemeshCertificate& c) {
-  return {{"manifold", c.manifold},
-          {"closed_as_input", c.closed_as_input},
-          {"same_euler_characteristic", c.same_euler_characteristic},
-          {"same_components", c.same_components},
-          {"same_boundary_loops", c.same_boundary_loops},
-          {"same_in_each_component", c.same_in_each_component},
-          {"flipped_faces", c.flipped_faces},
-          {"unused_generators", c.unused_generators}};
-}
-
-void report_remesh(app::Run& run, const Mesh& mesh, const RemeshResult& result) {
-  auto& results = run.results();
-  results["added_generators"] = result.added;
-  results["rounds"] = result.rounds;
-  results["output"] = to_json(result.certificate.output);
-  results["certificate"] = to_json(result.certificate);
-  results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};
-  run.report().diagram = summarize_diagram(result.diagram);
-  // Those that were given stand in the report already.
-  for (std::size_t i = run.report().generators.size(); i < result.generators.size(); ++i) {
-    const SurfacePoint& p = result.generators[i];
-    run.report().generators.push_back({p, position(mesh, p), std::nullopt});
-  }
-  run.console().note(fmt::format("{} vertices, {} faces: manifold, with the input's topology",
-                                 result.mesh.vertex_count(), result.mesh.face_count()));
-  if (result.added > 0) {
-    run.console().note(fmt::format("{} generators were added, for the dual of the given {} is no proper mesh",
-                                   result.added, result.generators.size() - static_cast<std::size_t>(result.added)));
-  }
+/// Remeshes, and reports the time of the diagrams apart from that of all other work.
+RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                          RemeshOptions options) {
+  app::StepTimes times(run);
+  options.on_stage = [&times](RemeshStage stage) { times.start(stage == RemeshStage::diagram ? "diagram" : "dual"); };
+  return remesh(mesh, generators, options);
 }
 
 RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                         Settings settings) {
-  run.reported_options()["max_added"] =
-      settings.remesh.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()));
-  run.reported_options()["no_refine"] = settings.no_refine;
-  settings.remesh.refine = !settings.no_refine;
-  settings.remesh.diagram = app::make_diagram_options(run.options().compute);
-  settings.remesh.diagram.progress = run.progress();
-  RemeshResult result = run.timed("diagram", [&] { return remesh(mesh, generators, settings.remesh); });
-  report_remesh(run, mesh, result);
+                         const Settings& settings) {
+  RemeshOptions options = settings.remesh;
+  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), generators.size());
+  app::report_remesh_options(run, *options.max_added, settings.no_refine);
+  options.refine = !settings.no_refine;
+  options.diagram = app::make_diagram_options(run.options().compute);
+  options.diagram.progress = run.progress();
+  RemeshResult result = timed_remesh(run, mesh, generators, options);
+  app::report_remesh(run, mesh, result);
   return result;
 }
 
-/// Parts the added generators, which come last, from the given ones.
+/// Moves the added generators, which come last, to a list of their own.
 void mark_added(const RemeshResult& result, ViewScene& scene) {
   const auto first = scene.generators.end() - static_cast<std::ptrdiff_t>(result.added);
   scene.added_generators.assign(first, scene.generators.end());
@@ -153,6 +119,6 @@ int main(int argc, char** argv) {
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
-  register_options(command.cli(), settings);
+  register_options(command.line(), settings);
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

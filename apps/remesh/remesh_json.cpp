@@ -1,4 +1,4 @@
-#include "remesh_json.hpp"
+#include "remesh/remesh_json.hpp"
 
 #include <fmt/format.h>
 

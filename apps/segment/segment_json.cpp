@@ -1,4 +1,4 @@
-#include "segment_json.hpp"
+#include "segment/segment_json.hpp"
 
 #include <fmt/format.h>
 

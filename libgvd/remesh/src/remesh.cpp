@@ -27,8 +27,10 @@ class Remesher {
 
   RemeshResult run() {
     while (true) {
+      enter(RemeshStage::diagram);
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
       ++result_.rounds;
+      enter(RemeshStage::dual);
       const std::vector<DualDefect> defects = find_defects();
       if (defects.empty()) break;
       refine(defects);
@@ -38,6 +40,10 @@ class Remesher {
   }
 
  private:
+  void enter(RemeshStage stage) const {
+    if (options_.on_stage) options_.on_stage(stage);
+  }
+
   /// Where the dual is proper, builds the mesh and looks for flipped faces.
   std::vector<DualDefect> find_defects() {
     std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,11 +14,19 @@
 
 namespace gvd {
 
+/// The two kinds of work that a remesh alternates between.
+enum class RemeshStage {
+  diagram,  ///< computing the diagram
+  dual,     ///< checking its dual, adding generators, and building and certifying the mesh
+};
+
 struct RemeshOptions {
   DiagramOptions diagram;  ///< its progress serves the whole run
   bool refine = true;      ///< add generators where the dual of the given ones is no proper mesh; otherwise refuse
   /// Most generators that may be added, >= 0. Not given: default_max_added.
   std::optional<std::int64_t> max_added;
+  /// Called when a stage starts, so that a caller can time them; may be empty.
+  std::function<void(RemeshStage)> on_stage;
 };
 
 /// Ten for each given generator, each component, each boundary loop and each handle, and 100 more: a sphere takes four

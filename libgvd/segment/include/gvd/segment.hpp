@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -48,5 +49,16 @@ struct CutMesh {
 /// are. Throws Error{precondition} where the diagram was not made of this mesh. Cost: O(n log n), and O(k^2) in a face
 /// with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram);
+
+/// The faces that have one label.
+struct RegionSize {
+  std::int64_t faces = 0;
+  double area = 0;  ///< square mesh units
+};
+
+/// The size of each region of a labelled mesh, be it segmented or cut. `regions` is the number of labels.
+/// Throws Error{precondition} where there is not one label for each face, or one is out of range. Cost: O(n).
+IdVector<GeneratorId, RegionSize> measure_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label,
+                                                  std::size_t regions);
 
 }  // namespace gvd

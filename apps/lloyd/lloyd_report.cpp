@@ -1,0 +1,84 @@
+#include "lloyd/lloyd_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* describe(LloydStop stop) {
+  switch (stop) {
+    case LloydStop::centroids:
+      return "every generator is at its centroid";
+    case LloydStop::energy:
+      return "the energy falls by less than the tolerance";
+    case LloydStop::no_descent:
+      return "no step lowers the energy any more";
+    case LloydStop::max_iterations:
+      return "the iterations are used up";
+  }
+  return "";
+}
+
+/// One array for each figure of the iterations; the energies begin with that of the start.
+void add_iterations(Json& results, const LloydResult& result) {
+  Json energies = Json::array({result.initial_energy});
+  Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();
+  for (const LloydIteration& i : result.iterations) {
+    energies.push_back(i.energy);
+    largest.push_back(i.largest_move);
+    mean.push_back(i.mean_move);
+    scales.push_back(i.scale);
+    held.push_back(i.held);
+  }
+  results["energies"] = std::move(energies);
+  results["largest_moves"] = std::move(largest);
+  results["mean_moves"] = std::move(mean);
+  results["step_scales"] = std::move(scales);
+  results["held_generators"] = std::move(held);
+}
+
+}  // namespace
+
+const char* name_of(LloydStop stop) {
+  switch (stop) {
+    case LloydStop::centroids:
+      return "centroids";
+    case LloydStop::energy:
+      return "energy";
+    case LloydStop::no_descent:
+      return "no descent";
+    case LloydStop::max_iterations:
+      return "iterations";
+  }
+  return "";
+}
+
+void report_lloyd_options(Run& run, const LloydOptions& options) {
+  Json& reported = run.report().options();
+  reported["iterations"] = options.max_iterations;
+  reported["tolerance"] = options.energy_tolerance;
+  reported["move_tolerance"] = options.move_tolerance;
+  reported["step"] = options.step;
+}
+
+void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result) {
+  Json& results = run.report().results();
+  results["iterations"] = result.iterations.size();
+  results["stop"] = name_of(result.stop);
+  add_iterations(results, result);
+  results["residual"] = result.residual;
+  results["mean_cell_radius"] = result.mean_cell_radius;
+  results["diagrams"] = result.diagrams;
+  run.console().note(fmt::format("{} iterations, energy {:.6g} -> {:.6g}: {}", result.iterations.size(),
+                                 result.initial_energy, result.final_energy, describe(result.stop)));
+  run.report().generators().clear();
+  for (const SurfacePoint& p : result.generators) {
+    run.report().generators().push_back({p, position(mesh, p), std::nullopt});
+  }
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "common/run.hpp"
+#include "gvd/lloyd.hpp"
+#include "gvd/mesh.hpp"
+
+// What gvd-lloyd notes and reports: the report's `results` and `generators`, and its own options.
+namespace gvd::app {
+
+void report_lloyd_options(Run& run, const LloydOptions& options);
+
+/// The iterations, why they ended, and the generators that the run leaves, in place of those that it started from.
+void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result);
+
+/// The reason of the end in one word, as reports and pages name it.
+const char* name_of(LloydStop stop);
+
+}  // namespace gvd::app
