@@ -26,7 +26,7 @@ struct ReportedGenerator {
 };
 
 /// What a command did: the document of `--report`, schema `gvd-report/1`. The steps of a run fill it in, and it is
-/// written once, at the end. docs/formats.md lists its members.
+/// written once, at the end. docs/guide/formats.md lists its members.
 class RunReport {
  public:
   RunReport(const std::string& command, const Options& options);

@@ -15,12 +15,12 @@
 
 namespace gvd {
 
-/// A generator as somebody wrote it, before a mesh is known.
+/// A generator as a list gives it, not yet a point of a mesh.
 struct GeneratorEntry {
   enum class Kind {
     vertex,    ///< `index` is a vertex of the input file
     face,      ///< `index` is a face of the mesh, `values` are barycentric coordinates in it
-    position,  ///< `values` are coordinates in mesh units, to be moved to the surface
+    position,  ///< `values` are coordinates in mesh units, snapped to the surface
   };
   Kind kind = Kind::vertex;
   std::int64_t index = 0;  ///< 0-based, >= 0
@@ -48,8 +48,8 @@ GeneratorList parse_generators(std::string_view content, GeneratorFormat format,
 GeneratorList read_generators(const std::filesystem::path& path);
 
 struct ResolveOptions {
-  /// The vertices of the mesh that stand for each vertex of the input file, invalid where there is none. Null: the
-  /// mesh's own vertices.
+  /// The vertex of the mesh for each vertex of the input file, invalid where there is none. Null: the vertices of the
+  /// list are those of the mesh.
   const std::vector<VertexId>* input_vertices = nullptr;
   std::optional<double> max_snap;  ///< largest snap distance allowed, mesh units
   bool merge_coincident = false;
@@ -58,15 +58,16 @@ struct ResolveOptions {
 
 struct ResolvedGenerators {
   std::vector<SurfacePoint> points;                  ///< in the order of the list
-  std::vector<std::optional<double>> snap_distance;  ///< of each point that was a position, to it, mesh units
-  std::int32_t merged = 0;                           ///< entries left out because an earlier one is in the same place
+  std::vector<std::optional<double>> snap_distance;  ///< from each point to its given position, mesh units
+  std::int32_t merged = 0;                           ///< entries left out because an earlier one coincides with them
 };
 
 /// The entries as points of `mesh`.
 ///
-/// Coordinates that a SurfacePoint can hold as they are stay bit by bit, so a written list comes back unchanged.
+/// Barycentric coordinates of a SurfacePoint are kept bit by bit: a written list comes back unchanged.
 /// Throws Error{precondition} with name and line where an index is out of range, a vertex of the file is in no face,
-/// the coordinates are no point of a triangle, a snap is too long, or two entries coincide without `merge_coincident`.
+/// the coordinates are no point of a triangle, a snap is longer than `max_snap`, or two entries coincide and
+/// `merge_coincident` is not set.
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 

@@ -94,8 +94,8 @@ TEST_CASE("what can't be a target is named with its reason") {
   const auto refuse = [](const fs::path& path) {
     return message_of(ErrorCode::unwritable_output, [&] { write_file(path, write_text); });
   };
-  CHECK(contains(refuse(folder / ""), "folder"));
-  CHECK(contains(refuse(folder / "none/a.txt"), "there is no folder"));
+  CHECK(contains(refuse(folder / ""), "it is a directory"));
+  CHECK(contains(refuse(folder / "none/a.txt"), "there is no directory"));
   CHECK(contains(refuse(""), "empty"));
   write_bytes(folder / "file", "old");
   CHECK(contains(refuse(folder / "file/a.txt"), "Not a directory"));

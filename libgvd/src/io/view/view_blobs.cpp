@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <nlohmann/json.hpp>
+
+#include "io/writers/base64.hpp"
 
 namespace gvd::io {
 namespace {
@@ -11,23 +14,6 @@ void append_little_endian(std::string& bytes, std::uint32_t value, int width) {
 }
 
 }  // namespace
-
-std::string encode_base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t taken = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (k < taken ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text.push_back(k <= taken ? kDigits[(group >> (18 - 6 * k)) & 63] : '=');
-    }
-  }
-  return text;
-}
 
 nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
   std::string bytes;

@@ -2,17 +2,13 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gvd::io {
 
-/// Base64 of RFC 4648, with padding. Cost: O(n).
-std::string encode_base64(std::string_view bytes);
-
-/// The arrays of a page: little-endian, each different one once.
+/// The arrays of a page: little-endian, in Base64, equal ones stored once.
 class ViewBlobs {
  public:
   /// Adds an array of 32-bit floats. Returns its reference for the manifest: {"blob", "type", "count"}.
@@ -21,7 +17,8 @@ class ViewBlobs {
   /// Adds an array of unsigned integers in the narrowest of 8, 16 and 32 bits that holds the largest of them.
   nlohmann::json add_integers(const std::vector<std::uint32_t>& values);
 
-  /// One element `<script type="application/octet-stream" id="blob-K">` for each array, in the order of their adding.
+  /// One element `<script type="application/octet-stream" id="blob-K">` for each array, in the order in which they were
+  /// added.
   std::string html() const;
 
  private:

@@ -4,8 +4,10 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
+#include "io/view/check_view_scene.hpp"
+#include "io/view/scene_entry.hpp"
 #include "io/view/view_blobs.hpp"
-#include "io/view/view_data.hpp"
+#include "io/view/view_frame.hpp"
 #include "io/view/view_template.hpp"
 
 namespace gvd {
@@ -27,7 +29,7 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
-/// JSON that an HTML parser takes for plain text wherever it stands: no `<` can end or comment out its element.
+/// JSON without `<`, so that no text in it can end its HTML element or start a comment.
 std::string dump_for_html(const json& document) {
   const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
   std::string escaped;

@@ -8,15 +8,16 @@
 namespace gvd {
 namespace {
 
-/// What the diagram's graph contributes to twice (sum of the cells' Euler characteristics - that of the mesh): a branch
-/// point of degree d inside gives d - 2, one on the boundary d, a bisector's end on the boundary 1. With V - E + F of
-/// the cells, bisectors, and pieces of boundary between them.
-std::int64_t count_meetings(const Mesh& mesh, const Diagram& diagram) {
-  std::int64_t meetings = 0;
-  for (const Bisector& bisector : diagram.bisectors) meetings += bisector.closed ? 0 : 2;
+/// Twice the excess of the cells' Euler characteristics over that of the mesh, as the graph of the bisectors gives it.
+///
+/// By V - E + F over branch points, bisectors, boundary pieces and cells: a branch point of degree d inside the mesh
+/// counts d - 2, one on the boundary d, and the end of a bisector on the boundary 1.
+std::int64_t count_excess(const Mesh& mesh, const Diagram& diagram) {
+  std::int64_t excess = 0;
+  for (const Bisector& bisector : diagram.bisectors) excess += bisector.closed ? 0 : 2;
   for (const BranchPoint& branch_point : diagram.branch_points)
-    meetings -= is_on_boundary(mesh, branch_point.point) ? 0 : 2;
-  return meetings;
+    excess -= is_on_boundary(mesh, branch_point.point) ? 0 : 2;
+  return excess;
 }
 
 bool reaches_everything(const Diagram& diagram) {
@@ -41,7 +42,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram) {
                                   {"Bisector length", fmt::format("{:.6g}", diagram.length)},
                                   {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
   if (reaches_everything(diagram)) {
-    figures.push_back({"Euler count", fmt::format("{} of {}", count_meetings(mesh, diagram),
+    figures.push_back({"Euler count", fmt::format("{} of {}", count_excess(mesh, diagram),
                                                   2 * (characteristics - summary.euler_characteristic))});
   }
   return figures;

@@ -8,8 +8,8 @@
 namespace gvd::io {
 namespace {
 
-/// Twice the area of a triangle in barycentric coordinates at or below which it is left out: 1e-14 of twice the face's
-/// area, a hundred times the rounding of products of coordinates in [0, 1]. What it leaves out can't be seen.
+/// Largest doubled area, in barycentric coordinates, of a triangle that is left out. It is 1e-14 of the face's doubled
+/// area, a hundred times the rounding error of products of coordinates in [0, 1].
 constexpr double kFlatTriangle = 1e-14;
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace gvd::io {
 
-/// Triangles of a polygon by ear clipping, as indices of its corners: those of triangulate_plane_polygon that can be
-/// seen.
+/// Triangles of a polygon by ear clipping, as indices of its corners: those of triangulate_plane_polygon with a visible
+/// area.
 ///
 /// Inputs:  the corners of a simple polygon, counter-clockwise; sides may touch, corners may repeat
 /// Returns: counter-clockwise triangles of positive area that cover it; none where it has no area

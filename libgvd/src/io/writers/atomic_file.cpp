@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes between two looks at the progress callback.
+/// Bytes between two calls of the progress callback.
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
-/// Leftovers of killed runs that may lie beside the target before we give up finding a free name.
+/// Largest number of temporary files of killed runs beside the target.
 constexpr int kMaxLeftovers = 1000;
-/// Bytes of the target's name that the temporary one keeps: file systems allow 255 in all.
+/// Bytes of the target's name in the temporary name: file systems allow 255 in all.
 constexpr std::size_t kNameBytes = 200;
-/// Links in a chain of symbolic links, as the kernel counts them.
+/// Longest chain of symbolic links that is followed: the limit of Linux.
 constexpr int kMaxLinks = 40;
 
 [[noreturn]] void fail(const fs::path& target, const std::string& reason) {
@@ -36,7 +36,7 @@ struct CloseFile {
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
-/// A stream buffer whose failures are exceptions: a stream's own badbit knows no reason.
+/// A stream buffer that throws the reason of a failure, which a stream's badbit does not tell.
 class FileBuffer : public std::streambuf {
  public:
   FileBuffer(fs::path target, Progress progress)
@@ -53,9 +53,9 @@ class FileBuffer : public std::streambuf {
   std::streamsize xsputn(const char* bytes, std::streamsize count) override {
     const auto size = static_cast<std::size_t>(count);
     if (std::fwrite(bytes, 1, size, file_.get()) != size) fail(target_, reason_of(errno));
-    unseen_ += size;
-    if (unseen_ >= kChunkBytes) {
-      unseen_ = 0;
+    unreported_ += size;
+    if (unreported_ >= kChunkBytes) {
+      unreported_ = 0;
       report_progress(progress_, step_, 0);
     }
     return count;
@@ -78,7 +78,7 @@ class FileBuffer : public std::streambuf {
   Progress progress_;
   std::string step_;
   FilePointer file_;
-  std::size_t unseen_ = 0;
+  std::size_t unreported_ = 0;
 };
 
 fs::path follow_links(fs::path path) {
@@ -96,13 +96,14 @@ FilePointer open_or_fail(const fs::path& target, const fs::path& path, const cha
   return file;
 }
 
-/// What would make the rename fail, or should, said before any work is spent on the content.
+/// Refuses, before the content is written, a target that can't be renamed to or must not be replaced.
 void check_target(const fs::path& target, const fs::path& file, const fs::file_status& status) {
   std::error_code ignored;
-  if (fs::is_directory(status)) fail(target, "it is a folder");
+  if (fs::is_directory(status)) fail(target, "it is a directory; name a file");
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::exists(folder, ignored)) fail(target, fmt::format("there is no folder '{}'", folder.string()));
-  // A rename would replace a write-protected file, which the one who protected it does not expect.
+  if (!fs::exists(folder, ignored))
+    fail(target, fmt::format("there is no directory '{}'; create it first", folder.string()));
+  // A rename would replace a write-protected file.
   if (fs::is_regular_file(status)) open_or_fail(target, file, "r+b");
 }
 
@@ -118,7 +119,7 @@ struct AtomicFile::State {
   void open() {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
-    if (target.empty()) fail(target, "the name is empty");
+    if (target.empty()) fail(target, "the name is empty; name a file");
     check_target(target, file, status);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
       buffer.open(open_or_fail(target, file, "wb"));
@@ -140,7 +141,7 @@ struct AtomicFile::State {
       }
       if (errno != EEXIST) fail(target, reason_of(errno));
     }
-    fail(target, fmt::format("too many files named '{}.partial*' beside it, remove them", name));
+    fail(target, fmt::format("too many files named '{}.partial*' beside it; remove them", name));
   }
 
   fs::path target;     ///< as given, for messages

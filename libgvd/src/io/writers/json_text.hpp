@@ -9,7 +9,7 @@
 
 namespace gvd::io {
 
-/// The shortest digits that bring the same double back. JSON has no infinity: what is not finite is null.
+/// The shortest digits that bring the same double back; null for infinity and NaN, which JSON does not have.
 inline std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
 inline void print_vector(ByteWriter& out, const Vec3& p) {
@@ -29,7 +29,7 @@ inline void print_point(ByteWriter& out, const Mesh& mesh, const SurfacePoint& p
   out.text("}");
 }
 
-/// An array with what `print` makes of each item, one a line.
+/// An array: `print` prints each item on a line of its own.
 template <class Items, class Print>
 void print_lines(ByteWriter& out, const Items& items, Print print) {
   out.text("[");
@@ -42,7 +42,7 @@ void print_lines(ByteWriter& out, const Items& items, Print print) {
   out.text(first ? "]" : "\n]");
 }
 
-/// An array with what `print` makes of each item, all in one line.
+/// An array: `print` prints the items, all on one line.
 template <class Items, class Print>
 void print_array(ByteWriter& out, const Items& items, Print print) {
   out.text("[");

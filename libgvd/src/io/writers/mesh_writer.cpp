@@ -10,7 +10,13 @@
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
-#include "io/writers/mesh_formats.hpp"
+#include "io/writers/single_precision.hpp"
+#include "io/writers/write_glb.hpp"
+#include "io/writers/write_obj.hpp"
+#include "io/writers/write_off.hpp"
+#include "io/writers/write_ply.hpp"
+#include "io/writers/write_stl.hpp"
+#include "io/writers/write_vtp.hpp"
 
 namespace gvd {
 namespace {
@@ -27,7 +33,7 @@ template <class Array>
 void check_length(const Array* values, std::int32_t expected, const char* what) {
   if (values == nullptr || values->size() == static_cast<std::size_t>(expected)) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("{}: {} values for {} elements, give one each", what, values->size(), expected));
+              fmt::format("{}: {} values for {} elements; give one for each", what, values->size(), expected));
 }
 
 void check_lengths(const LabelledMesh& mesh) {
@@ -39,7 +45,7 @@ void check_lengths(const LabelledMesh& mesh) {
 
 void write_json(std::ostream& out, const LabelledMesh& mesh) {
   if (mesh.diagram == nullptr) {
-    throw Error(ErrorCode::invalid_option, "a .json output carries a diagram and there is none, choose another format");
+    throw Error(ErrorCode::invalid_option, "JSON holds a diagram, and there is none; choose another format");
   }
   write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
 }
@@ -84,7 +90,7 @@ OutputFormat output_format(const std::filesystem::path& path) {
   std::string known;
   for (const auto& [name, format] : kExtensions) known += fmt::format("{}.{}", known.empty() ? "" : ", ", name);
   throw Error(ErrorCode::invalid_option,
-              fmt::format("'{}': no output format of that extension, use one of {}", path.string(), known));
+              fmt::format("'{}': no output format has this extension; use one of {}", path.string(), known));
 }
 
 void check_format(const Mesh& mesh, OutputFormat format) {
@@ -102,7 +108,7 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
     return write_file(
         path, [&](std::ostream& out) { write_mesh(out, mesh, format); }, progress);
   }
-  // Both files are whole before either of them appears.
+  // Both files are complete before either gets its name.
   const std::filesystem::path materials = std::filesystem::path(path).replace_extension(".mtl");
   AtomicFile material_file(materials, progress), mesh_file(path, progress);
   write_format(mesh_file.stream(), mesh, format, materials.filename().string());

@@ -1,3 +1,5 @@
+#include "io/writers/write_glb.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -6,8 +8,9 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/label_color.hpp"
+#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
+#include "io/writers/regions.hpp"
 
 // Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 namespace gvd::io {

@@ -1,8 +1,11 @@
+#include "io/writers/write_obj.hpp"
+
 #include <cstddef>
 
 #include "gvd/io/label_color.hpp"
+#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
+#include "io/writers/regions.hpp"
 
 namespace gvd::io {
 namespace {

@@ -1,6 +1,7 @@
+#include "io/writers/write_off.hpp"
+
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
 
 // A coloured OFF has the header COFF, four numbers from 0 to 1 behind each vertex, as Geomview's description of the
 // format wants them, and three from 0 to 255 behind each face. Plain OFF may have the latter alone, but a wide-spread

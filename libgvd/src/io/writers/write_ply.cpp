@@ -1,3 +1,5 @@
+#include "io/writers/write_ply.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -5,7 +7,6 @@
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
 
 namespace gvd::io {
 namespace {

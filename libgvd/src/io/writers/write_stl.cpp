@@ -1,9 +1,10 @@
+#include "io/writers/write_stl.hpp"
+
 #include <cstdint>
 #include <string>
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
 
 namespace gvd::io {
 namespace {

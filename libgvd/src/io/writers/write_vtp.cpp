@@ -1,52 +1,15 @@
-#include <array>
-#include <bit>
+#include "io/writers/write_vtp.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
+#include "io/writers/base64.hpp"
+#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/mesh_formats.hpp"
 
 namespace gvd::io {
 namespace {
-
-/// Base64 of the little-endian numbers that it is given (RFC 4648, with padding).
-class Base64Writer {
- public:
-  explicit Base64Writer(ByteWriter& out) : out_(out) {}
-
-  template <class T>
-  void binary(T value) {
-    auto bytes = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    for (const unsigned char byte : bytes) {
-      group_ = group_ << 8 | byte;
-      if (++count_ == 3) put_group(4);
-    }
-  }
-
-  void finish() {
-    if (count_ == 0) return;
-    const int digits = count_ + 1;
-    for (int i = count_; i < 3; ++i) group_ <<= 8;
-    put_group(digits);
-  }
-
- private:
-  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-  void put_group(int digits) {
-    std::array<char, 4> quad{'=', '=', '=', '='};
-    for (int i = 0; i < digits; ++i) quad[static_cast<std::size_t>(i)] = kDigits[group_ >> (18 - 6 * i) & 63];
-    out_.text({quad.data(), quad.size()});
-    group_ = 0;
-    count_ = 0;
-  }
-
-  ByteWriter& out_;
-  std::uint32_t group_ = 0;
-  int count_ = 0;
-};
 
 template <class T>
 constexpr std::string_view kTypeName = "";
@@ -57,7 +20,7 @@ constexpr std::string_view kTypeName<std::int32_t> = "Int32";
 template <>
 constexpr std::string_view kTypeName<std::int64_t> = "Int64";
 
-/// One DataArray: its bytes' count as UInt64, then the numbers that `fill` hands to the function it is given.
+/// One DataArray: the number of its bytes as UInt64, then the numbers that `fill` passes to its argument.
 template <class T, class Fill>
 void write_array(ByteWriter& out, std::string_view name, std::size_t size, int components, Fill fill) {
   out.print("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n", kTypeName<T>, name,
@@ -116,7 +79,7 @@ class VtpWriter {
     out_.text("</PointData>\n");
   }
 
-  /// One value per cell; VTK's order is lines, then polygons. `of_line` gives a line's, `of_face` a face's.
+  /// One value per cell, in the order of VTK: lines, then polygons. `of_line` and `of_face` give the values.
   template <class OfLine, class OfFace>
   void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
     write_array<std::int32_t>(out_, name, lines_.size() + faces(), 1, [&](auto put) {

@@ -1,10 +1,9 @@
-#include "io/view/view_data.hpp"
+#include "io/view/scene_entry.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
+#include <nlohmann/json.hpp>
+#include <utility>
 
-#include "gvd/error.hpp"
 #include "gvd/io/label_color.hpp"
 #include "io/view/view_triangulate.hpp"
 
@@ -13,64 +12,13 @@ namespace {
 
 using nlohmann::json;
 
-// A face's colour code in the page: 0 where nothing reaches it, 1 where its pieces are drawn instead, 2 + label else.
+// Colour code of a face in the page: 0 where no generator reaches it, 1 where its pieces are drawn, else 2 + label.
 constexpr std::uint32_t kUnreachedCode = 0;
 constexpr std::uint32_t kCutCode = 1;
 constexpr std::uint32_t kFirstLabelCode = 2;
 
-/// Largest label that the page can tell apart: codes travel through 32-bit floats, which are exact below 2^24.
-constexpr std::int32_t kLargestLabel = (1 << 24) - 3;
-
 std::uint32_t code_of(GeneratorId label) {
   return label.valid() ? kFirstLabelCode + static_cast<std::uint32_t>(label.value()) : kUnreachedCode;
-}
-
-void check_size(const std::string& what, std::size_t size, std::int32_t wanted) {
-  if (size != 0 && size != static_cast<std::size_t>(wanted)) {
-    throw Error(ErrorCode::precondition, "the view has " + std::to_string(size) + " " + what + " for a mesh with " +
-                                             std::to_string(wanted) + "; give one for each, or none");
-  }
-}
-
-void check_labels(const ViewScene& scene) {
-  const auto check = [&](GeneratorId label, std::int64_t face) {
-    const bool known = scene.cells.empty() || label.value() < static_cast<std::int64_t>(scene.cells.size());
-    if (!known || label.value() > kLargestLabel) {
-      throw Error(ErrorCode::precondition,
-                  "face " + std::to_string(face) + " of the view has label " + std::to_string(label.value()) +
-                      ", which has no cell",
-                  face);
-    }
-  };
-  for (std::size_t f = 0; f < scene.face_label.size(); ++f) check(scene.face_label.raw()[f], std::int64_t(f));
-  for (const FacePiece& piece : scene.pieces) check(piece.generator, piece.face.value());
-}
-
-void check_pieces(const ViewScene& scene) {
-  for (const FacePiece& piece : scene.pieces) {
-    if (!piece.face.valid() || piece.face.value() >= scene.mesh->face_count()) {
-      throw Error(ErrorCode::precondition,
-                  "a piece of the view lies in face " + std::to_string(piece.face.value()) + ", which is not there",
-                  piece.face.value());
-    }
-    for (const auto& corner : piece.corners) {
-      if (!std::isfinite(corner[0]) || !std::isfinite(corner[1]) || !std::isfinite(corner[2])) {
-        throw Error(
-            ErrorCode::precondition,
-            "a piece of face " + std::to_string(piece.face.value()) + " of the view has a corner that is no number",
-            piece.face.value());
-      }
-    }
-  }
-}
-
-void check_finite(const char* what, const std::vector<Vec3>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite()) {
-      throw Error(ErrorCode::precondition, std::string(what) + " " + std::to_string(i) + " of the view is not finite",
-                  std::int64_t(i));
-    }
-  }
 }
 
 class SceneEncoder {
@@ -207,34 +155,6 @@ class SceneEncoder {
 };
 
 }  // namespace
-
-void check_view_scene(const ViewScene& scene) {
-  if (scene.mesh == nullptr || scene.mesh->face_count() == 0) {
-    throw Error(ErrorCode::precondition, "a scene of the view has no faces; give each a mesh");
-  }
-  check_size("face labels", scene.face_label.size(), scene.mesh->face_count());
-  check_size("vertex distances", scene.vertex_distance.size(), scene.mesh->vertex_count());
-  check_pieces(scene);
-  check_labels(scene);
-  check_finite("generator", scene.generators);
-  check_finite("added generator", scene.added_generators);
-  check_finite("branch point", scene.branch_points);
-  for (const std::vector<Vec3>& polyline : scene.bisectors) check_finite("a bisector's point", polyline);
-}
-
-ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
-  Vec3 low = scenes.front().mesh->positions().front(), high = low;
-  for (const ViewScene& scene : scenes) {
-    for (const Vec3& p : scene.mesh->positions()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
-  // Halved before they are added: the sum of two large coordinates may overflow.
-  const Vec3 half = high / 2 - low / 2;
-  const double radius = half.stableNorm();
-  return {low / 2 + high / 2, radius > 0 && std::isfinite(radius) ? radius : 1};
-}
 
 json make_scene_entry(const ViewScene& scene, const ViewFrame& frame, ViewBlobs& blobs) {
   return SceneEncoder(scene, frame, blobs).run();

@@ -1,18 +1,19 @@
-// Lists as JSON: the array "generators" of any object, a diagram's among them.
+#include "io/generators/parse_json.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "io/generators/generator_list_detail.hpp"
+#include "io/generators/list_location.hpp"
 
 namespace gvd::detail {
 namespace {
 
 using nlohmann::json;
 
-/// Reads characters and counts the lines that went by: the parser itself does not say where an element stands.
+/// Iterates over characters and counts their lines: the parser does not tell the line of an element.
 class LineCounter {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -43,7 +44,7 @@ class LineCounter {
 
 struct Document {
   json root;
-  std::vector<std::int32_t> lines;  ///< where each object of the array "generators" begins
+  std::vector<std::int32_t> lines;  ///< of the start of each object in the array "generators"
 };
 
 Document parse_document(std::string_view content, const std::string& name) {
@@ -62,56 +63,57 @@ Document parse_document(std::string_view content, const std::string& name) {
     // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...".
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
-    ListPlace{name, line}.refuse("this is no JSON: " + text.substr(bracket == text.npos ? 0 : bracket + 2));
+    ListLocation{name, line}.refuse("not valid JSON: " + text.substr(bracket == text.npos ? 0 : bracket + 2));
   }
   return document;
 }
 
-std::array<double, 3> read_three(const json& value, std::string_view key, const ListPlace& place) {
+std::array<double, 3> read_three(const json& value, std::string_view key, const ListLocation& location) {
   std::array<double, 3> three{};
   const bool sized = value.is_array() && value.size() == 3;
   for (std::size_t i = 0; sized && i < 3; ++i) three[i] = value[i].is_number() ? value[i].get<double>() : NAN;
   if (!sized || !std::isfinite(three[0] + three[1] + three[2])) {
-    place.refuse(fmt::format("\"{}\" must be an array of three finite numbers", key));
+    location.refuse(fmt::format("\"{}\" must be an array of three finite numbers", key));
   }
   return three;
 }
 
-std::int64_t read_index(const json& value, std::string_view key, const ListPlace& place) {
+std::int64_t read_index(const json& value, std::string_view key, const ListLocation& location) {
   if (!value.is_number_integer() || value.get<std::int64_t>() < 0) {
-    place.refuse(fmt::format("\"{}\" must be a whole number from 0", key));
+    location.refuse(fmt::format("\"{}\" must be a whole number from 0", key));
   }
   return value.get<std::int64_t>();
 }
 
-GeneratorEntry read_object(const json& object, const ListPlace& place) {
+GeneratorEntry read_object(const json& object, const ListLocation& location) {
   if (object.contains("face") && object.contains("bary")) {
-    const std::int64_t face = read_index(object["face"], "face", place);
-    return {GeneratorEntry::Kind::face, face, read_three(object["bary"], "bary", place), place.line};
+    const std::int64_t face = read_index(object["face"], "face", location);
+    return {GeneratorEntry::Kind::face, face, read_three(object["bary"], "bary", location), location.line};
   }
   if (object.contains("vertex")) {
-    return {GeneratorEntry::Kind::vertex, read_index(object["vertex"], "vertex", place), {}, place.line};
+    return {GeneratorEntry::Kind::vertex, read_index(object["vertex"], "vertex", location), {}, location.line};
   }
   if (object.contains("position")) {
-    return {GeneratorEntry::Kind::position, 0, read_three(object["position"], "position", place), place.line};
+    return {GeneratorEntry::Kind::position, 0, read_three(object["position"], "position", location), location.line};
   }
-  place.refuse("a generator needs \"face\" and \"bary\", or \"vertex\", or \"position\"");
+  location.refuse("a generator needs \"face\" and \"bary\", or \"vertex\", or \"position\"");
 }
 
 }  // namespace
 
 std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name) {
   const Document document = parse_document(content, name);
-  const ListPlace place{name, 1};
+  const ListLocation location{name, 1};
   if (!document.root.is_object() || !document.root.contains("generators")) {
-    place.refuse("there is no array \"generators\"");
+    location.refuse("there is no array \"generators\"; write one");
   }
   const json& list = document.root["generators"];
-  if (!list.is_array()) place.refuse("\"generators\" is no array");
+  if (!list.is_array()) location.refuse("\"generators\" must be an array");
   std::vector<GeneratorEntry> entries;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::int32_t line = i < document.lines.size() ? document.lines[i] : 1;
-    if (!list[i].is_object()) ListPlace{name, line}.refuse(fmt::format("element {} of \"generators\" is no object", i));
+    if (!list[i].is_object())
+      ListLocation{name, line}.refuse(fmt::format("element {} of \"generators\" must be an object", i));
     entries.push_back(read_object(list[i], {name, line}));
   }
   return entries;

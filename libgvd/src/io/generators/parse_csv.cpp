@@ -1,9 +1,10 @@
-// Lists as comma-separated values: the fields of the text form, or named columns below a header.
+#include "io/generators/parse_csv.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "io/generators/generator_list_detail.hpp"
+#include "io/generators/list_fields.hpp"
 
 namespace gvd::detail {
 namespace {
@@ -23,19 +24,19 @@ Fields split_commas(std::string_view text) {
   return fields;
 }
 
-/// A header holds names: its first field is neither a number nor the `p` before a position.
+/// The first field of a header is a name: neither a number nor the `p` of a position.
 bool is_header(const Fields& fields) {
   return fields[0] != "p" && !fields[0].empty() && !parse_field<double>(fields[0]);
 }
 
-/// Which column holds what; -1 where it is absent.
+/// The columns of each field; -1 where the header has none.
 struct Columns {
   std::ptrdiff_t vertex = -1, face = -1;
   std::array<std::ptrdiff_t, 3> bary{-1, -1, -1}, position{-1, -1, -1};
   std::size_t count = 0;
 };
 
-Columns read_header(const Fields& names, const ListPlace& place) {
+Columns read_header(const Fields& names, const ListLocation& location) {
   const auto find = [&](std::string_view name) {
     const auto found = std::find(names.begin(), names.end(), name);
     return found == names.end() ? -1 : found - names.begin();
@@ -51,15 +52,15 @@ Columns read_header(const Fields& names, const ListPlace& place) {
   if (!whole(columns.bary)) columns.face = -1;
   if (!whole(columns.position)) columns.position = {-1, -1, -1};
   if (columns.vertex < 0 && columns.face < 0 && columns.position[0] < 0) {
-    place.refuse("the header names no generators; it needs the columns vertex, or face,b0,b1,b2, or x,y,z");
+    location.refuse("the header names no generators; it needs the columns vertex, or face,b0,b1,b2, or x,y,z");
   }
   return columns;
 }
 
-/// A row takes the first of face, vertex and position that it fills.
-GeneratorEntry read_row(const Columns& columns, const Fields& fields, const ListPlace& place) {
+/// The entry of a row: the first of face, vertex and position that the row fills.
+GeneratorEntry read_row(const Columns& columns, const Fields& fields, const ListLocation& location) {
   if (fields.size() != columns.count) {
-    place.refuse(fmt::format("{} fields where the header has {}", fields.size(), columns.count));
+    location.refuse(fmt::format("{} fields; the header has {}", fields.size(), columns.count));
   }
   const auto field = [&](std::ptrdiff_t column) {
     return column < 0 ? std::string_view() : fields[static_cast<std::size_t>(column)];
@@ -68,13 +69,13 @@ GeneratorEntry read_row(const Columns& columns, const Fields& fields, const List
     return std::array<std::string_view, 3>{field(c[0]), field(c[1]), field(c[2])};
   };
   if (!field(columns.face).empty()) {
-    const std::int64_t face = parse_index(field(columns.face), "face", place);
-    return {GeneratorEntry::Kind::face, face, parse_values(three(columns.bary), place), place.line};
+    const std::int64_t face = parse_index(field(columns.face), "face", location);
+    return {GeneratorEntry::Kind::face, face, parse_values(three(columns.bary), location), location.line};
   }
   if (!field(columns.vertex).empty()) {
-    return {GeneratorEntry::Kind::vertex, parse_index(field(columns.vertex), "vertex", place), {}, place.line};
+    return {GeneratorEntry::Kind::vertex, parse_index(field(columns.vertex), "vertex", location), {}, location.line};
   }
-  return {GeneratorEntry::Kind::position, 0, parse_values(three(columns.position), place), place.line};
+  return {GeneratorEntry::Kind::position, 0, parse_values(three(columns.position), location), location.line};
 }
 
 }  // namespace
@@ -84,12 +85,12 @@ std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::strin
   std::optional<Columns> columns;
   bool first = true;
   for (const auto& [text, number] : split_lines(content)) {
-    const ListPlace place{name, number};
+    const ListLocation location{name, number};
     const Fields fields = split_commas(text);
     if (first && is_header(fields)) {
-      columns = read_header(fields, place);
+      columns = read_header(fields, location);
     } else {
-      entries.push_back(columns ? read_row(*columns, fields, place) : parse_entry(fields, place));
+      entries.push_back(columns ? read_row(*columns, fields, location) : parse_entry(fields, location));
     }
     first = false;
   }

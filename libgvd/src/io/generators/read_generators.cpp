@@ -4,7 +4,10 @@
 #include <sstream>
 
 #include "gvd/error.hpp"
-#include "io/generators/generator_list_detail.hpp"
+#include "gvd/generator_list.hpp"
+#include "io/generators/parse_csv.hpp"
+#include "io/generators/parse_json.hpp"
+#include "io/generators/parse_text.hpp"
 
 namespace gvd {
 namespace {
@@ -45,7 +48,8 @@ GeneratorList parse_generators(std::string_view content, GeneratorFormat format,
       list.entries = detail::parse_json(content, name);
       break;
   }
-  if (list.entries.empty()) throw Error(ErrorCode::unreadable_input, name + ":1: the list holds no generator");
+  if (list.entries.empty())
+    throw Error(ErrorCode::unreadable_input, name + ":1: the list holds no generator; write at least one");
   return list;
 }
 

@@ -1,4 +1,3 @@
-// From entries to points of a mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,22 +6,21 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
-#include "io/generators/generator_list_detail.hpp"
+#include "io/generators/list_location.hpp"
 
 namespace gvd {
 namespace {
 
 using Kind = GeneratorEntry::Kind;
 
-/// How far the sum of three coordinates may be from 1 to be kept bit by bit. Dimensionless: above the rounding of any
-/// computation that made them, and below what a few printed digits leave, which is scaled instead.
+/// Largest difference of the sum of three coordinates from 1 at which they are kept bit by bit. Dimensionless: above
+/// the rounding error of computed coordinates, and below that of coordinates with few printed digits, which are scaled.
 constexpr double kExactSum = 1e-12;
 
-/// make_surface_point, but for coordinates that are a surface point already: scaling again would change their last
-/// bits.
+/// The point of given coordinates. Those of a surface point are kept: make_surface_point would change their last bits.
 SurfacePoint keep_or_make_point(FaceId face, const std::array<double, 3>& bary) {
-  const auto kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
-  const bool whole = std::all_of(bary.begin(), bary.end(), kept);
+  const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
+  const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
   if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) return {face, bary};
   return make_surface_point(face, bary);
 }
@@ -39,18 +37,20 @@ class Resolver {
       result_.snap_distance.emplace_back();
       result_.points.push_back(resolve(entry));
     }
-    separate();
+    merge_coincident();
     return std::move(result_);
   }
 
  private:
-  std::string place(std::size_t entry) const { return detail::ListPlace{list_.name, list_.entries[entry].line}.text(); }
-
-  [[noreturn]] void refuse(std::size_t entry, const std::string& message) const {
-    throw Error(ErrorCode::precondition, place(entry) + ": " + message, static_cast<std::int64_t>(entry));
+  std::string location(std::size_t entry) const {
+    return detail::ListLocation{list_.name, list_.entries[entry].line}.text();
   }
 
-  /// About the entry that is being resolved.
+  [[noreturn]] void refuse(std::size_t entry, const std::string& message) const {
+    throw Error(ErrorCode::precondition, location(entry) + ": " + message, static_cast<std::int64_t>(entry));
+  }
+
+  /// Refuses the entry that is being resolved.
   [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
 
   SurfacePoint resolve(const GeneratorEntry& entry) {
@@ -86,23 +86,24 @@ class Resolver {
     }
   }
 
-  SurfacePoint snap(const Vec3& place) {
+  SurfacePoint snap(const Vec3& given) {
     if (!tree_) tree_.emplace(mesh_);
     ClosestPoint closest;
     try {
-      closest = tree_->query(place);
+      closest = tree_->query(given);
     } catch (const Error& error) {
       refuse(error.what());
     }
     if (options_.max_snap && closest.distance > *options_.max_snap) {
-      refuse(fmt::format("this position is {} from the surface, more than the {} allowed by --max-snap",
+      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it or allow more",
                          closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
     return closest.point;
   }
 
-  void separate() {
+  /// Leaves out or refuses entries that coincide with an earlier one.
+  void merge_coincident() {
     const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
     ResolvedGenerators kept;
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -111,9 +112,8 @@ class Resolver {
         kept.points.push_back(result_.points[i]);
         kept.snap_distance.push_back(result_.snap_distance[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, fmt::format("generator {} is in the same place as generator {} ({}); remove one, or merge them with "
-                              "--merge-coincident",
-                              i, twin, place(twin)));
+        refuse(i, fmt::format("generator {} is in the same place as generator {} ({}); remove one, or merge them", i,
+                              twin, location(twin)));
       }
     }
     kept.merged = static_cast<std::int32_t>(first.size() - kept.points.size());

@@ -1,0 +1,28 @@
+#include "io/generators/list_location.hpp"
+
+#include <algorithm>
+
+#include "gvd/error.hpp"
+
+namespace gvd::detail {
+namespace {
+
+/// Longest text that a message quotes in full.
+constexpr std::size_t kQuoteLength = 40;
+
+}  // namespace
+
+std::string ListLocation::text() const { return line > 0 ? name + ":" + std::to_string(line) : name; }
+
+void ListLocation::refuse(const std::string& message) const {
+  throw Error(ErrorCode::unreadable_input, text() + ": " + message, line > 0 ? line - 1 : -1);
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown(text.substr(0, kQuoteLength));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + shown + (text.size() > kQuoteLength ? "..." : "") + "'";
+}
+
+}  // namespace gvd::detail

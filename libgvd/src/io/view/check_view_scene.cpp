@@ -1,0 +1,75 @@
+#include "io/view/check_view_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "gvd/error.hpp"
+
+namespace gvd::io {
+namespace {
+
+/// Largest label that the page can tell apart: codes travel through 32-bit floats, which are exact below 2^24.
+constexpr std::int32_t kLargestLabel = (1 << 24) - 3;
+
+[[noreturn]] void refuse(const std::string& message, std::int64_t element = -1) {
+  throw Error(ErrorCode::precondition, message, element);
+}
+
+void check_size(std::string_view what, std::size_t size, std::int32_t wanted) {
+  if (size == 0 || size == static_cast<std::size_t>(wanted)) return;
+  refuse(fmt::format("the view has {} {} for a mesh with {}; give one for each, or none", size, what, wanted));
+}
+
+void check_labels(const ViewScene& scene) {
+  const auto check = [&](GeneratorId label, std::int64_t face) {
+    const bool known = scene.cells.empty() || label.value() < static_cast<std::int64_t>(scene.cells.size());
+    if (known && label.value() <= kLargestLabel) return;
+    refuse(fmt::format("face {} of the view has label {}, which has no cell; give a cell for each label", face,
+                       label.value()),
+           face);
+  };
+  for (std::size_t f = 0; f < scene.face_label.size(); ++f) check(scene.face_label.raw()[f], std::int64_t(f));
+  for (const FacePiece& piece : scene.pieces) check(piece.generator, piece.face.value());
+}
+
+void check_pieces(const ViewScene& scene) {
+  for (const FacePiece& piece : scene.pieces) {
+    if (!piece.face.valid() || piece.face.value() >= scene.mesh->face_count()) {
+      refuse(fmt::format("a piece of the view lies in face {}, which the mesh does not have", piece.face.value()),
+             piece.face.value());
+    }
+    for (const auto& corner : piece.corners) {
+      if (std::isfinite(corner[0]) && std::isfinite(corner[1]) && std::isfinite(corner[2])) continue;
+      refuse(fmt::format("a piece of face {} of the view has a corner that is not finite", piece.face.value()),
+             piece.face.value());
+    }
+  }
+}
+
+void check_finite(std::string_view what, const std::vector<Vec3>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite()) refuse(fmt::format("{} {} of the view is not finite", what, i), std::int64_t(i));
+  }
+}
+
+}  // namespace
+
+void check_view_scene(const ViewScene& scene) {
+  if (scene.mesh == nullptr || scene.mesh->face_count() == 0) {
+    refuse("a scene of the view has no faces; give each a mesh");
+  }
+  check_size("face labels", scene.face_label.size(), scene.mesh->face_count());
+  check_size("vertex distances", scene.vertex_distance.size(), scene.mesh->vertex_count());
+  check_pieces(scene);
+  check_labels(scene);
+  check_finite("generator", scene.generators);
+  check_finite("added generator", scene.added_generators);
+  check_finite("branch point", scene.branch_points);
+  for (const std::vector<Vec3>& polyline : scene.bisectors) check_finite("bisector point", polyline);
+}
+
+}  // namespace gvd::io

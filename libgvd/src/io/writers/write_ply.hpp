@@ -1,0 +1,13 @@
+#pragma once
+
+#include <ostream>
+
+#include "gvd/io/mesh_writer.hpp"
+
+namespace gvd::io {
+
+/// Binary PLY: positions as doubles, distances as floats where these hold them, labels, and face colours.
+/// The lengths of the arrays have been checked. Throws Error{unwritable_output}.
+void write_ply(std::ostream& stream, const LabelledMesh& mesh);
+
+}  // namespace gvd::io

@@ -1,0 +1,24 @@
+#include "io/generators/generator_fixture.hpp"
+#include "io/generators/parse_csv.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test {
+
+using Kind = GeneratorEntry::Kind;
+
+TEST_CASE("a csv list has the same fields, or named columns") {
+  const GeneratorList plain = parse("17\n3, 0.25,0.5,0.25\np,1,2,3\n", GeneratorFormat::csv);
+  REQUIRE(plain.entries.size() == 3);
+  CHECK(plain.entries[2].values == std::array{1.0, 2.0, 3.0});
+  const GeneratorList named =
+      parse("id,x,y,z,face,b2,b1,b0,vertex\n0,1,2,3,,,,,\n1,,,,7,0.5,0.25,0.25,\n2,,,,,,,,9\n", GeneratorFormat::csv);
+  REQUIRE(named.entries.size() == 3);
+  CHECK(named.entries[0].kind == Kind::position);
+  CHECK(named.entries[1].index == 7);
+  CHECK(named.entries[1].values == std::array{0.25, 0.25, 0.5});
+  CHECK(named.entries[2].kind == Kind::vertex);
+  CHECK(named.entries[2].line == 4);
+  CHECK(parse("\"vertex\"\n\"4\"\n", GeneratorFormat::csv).entries[0].index == 4);
+}
+
+}  // namespace gvd::test

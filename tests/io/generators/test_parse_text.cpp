@@ -1,0 +1,23 @@
+#include "io/generators/generator_fixture.hpp"
+#include "io/generators/parse_text.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test {
+
+using Kind = GeneratorEntry::Kind;
+
+TEST_CASE("a text list holds vertices, faces with coordinates and positions") {
+  const GeneratorList list = parse("\xef\xbb\xbf# three\r\n  17 \r\n\r\n3 0.25 0.5 .25 # a face\np 1e-1 -2 3");
+  REQUIRE(list.entries.size() == 3);
+  CHECK(list.entries[0].kind == Kind::vertex);
+  CHECK(list.entries[0].index == 17);
+  CHECK(list.entries[0].line == 2);
+  CHECK(list.entries[1].kind == Kind::face);
+  CHECK(list.entries[1].index == 3);
+  CHECK(list.entries[1].values == std::array{0.25, 0.5, 0.25});
+  CHECK(list.entries[2].kind == Kind::position);
+  CHECK(list.entries[2].values == std::array{0.1, -2.0, 3.0});
+  CHECK(list.entries[2].line == 5);
+}
+
+}  // namespace gvd::test

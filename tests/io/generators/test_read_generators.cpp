@@ -1,0 +1,72 @@
+#include "io/generators/generator_fixture.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test {
+
+TEST_CASE("a damaged list is refused with its name and line") {
+  const auto message = [](const std::string& text, GeneratorFormat format) {
+    return refusal([&] { parse(text, format); }, ErrorCode::unreadable_input);
+  };
+  using Catch::Matchers::StartsWith;
+  for (const char* line : {"1.5", "-1", "x", "1 2", "1 2 3", "1 a b c", "p 1 2", "p 1 2 nan", "p 1 2 inf", "q 1 2 3",
+                           "1 2 3 4 5", "0x10", "1,2,3", "99999999999999999999", "\x01\xff"}) {
+    CAPTURE(line);
+    CHECK_THAT(message(std::string("# ok\n4\n") + line + "\n5\n", GeneratorFormat::text), StartsWith("list:3: "));
+  }
+  CHECK_THAT(message("", GeneratorFormat::text), StartsWith("list:1: "));
+  CHECK_THAT(message("# nothing\n\n", GeneratorFormat::csv), StartsWith("list:1: "));
+  CHECK_THAT(message("name,other\n1,2\n", GeneratorFormat::csv), StartsWith("list:1: "));
+  CHECK_THAT(message("vertex,other\n1\n", GeneratorFormat::csv), StartsWith("list:2: "));
+  CHECK_THAT(message("vertex\n1\n,\n", GeneratorFormat::csv), StartsWith("list:3: "));
+  CHECK_THAT(message("x,y,z\n1,2,3\n1,,3\n", GeneratorFormat::csv), StartsWith("list:3: "));
+  CHECK_THAT(message(std::string(300, 'x'), GeneratorFormat::text), !Catch::Matchers::Contains(std::string(60, 'x')));
+  for (const char* text :
+       {"", "{", "[1]", "{}", "{\"generators\":3}", "{\"generators\":[]}", "{\"generators\":[3]}", "\xff\xfe{}"}) {
+    CAPTURE(text);
+    CHECK_THAT(message(text, GeneratorFormat::json), StartsWith("list:1: "));
+  }
+  for (const char* object : {"{}", "{\"face\":1}", "{\"face\":-1,\"bary\":[1,0,0]}", "{\"face\":1.5,\"bary\":[1,0,0]}",
+                             "{\"face\":1,\"bary\":[1,0]}", "{\"face\":1,\"bary\":[1,0,\"0\"]}", "{\"vertex\":\"3\"}",
+                             "{\"position\":[1,2,1e999]}", "{\"vertex\":18446744073709551615}"}) {
+    CAPTURE(object);
+    CHECK_THAT(message(std::string("{\"generators\":[\n{\"vertex\":1},\n") + object + "]}", GeneratorFormat::json),
+               StartsWith("list:3: "));
+  }
+}
+
+TEST_CASE("damaged bytes are refused, and never end the program") {
+  const Mesh mesh = make_grid(3, 3);
+  const std::vector<SurfacePoint> points{vertex_point(mesh, VertexId(3)),
+                                         make_surface_point(FaceId(2), {0.1, 0.2, 0.7})};
+  std::mt19937 random(2);
+  for (const GeneratorFormat format : {GeneratorFormat::text, GeneratorFormat::csv, GeneratorFormat::json}) {
+    const std::string whole = format_generators(mesh, points, format);
+    int refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::string damaged = whole.substr(0, random() % 3 == 0 ? random() % whole.size() : whole.size());
+      for (unsigned k = random() % 4; k > 0 && !damaged.empty(); --k) {
+        damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+      }
+      try {
+        resolve_generators(mesh, parse(damaged, format));
+      } catch (const Error& error) {
+        ++refused;
+        REQUIRE((error.code() == ErrorCode::unreadable_input || error.code() == ErrorCode::precondition));
+      }
+    }
+    CHECK(refused > 500);
+  }
+}
+
+TEST_CASE("files that can't be read are refused") {
+  CHECK_THAT(refusal([] { read_generators("/nonexistent/list.txt"); }, ErrorCode::unreadable_input),
+             Catch::Matchers::Contains("No such file"));
+  CHECK_THAT(refusal([] { read_generators("/tmp"); }, ErrorCode::unreadable_input),
+             Catch::Matchers::Contains("is a directory"));
+  CHECK(generator_format("a.JSON") == GeneratorFormat::json);
+  CHECK(generator_format("a.csv") == GeneratorFormat::csv);
+  CHECK(generator_format("a.dat") == GeneratorFormat::text);
+}
+
+}  // namespace gvd::test

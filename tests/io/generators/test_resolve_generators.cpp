@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include "io/generators/generator_fixture.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test {
+
+using Kind = GeneratorEntry::Kind;
+
+TEST_CASE("vertices are those of the input file") {
+  const Mesh mesh = make_grid(2, 2);
+  const std::vector<VertexId> map{VertexId(), VertexId(4), VertexId(0)};
+  ResolveOptions options;
+  options.input_vertices = &map;
+  const auto points = resolve_generators(mesh, parse("2\n1\n"), options).points;
+  CHECK(vertex(mesh, points[0]) == VertexId(0));
+  CHECK(vertex(mesh, points[1]) == VertexId(4));
+  const auto message = [&](const std::string& text) {
+    return refusal([&] { resolve_generators(mesh, parse(text), options); }, ErrorCode::precondition);
+  };
+  CHECK(message("1\n0\n") == "list:2: vertex 0 is in no face of the mesh; choose another");
+  CHECK(message("3\n") == "list:1: there is no vertex 3; the mesh has 3, numbered from 0");
+  CHECK(message("8 1 0 0\n") == "list:1: there is no face 8; the mesh has 8, numbered from 0");
+  CHECK_THAT(message("1\n3 0.5 0.5 0.5\n"), Catch::Matchers::StartsWith("list:2: barycentric coordinates"));
+  CHECK_THAT(message("3 1.5 -0.5 0\n"), Catch::Matchers::StartsWith("list:1: barycentric coordinates"));
+}
+
+TEST_CASE("positions are snapped, and the largest distance is kept") {
+  const Mesh mesh = make_grid(4, 4);
+  ResolveOptions options;
+  const ResolvedGenerators result =
+      resolve_generators(mesh, parse("p 1.25 1.5 0.5\np -1 -1 0\n0 0.2 0.3 0.5\n"), options);
+  CHECK(result.snap_distance[0] == 0.5);
+  CHECK(*result.snap_distance[1] == Approx(std::sqrt(2.0)));
+  CHECK(!result.snap_distance[2]);
+  CHECK((position(mesh, result.points[0]) - Vec3(1.25, 1.5, 0)).norm() < 1e-12);
+  CHECK(result.points[1].kind() == SurfacePoint::Kind::vertex);
+  options.max_snap = 0.5;
+  CHECK(resolve_generators(mesh, parse("p 1.25 1.5 0.5\n"), options).snap_distance[0] == 0.5);
+  CHECK_THAT(
+      refusal([&] { resolve_generators(mesh, parse("p 1 1.5 0\np 1 1 1\n"), options); }, ErrorCode::precondition),
+      Catch::Matchers::StartsWith("list:2: this position is 1 from the surface, more than the 0.5"));
+  refusal([&] { resolve_generators(mesh, parse("p 1e300 1e300 0\n"), {}); }, ErrorCode::precondition);
+}
+
+TEST_CASE("generators in one place are refused, or merged") {
+  const Mesh mesh = make_sphere(2);
+  // Vertex 0 three ways: by number, as a corner of a face, and by position.
+  const SurfacePoint corner = vertex_point(mesh, VertexId(0));
+  const Vec3 p = position(mesh, corner);
+  SurfacePoint other = corner;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.vertices(FaceId(f))[std::size_t(i)] == VertexId(0)) other = edge_point(Mesh::halfedge(FaceId(f), i), 0);
+    }
+  }
+  REQUIRE(other.face != corner.face);
+  const std::string text = "5\n0\n" + format_generators(mesh, {other}, GeneratorFormat::text);
+  CHECK_THAT(refusal([&] { resolve_generators(mesh, parse(text)); }, ErrorCode::precondition),
+             Catch::Matchers::StartsWith("list:4: generator 2 is in the same place as generator 1 (list:2)"));
+  ResolveOptions merge;
+  merge.merge_coincident = true;
+  const ResolvedGenerators merged = resolve_generators(mesh, parse(text + "7\n"), merge);
+  CHECK(merged.points.size() == 3);
+  CHECK(merged.merged == 1);
+  CHECK(merged.snap_distance.size() == 3);
+  GeneratorList list = parse("0\n");
+  list.entries.push_back({Kind::position, 0, {p.x(), p.y(), p.z()}, 0});
+  CHECK_THROWS_AS(resolve_generators(mesh, list), Error);
+}
+
+}  // namespace gvd::test

@@ -1,0 +1,67 @@
+#include <limits>
+#include <string>
+
+#include "gvd/error.hpp"
+#include "io/view/check_view_scene.hpp"
+#include "io/view/view_sample.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test {
+namespace {
+
+/// The code of the error that refuses the scene; one that no check uses where the scene is taken.
+ErrorCode code_of(const ViewScene& scene) {
+  try {
+    io::check_view_scene(scene);
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    return error.code();
+  }
+  return ErrorCode::interrupted;
+}
+
+}  // namespace
+
+TEST_CASE("a scene whose parts do not fit is refused") {
+  const Mesh mesh = make_sphere(1);
+  const ViewScene good = make_view_scene("", mesh, make_sphere_sample(mesh, 4));
+  CHECK_NOTHROW(io::check_view_scene(good));
+  CHECK(code_of(ViewScene{}) == ErrorCode::precondition);
+  ViewScene bad = good;
+  bad.vertex_distance.resize(3);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.face_label.resize(3);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.face_label[FaceId(0)] = GeneratorId(4);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.pieces.front().face = FaceId(mesh.face_count());
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.pieces.front().corners.front()[1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.added_generators.emplace_back(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
+  bad.bisectors.front().front().x() = std::numeric_limits<double>::infinity();
+  CHECK(code_of(bad) == ErrorCode::precondition);
+}
+
+TEST_CASE("the error names the face that does not fit") {
+  const Mesh mesh = make_sphere(1);
+  ViewScene scene = make_view_scene("", mesh, make_sphere_sample(mesh, 4));
+  scene.face_label[FaceId(17)] = GeneratorId(9);
+  try {
+    io::check_view_scene(scene);
+    FAIL("it was taken");
+  } catch (const Error& error) {
+    CHECK(error.element() == 17);
+    CHECK_THAT(error.what(), Catch::Matchers::Contains("face 17") && Catch::Matchers::Contains("label 9"));
+  }
+}
+
+}  // namespace gvd::test
