@@ -60,9 +60,10 @@ void register_sampling(CommandLine& line, GeneratorOptions& generators) {
 
 /// Options that list generators, and those about such lists.
 void register_lists(CommandLine& line, GeneratorOptions& generators) {
-  add_text(line,
-           {"--generators", "FILE", "A list of generators: text, .csv or .json; see docs/guide/generators.md", kGenerators},
-           generators.file);
+  add_text(
+      line,
+      {"--generators", "FILE", "A list of generators: text, .csv or .json; see docs/guide/generators.md", kGenerators},
+      generators.file);
   line.add_list({"--vertices", "LIST", "Vertices of the input file, from 0: 3,17,99", kGenerators},
                 [&generators](const std::vector<std::string>& lists) {
                   generators.vertices = parse_vertex_list(join(lists, ","));

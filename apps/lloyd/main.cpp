@@ -30,29 +30,27 @@ constexpr app::Range<std::int32_t> kIterations{0, 1000000, "a whole number from 
 constexpr app::Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
 
 void register_options(app::CommandLine& line, LloydOptions& options) {
-  const std::string group = "Relaxation";
+  const auto text = [](const char* name, const std::string& description) {
+    return app::OptionText{name, "", description, "Relaxation"};
+  };
+  app::add_number(
+      line, text("--iterations", fmt::format("Largest number of iterations (default: {})", options.max_iterations)),
+      options.max_iterations, kIterations);
   app::add_number(
       line,
-      {"--iterations", "", fmt::format("Largest number of iterations (default: {})", options.max_iterations), group},
-      options.max_iterations, kIterations);
+      text("--tolerance",
+           fmt::format("Stop once an iteration lowers the energy by less than this part of it (default: {})",
+                       options.energy_tolerance)),
+      options.energy_tolerance, app::kNotNegative);
   app::add_number(line,
-                  {"--tolerance", "",
-                   fmt::format("Stop once an iteration lowers the energy by less than this part of it (default: {})",
-                               options.energy_tolerance),
-                   group},
-                  options.energy_tolerance, app::kNotNegative);
-  app::add_number(line,
-                  {"--move-tolerance", "",
-                   fmt::format("Stop once no generator is farther from its centroid than this part of the mean cell "
-                               "radius (default: {})",
-                               options.move_tolerance),
-                   group},
+                  text("--move-tolerance", fmt::format("Stop once no generator is farther from its centroid than this "
+                                                       "part of the mean cell radius (default: {})",
+                                                       options.move_tolerance)),
                   options.move_tolerance, app::kNotNegative);
   app::add_number(
       line,
-      {"--step", "",
-       fmt::format("Part of the way to its centroid that a generator goes, below 2 (default: {})", options.step),
-       group},
+      text("--step",
+           fmt::format("Part of the way to its centroid that a generator goes, below 2 (default: {})", options.step)),
       options.step, kStep);
 }
 

@@ -101,7 +101,7 @@ void run_remesh(app::Run& run, const Settings& settings) {
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> generators = app::make_generators(run, input);
   const RemeshResult result = make_remesh(run, mesh, generators, settings);
-  const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
+  const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
   app::write_view_file(run, "gvd-remesh", [&] {

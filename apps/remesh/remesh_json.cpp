@@ -2,41 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-#include <string>
+#include "common/diagram_members.hpp"
 
-#include "gvd/error.hpp"
-#include "gvd/io/diagram_json.hpp"
-
-namespace gvd {
+namespace gvd::app {
 
 void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result) {
-  std::ostringstream text;
-  write_diagram_json(text, mesh, result.diagram);
-  std::string object = std::move(text).str();
-  object.erase(object.rfind('}'));
-  out << object << ",\"remesh\":{\"vertices\":[";
+  out << open_diagram(mesh, result.diagram) << ",\"remesh\":{";
+  write_mesh_members(out, result.mesh);
+  out << ",\n\"face_points\":[";
   const char* separator = "\n";
-  for (const Vec3& p : result.mesh.positions()) {
-    out << fmt::format("{}[{},{},{}]", separator, p.x(), p.y(), p.z());
-    separator = ",\n";
-  }
-  out << "],\n\"faces\":[";
-  separator = "\n";
-  for (std::int32_t i = 0; i < result.mesh.face_count(); ++i) {
-    const auto& [a, b, c] = result.mesh.vertices(FaceId(i));
-    out << fmt::format("{}[{},{},{}]", separator, a.value(), b.value(), c.value());
-    separator = ",\n";
-  }
-  out << "],\n\"face_points\":[";
-  separator = "\n";
   for (const SurfacePoint& p : result.face_points) {
     out << fmt::format("{}{{\"face\":{},\"bary\":[{},{},{}]}}", separator, p.face.value(), p.bary[0], p.bary[1],
                        p.bary[2]);
     separator = ",\n";
   }
   out << fmt::format("],\n\"added\":{}}}}}\n", result.added);
-  if (!out.flush()) throw Error(ErrorCode::unwritable_output, "could not be written");
+  finish(out);
 }
 
-}  // namespace gvd
+}  // namespace gvd::app

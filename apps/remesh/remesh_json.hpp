@@ -5,11 +5,11 @@
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
 
-namespace gvd {
+namespace gvd::app {
 
 /// Writes the diagram of all generators as `gvd-diagram/1` with one more member, `"remesh"`:
-/// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i is generator i; a
-/// face's point is its branch point, on `mesh`. Throws Error{unwritable_output}. Cost: O(n).
+/// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i is generator i.
+/// The point of a face is its branch point, on `mesh`. Throws Error{unwritable_output}. Cost: O(n).
 void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result);
 
-}  // namespace gvd
+}  // namespace gvd::app

@@ -29,7 +29,7 @@ void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) 
   output.vertex_label = &diagram.vertex_label;
   output.vertex_distance = &diagram.vertex_distance;
   output.diagram = &diagram;
-  const auto json = [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); };
+  const auto json = [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); };
   app::write_output_files(run, output, {{"json", json}});
 }
 
@@ -42,7 +42,7 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   output.face_parent = &cut.parent;
   output.diagram = &diagram;
   output.diagram_mesh = &mesh;
-  const auto json = [&](std::ostream& out) { write_cut_json(out, mesh, diagram, cut); };
+  const auto json = [&](std::ostream& out) { app::write_cut_json(out, mesh, diagram, cut); };
   app::write_output_files(run, output, {{"json", json}});
 }
 

@@ -5,7 +5,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/segment.hpp"
 
-namespace gvd {
+namespace gvd::app {
 
 /// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
 void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
@@ -15,4 +15,4 @@ void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram&
 /// two one for each face.
 void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
 
-}  // namespace gvd
+}  // namespace gvd::app

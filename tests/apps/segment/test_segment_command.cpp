@@ -1,0 +1,62 @@
+// gvd-segment on files: its JSON and its report, with whole and with cut faces.
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+
+namespace {
+
+struct Outcome {
+  nlohmann::json output, report;
+};
+
+Outcome segment(const std::string& options) {
+  const ScratchFolder scratch;
+  const CommandResult result =
+      run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + scratch / "a.json" + " --report " +
+                                     scratch / "r.json" + " " + options);
+  CAPTURE(options, result.err);
+  REQUIRE(result.exit_code == 0);
+  return {nlohmann::json::parse(read_text(scratch / "a.json")), nlohmann::json::parse(read_text(scratch / "r.json"))};
+}
+
+/// The regions of the report have the faces of the labels, and together the area of the mesh.
+void check_regions(const nlohmann::json& report, const std::vector<int>& labels) {
+  const auto& regions = report["results"]["regions"];
+  REQUIRE(regions.size() == 20);
+  double area = 0;
+  for (std::size_t g = 0; g < regions.size(); ++g) {
+    CHECK(regions[g]["label"] == g);
+    CHECK(regions[g]["faces"] == std::count(labels.begin(), labels.end(), static_cast<int>(g)));
+    area += regions[g]["area"].get<double>();
+  }
+  CHECK(area == Approx(report["input"]["area"].get<double>()));
+  CHECK(report["results"]["faces"] == labels.size());
+  CHECK(report["results"]["unreached_faces"] == 0);
+}
+
+}  // namespace
+
+TEST_CASE("gvd-segment: JSON carries the diagram and a label for each face") {
+  const auto [output, report] = segment("");
+  CHECK(output["schema"] == "gvd-diagram/1");
+  CHECK(output["face_labels"].size() == report["input"]["faces"]);
+  CHECK(report["options"]["cut"] == false);
+  CHECK(report["results"]["generators_without_face"] == nlohmann::json::array());
+  check_regions(report, output["face_labels"].get<std::vector<int>>());
+}
+
+TEST_CASE("gvd-segment: JSON of a cut mesh carries its faces, their labels and their parents") {
+  const auto [output, report] = segment("--cut");
+  const auto& cut = output["cut_mesh"];
+  CHECK(cut["faces"].size() > report["input"]["faces"].get<std::size_t>());
+  CHECK(cut["labels"].size() == cut["faces"].size());
+  CHECK(cut["parents"].size() == cut["faces"].size());
+  CHECK(report["options"]["cut"] == true);
+  CHECK(report["results"]["uncut_faces"] == 0);
+  check_regions(report, cut["labels"].get<std::vector<int>>());
+}
