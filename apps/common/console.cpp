@@ -42,14 +42,14 @@ ConsoleStyle detect_console_style() {
 }
 
 std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style) {
-  const double part = std::clamp(fraction, 0.0, 1.0);
-  const int percent = static_cast<int>(part * 100);
+  const double done_part = std::clamp(fraction, 0.0, 1.0);
+  const int percent = static_cast<int>(done_part * 100);
   const int cells = style.width - 1 - kStepColumns - 2 - kPercentColumns;
   if (cells < kSmallestBar) {
-    const int room = std::max(0, style.width - 1 - 6);
-    return fmt::format("{} {:3} %", step.substr(0, static_cast<std::size_t>(room)), percent);
+    const int step_columns = std::max(0, style.width - 1 - 6);
+    return fmt::format("{} {:3} %", step.substr(0, static_cast<std::size_t>(step_columns)), percent);
   }
-  const int filled = static_cast<int>(part * cells);
+  const int filled = static_cast<int>(done_part * cells);
   const std::string done(static_cast<std::size_t>(filled), '#');
   const std::string rest(static_cast<std::size_t>(cells - filled), '.');
   const std::string_view on = style.colours ? "\x1b[36m" : "", off = style.colours ? "\x1b[0m" : "";
@@ -64,7 +64,7 @@ Console::~Console() { clear_bar(); }
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
   std::string text = fmt::format("{}: {}{}", command_, kind, message);
-  // One line whatever a file name or a library's message holds.
+  // File names and messages of libraries may hold line breaks.
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   write_stderr(text + '\n');

@@ -6,7 +6,7 @@
 
 namespace gvd::app {
 
-/// What standard error can show.
+/// What standard error can display.
 struct ConsoleStyle {
   bool bars = false;     ///< a terminal that can redraw a line
   bool colours = false;  ///< a terminal, and NO_COLOR is not set
@@ -20,7 +20,7 @@ ConsoleStyle detect_console_style();
 /// `fraction` is clamped to [0, 1].
 std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style);
 
-/// Standard error: messages of one line, and a progress bar that gives way to them.
+/// Standard error: messages of one line each, and a progress bar below them.
 class Console {
  public:
   Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose);
@@ -29,8 +29,8 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   void error(std::string_view message);
-  void note(std::string_view message);    ///< unless quiet
-  void detail(std::string_view message);  ///< where verbose
+  void note(std::string_view message);    ///< not printed where quiet
+  void detail(std::string_view message);  ///< printed only where verbose
   /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();

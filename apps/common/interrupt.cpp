@@ -29,7 +29,7 @@ void install_signal_handlers() {
 bool interrupt_requested() noexcept { return interrupted != 0; }
 
 void check_interrupt() {
-  if (interrupt_requested()) throw Error(ErrorCode::interrupted, "interrupted; nothing was left half-written");
+  if (interrupt_requested()) throw Error(ErrorCode::interrupted, "interrupted; no file is left half-written");
 }
 
 }  // namespace gvd::app

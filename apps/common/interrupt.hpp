@@ -2,13 +2,14 @@
 
 namespace gvd::app {
 
-/// From here on SIGINT and SIGTERM only raise a flag, once: a second one ends the process the usual way. A closed pipe
-/// becomes a write error instead of a signal.
+/// From now on the first SIGINT or SIGTERM only sets a flag; the second one ends the process. A write to a closed pipe
+/// becomes an error instead of a signal. Clears the flag.
 void install_signal_handlers();
 
+/// Whether the flag is set.
 bool interrupt_requested() noexcept;
 
-/// Throws Error{interrupted} where a signal came. For the steps that report no progress.
+/// Throws Error{interrupted} where the flag is set. For steps without progress.
 void check_interrupt();
 
 }  // namespace gvd::app

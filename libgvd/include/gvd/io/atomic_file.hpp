@@ -9,17 +9,16 @@
 
 namespace gvd {
 
-/// A file that appears under its name only when it is whole: it is written beside its target and renamed.
+/// A file that gets its name only when it is complete: it is written beside its target and renamed.
 ///
-/// Properties: (1) until `commit` returns, the target is what it was; (2) without a commit, whether by an error, an
-/// exception or a cancelled run, the temporary file is removed; (3) the first failed write throws, from the very `<<`
-/// or `write` that met it. Nothing is forced to the disk, so (1) covers an interrupted run, not a power cut. A symbolic
-/// link is followed, and an existing file keeps its permissions. A target that is neither a file nor a folder (a
-/// device, a pipe) can't be renamed to and is written directly.
+/// Properties: (1) the target is unchanged until `commit` returns; (2) without a commit (after an error, an exception or
+/// a cancelled run) the temporary file is removed; (3) the first failed write throws, out of its own `<<` or `write`.
+/// Data is not forced to the disk: (1) covers an interrupted run, not a power cut. A symbolic link is followed. An
+/// existing file keeps its permissions. A device or a pipe can't be replaced and is written directly.
 class AtomicFile {
  public:
-  /// Opens the temporary file. `progress` may be empty; it is called about once a megabyte with fraction 0, since the
-  /// final size is not known, and cancels the writing as it does any other work.
+  /// Opens the temporary file. `progress` may be empty. It is called about once a megabyte, with fraction 0, since the
+  /// final size is not known; it can cancel.
   /// Throws Error{unwritable_output} with the path and the reason.
   explicit AtomicFile(std::filesystem::path target, Progress progress = {});
   ~AtomicFile();
@@ -37,7 +36,7 @@ class AtomicFile {
   std::unique_ptr<State> state_;
 };
 
-/// Writes `target` whole or not at all: whatever `write` puts into the stream that it is given.
+/// Writes a complete file or none: the content is what `write` puts into its stream.
 /// Throws what `write` throws, and what AtomicFile throws.
 void write_file(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write,
                 const Progress& progress = {});

@@ -21,38 +21,38 @@ std::optional<OutputFormat> parse_output_format(std::string_view extension);
 /// The format that a file's name asks for. Throws Error{invalid_option} that lists the known extensions.
 OutputFormat output_format(const std::filesystem::path& path);
 
-/// Throws Error{unwritable_output} where the format can't hold the coordinates of the mesh, as `write_mesh` does: for
-/// those who would know before the work. Every mesh that spans the same box fits as well. Cost: O(n).
+/// Throws Error{unwritable_output} where the format can't hold the coordinates of the mesh, as `write_mesh` does: call
+/// it before long work. A result with the same bounding box fits as well. Cost: O(n).
 void check_format(const Mesh& mesh, OutputFormat format);
 
-/// A mesh and what is known of its elements; a null member is not known and not written. It owns nothing: everything
-/// that it points to must outlive it. Alone, `LabelledMesh{mesh}` is a plain mesh.
+/// A mesh and arrays over its elements; what is null is not written. `LabelledMesh{mesh}` is a plain mesh.
+/// It owns nothing: everything that it points to must outlive it.
 struct LabelledMesh {
   const Mesh& mesh;
   const IdVector<FaceId, GeneratorId>* face_label = nullptr;      ///< invalid ids are written as -1, in grey
   const IdVector<FaceId, FaceId>* face_parent = nullptr;          ///< the face of the input that a face is a piece of
   const IdVector<VertexId, GeneratorId>* vertex_label = nullptr;  ///< invalid ids are written as -1
-  const IdVector<VertexId, double>* vertex_distance = nullptr;    ///< mesh units; infinity where none reaches
+  const IdVector<VertexId, double>* vertex_distance = nullptr;    ///< mesh units; infinity where no generator reaches
   const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
-  /// The mesh that the diagram's surface points refer to, where it is not `mesh` itself (a mesh cut along the
-  /// bisectors).
+  /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
 };
 
 /// Writes the mesh in one format. The stream is flushed and checked.
 ///
-/// In OBJ a stream holds the geometry and the groups; the materials that they name are `write_materials`'s.
-/// Throws Error{precondition} where an array's length is not that of its elements, Error{invalid_option} for JSON
-/// without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL and
-/// GLB have 32-bit floats, GLB has 4 GiB). Distances are floats in PLY, and doubles where one leaves a float's range.
+/// In OBJ the stream holds the geometry and the groups; `write_materials` writes the materials.
+/// Distances in PLY are floats, or doubles where a float can't hold one of them.
+/// Throws Error{precondition} where the length of an array is not the number of elements, Error{invalid_option} for
+/// JSON without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL
+/// and GLB have 32-bit floats, GLB at most 4 GiB).
 /// Cost: O(n) time; memory O(n) for the order of the faces by label, O(1) without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 
-/// Writes the file whole or not at all, in the format of its extension; for OBJ with labels also the .mtl beside it.
+/// Writes a complete file or none, in the format of its extension; for OBJ with labels also the .mtl beside it.
 /// Throws what `write_mesh` and AtomicFile throw.
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress = {});
 
-/// The .mtl that belongs to an OBJ: one material per region.
+/// The .mtl of an OBJ: one material for each region.
 void write_materials(std::ostream& out, const LabelledMesh& mesh);
 
 }  // namespace gvd

@@ -8,14 +8,14 @@
 namespace gvd {
 namespace {
 
-/// Fraction of the circle that one golden angle covers: (3 - sqrt 5) / 2. Multiples of it never crowd.
+/// The golden angle as a fraction of the circle: (3 - sqrt 5) / 2. Its multiples are spread evenly.
 constexpr double kGoldenTurn = 0.38196601125010515;
 
 struct Tone {
   double saturation;
   double value;
 };
-/// Taken in turn: hues that come close to each other after a while then differ in tone.
+/// Used in turn, so that labels with similar hues differ in tone.
 constexpr std::array<Tone, 3> kTones{{{0.62, 0.95}, {0.85, 0.78}, {0.45, 0.88}}};
 
 std::uint8_t to_byte(double channel) { return static_cast<std::uint8_t>(std::lround(255 * channel)); }

@@ -22,11 +22,11 @@ constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F53
 constexpr int kFloat = 5126, kUnsignedInt = 5125;           // accessor.componentType
 constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;  // bufferView.target
 constexpr int kLines = 1, kTriangles = 4;                   // primitive.mode
-/// Bytes of the header and the heads of both chunks.
+/// Bytes of the file header and the headers of both chunks.
 constexpr std::uint64_t kHeadBytes = 12 + 8 + 8;
 
-/// glTF's factors are linear, our colours are sRGB (IEC 61966-2-1). Four digits: a factor of 8 bits needs no more, and
-/// they are the same whatever the last bit of pow is.
+/// A colour channel of sRGB (IEC 61966-2-1) as a linear factor of glTF. Rounded to four digits, which 8 bits need, so
+/// that the last bit of pow does not matter.
 double to_linear(std::uint8_t channel) {
   const double c = channel / 255.0;
   const double linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -59,7 +59,7 @@ class GlbWriter {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     const std::uint64_t total = kHeadBytes + json.size() + binary_bytes_;
     if (total > std::numeric_limits<std::uint32_t>::max()) {
-      throw Error(ErrorCode::unwritable_output, "GLB holds 4 GiB and the mesh needs more, choose PLY or VTP");
+      throw Error(ErrorCode::unwritable_output, "GLB holds 4 GiB and the mesh needs more; choose PLY or VTP");
     }
     ByteWriter out(stream);
     for (const std::uint32_t word : {kMagic, kVersion, static_cast<std::uint32_t>(total)}) out.binary(word);
@@ -72,7 +72,7 @@ class GlbWriter {
   }
 
  private:
-  /// Appends a view of `bytes` more bytes of the buffer; returns its index.
+  /// Appends a buffer view of `bytes` bytes at the end of the buffer; returns its index.
   std::size_t add_view(std::uint64_t bytes, int target) {
     gltf_["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", binary_bytes_}, {"byteLength", bytes}, {"target", target}});
@@ -80,7 +80,7 @@ class GlbWriter {
     return gltf_["bufferViews"].size() - 1;
   }
 
-  /// Numbers in a view, `offset` bytes into it; returns the accessor's index.
+  /// Appends an accessor of indices, `offset` bytes into a view; returns its index.
   std::size_t add_indices(std::size_t view, std::size_t offset, std::size_t count) {
     gltf_["accessors"].push_back({{"bufferView", view},
                                   {"byteOffset", offset},
@@ -90,6 +90,7 @@ class GlbWriter {
     return gltf_["accessors"].size() - 1;
   }
 
+  /// Appends an accessor of positions with its bounds, and its view; returns its index.
   template <class ForEachPoint>
   std::size_t add_positions(std::size_t count, ForEachPoint for_each_point) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
@@ -140,7 +141,7 @@ class GlbWriter {
     add_node("surface", std::move(primitives));
   }
 
-  /// All bisectors in one primitive of separate segments.
+  /// All bisectors are one primitive of line segments.
   void describe_bisectors() {
     std::size_t points = 0;
     for (const BisectorLine& line : lines_) points += line.points.size();

@@ -27,7 +27,7 @@ void print_regions(ByteWriter& out, const LabelledMesh& mesh, bool with_material
   }
 }
 
-/// The lines bring their own vertices, after those of the mesh, whose numbers stay what they are.
+/// The vertices of the lines follow those of the mesh, whose numbers do not change.
 void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
   if (lines.empty()) return;

@@ -11,7 +11,7 @@
 namespace gvd::io {
 namespace {
 
-/// A finite distance that a float would make infinite or 0: "reached by none", or "a generator".
+/// Whether a float would turn a finite distance into infinity (not reached) or 0 (a generator).
 bool leaves_float(double distance) {
   using Float = std::numeric_limits<float>;
   return std::isfinite(distance) && distance != 0 && (distance > Float::max() || distance < Float::min());

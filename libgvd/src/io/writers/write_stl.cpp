@@ -9,11 +9,11 @@
 namespace gvd::io {
 namespace {
 
-/// Must not begin with "solid", or readers take the file for text.
+/// Must not begin with "solid": readers would take the file for text.
 constexpr std::string_view kHeader = "binary STL, 32-bit floats, face colours in the attribute";
 constexpr std::size_t kHeaderBytes = 80;
 
-/// The habit of VisCAM and SolidView: bit 15 says that there is a colour, then 5 bits each of red, green and blue.
+/// The convention of VisCAM and SolidView: bit 15 is set, then 5 bits each of red, green and blue.
 std::uint16_t attribute(const Rgb& color) {
   return static_cast<std::uint16_t>(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
 }
@@ -34,7 +34,7 @@ void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
   for (FaceId f(0); f.value() < mesh.face_count(); f = FaceId(f.value() + 1)) {
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3& origin = mesh.position(a);
-    // Scaled first: the product of two small edges can underflow. A face without area gets the normal 0.
+    // Normalized first: the product of two short edges can underflow. A face without area gets the normal 0.
     const Vec3 u = (mesh.position(b) - origin).stableNormalized();
     const Vec3 v = (mesh.position(c) - origin).stableNormalized();
     write_vector(out, u.cross(v).normalized());
