@@ -21,7 +21,7 @@ FUZZ_COUNT  ?= 10000
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures test fuzz test-runs build bench sanitize install format lint clean
+.PHONY: help demo pictures test fuzz test-runs build bench why-exact sanitize install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -31,6 +31,7 @@ help:
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the three commands"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
+	@echo "make why-exact compare labels by Euclidean, edge and heat distances with the exact ones"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make format    lay out the sources with clang-format"
@@ -80,6 +81,12 @@ bench:
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench
 	@$(BUILD)/bin/gvd-bench $(BENCH_FLAGS)
+
+why-exact:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-why-exact
+	@$(BUILD)/bin/gvd-why-exact $(WHY_FLAGS)
 
 # Not here: tests labelled `slow`, and `install`, which builds against an installed library without sanitizers.
 sanitize:

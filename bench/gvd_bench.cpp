@@ -15,13 +15,13 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cpu_clock.hpp"
 #include "dijkstra.hpp"
+#include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/soup.hpp"
 #include "heap_meter.hpp"
@@ -79,20 +79,6 @@ double wall_milliseconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
-/// every standard library draws the same ones.
-std::vector<VertexId> draw_vertices(const Mesh& mesh, int count, std::uint64_t seed) {
-  std::vector<int> order(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::mt19937_64 random(seed);
-  std::vector<VertexId> drawn;
-  for (std::size_t i = 0; i < std::min(order.size(), static_cast<std::size_t>(count)); ++i) {
-    std::swap(order[i], order[i + random() % (order.size() - i)]);
-    drawn.emplace_back(order[i]);
-  }
-  return drawn;
 }
 
 /// The median of every step over the runs, in the order of the first run.

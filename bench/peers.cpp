@@ -83,4 +83,20 @@ PeerTimes time_peers(const Mesh& mesh, const std::vector<VertexId>& generators) 
   return times;
 }
 
+std::vector<std::vector<double>> compute_heat_distances(const Mesh& mesh, const std::vector<VertexId>& generators) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  Surface<Kernel> surface = build_surface<Kernel>(mesh);
+  auto distance = surface.add_property_map<Surface<Kernel>::Vertex_index, double>("v:distance", 0).first;
+  CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Surface<Kernel>> heat(surface);
+  std::vector<std::vector<double>> distances;
+  for (const VertexId generator : generators) {
+    heat.clear_sources();
+    heat.add_source(vertex_of<Kernel>(generator));
+    heat.estimate_geodesic_distances(distance);
+    std::vector<double>& row = distances.emplace_back();
+    for (const auto v : surface.vertices()) row.push_back(distance[v]);
+  }
+  return distances;
+}
+
 }  // namespace gvd::bench

@@ -17,4 +17,8 @@ struct PeerTimes {
 /// Throws gvd::Error where CGAL can't hold the mesh.
 PeerTimes time_peers(const Mesh& mesh, const std::vector<VertexId>& generators);
 
+/// The heat method's distances of all vertices from each generator, in mesh units: one list for each generator.
+/// Throws gvd::Error where CGAL can't hold the mesh.
+std::vector<std::vector<double>> compute_heat_distances(const Mesh& mesh, const std::vector<VertexId>& generators);
+
 }  // namespace gvd::bench

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd::bench {
+
+/// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
+/// every standard library draws the same ones.
+std::vector<VertexId> draw_vertices(const Mesh& mesh, int count, std::uint64_t seed);
+
+}  // namespace gvd::bench

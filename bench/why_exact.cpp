@@ -1,0 +1,233 @@
+// gvd-why-exact: how far simpler distances are from the exact ones, and how many vertices they give to a wrong
+// generator.
+//
+// Each row is one mesh and one kind of distance from m random vertices, seeded: straight through space (Euclidean),
+// along the mesh's edges (Dijkstra), by CGAL's heat method, and by this library's fast marching. The figures are means
+// over several draws of generators:
+//   wrong label     share of the vertices whose nearest generator is another one than by exact distances
+//   cut off         share of the vertices that edges between vertices of one label do not join to their generator
+//   in pieces       share of the cells that have such vertices
+//   error           mean relative error of the distance from the nearest generator
+//
+//   gvd-why-exact [MESH...] [-m 30] [--draws 10] [--refine 0]
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dijkstra.hpp"
+#include "draw_vertices.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/soup.hpp"
+#include "refine_flat.hpp"
+#ifdef GVD_HAS_PEERS
+#include "peers.hpp"
+#endif
+
+namespace gvd::bench {
+namespace {
+
+/// Generators whose distances differ by less than this part of them are equally near.
+constexpr double kTie = 1e-9;
+
+/// The nearest generator of every vertex, by its place in the list, and the distance; -1 and infinity where none
+/// reaches.
+struct Labels {
+  std::vector<int> label;
+  std::vector<double> distance;
+};
+
+struct Figures {
+  double wrong_label = 0;
+  double cut_off = 0;
+  double in_pieces = 0;
+  double error = 0;
+
+  Figures& operator+=(const Figures& other) {
+    wrong_label += other.wrong_label;
+    cut_off += other.cut_off;
+    in_pieces += other.in_pieces;
+    error += other.error;
+    return *this;
+  }
+};
+
+/// Distances of all vertices from each generator: one list for each.
+using DistanceTable = std::vector<std::vector<double>>;
+using ComputeDistances = std::function<DistanceTable(const Mesh&, const std::vector<VertexId>&)>;
+
+struct Approach {
+  std::string_view name;
+  ComputeDistances compute;
+};
+
+DistanceTable compute_euclidean(const Mesh& mesh, const std::vector<VertexId>& generators) {
+  DistanceTable table;
+  for (const VertexId generator : generators) {
+    std::vector<double>& row = table.emplace_back();
+    for (const Vec3& p : mesh.positions()) row.push_back((p - mesh.position(generator)).norm());
+  }
+  return table;
+}
+
+DistanceTable compute_dijkstra(const Mesh& mesh, const std::vector<VertexId>& generators) {
+  const EdgeGraph graph = build_edge_graph(mesh);
+  DistanceTable table;
+  for (const VertexId generator : generators) table.push_back(compute_edge_distances(graph, {generator}));
+  return table;
+}
+
+DistanceTable compute_exact(const Mesh& mesh, const std::vector<VertexId>& generators) {
+  DistanceTable table;
+  for (const VertexId generator : generators) {
+    const ExactField field(mesh, {vertex_point(mesh, generator)});
+    std::vector<double>& row = table.emplace_back();
+    for (int v = 0; v < mesh.vertex_count(); ++v) row.push_back(field.distance(VertexId(v)));
+  }
+  return table;
+}
+
+DistanceTable compute_fast_marching(const Mesh& mesh, const std::vector<VertexId>& generators) {
+  DiagramOptions options;
+  options.method = Method::gbgvd;
+  DistanceTable table;
+  for (const VertexId generator : generators) {
+    const Diagram diagram = compute_diagram(mesh, {vertex_point(mesh, generator)}, options);
+    std::vector<double>& row = table.emplace_back();
+    for (int v = 0; v < mesh.vertex_count(); ++v) row.push_back(diagram.vertex_distance[VertexId(v)]);
+  }
+  return table;
+}
+
+std::vector<Approach> list_approaches() {
+  return {{"Euclidean", compute_euclidean},
+          {"Dijkstra", compute_dijkstra},
+#ifdef GVD_HAS_PEERS
+          {"heat method", compute_heat_distances},
+#endif
+          {"fast marching", compute_fast_marching},
+          {"exact", compute_exact}};
+}
+
+Labels find_nearest(const DistanceTable& table) {
+  Labels nearest;
+  nearest.label.assign(table.front().size(), -1);
+  nearest.distance.assign(table.front().size(), std::numeric_limits<double>::infinity());
+  for (std::size_t g = 0; g < table.size(); ++g) {
+    for (std::size_t v = 0; v < table[g].size(); ++v) {
+      if (table[g][v] >= nearest.distance[v]) continue;
+      nearest.distance[v] = table[g][v];
+      nearest.label[v] = static_cast<int>(g);
+    }
+  }
+  return nearest;
+}
+
+/// Whether edges between vertices of one label join each vertex to its generator.
+std::vector<bool> find_joined(const EdgeGraph& graph, const std::vector<int>& label,
+                              const std::vector<VertexId>& generators) {
+  std::vector<bool> joined(label.size(), false);
+  std::vector<std::size_t> waiting;
+  for (std::size_t g = 0; g < generators.size(); ++g) {
+    const std::size_t v = generators[g].index();
+    if (label[v] == static_cast<int>(g)) waiting.push_back(v);
+  }
+  for (const std::size_t v : waiting) joined[v] = true;
+  while (!waiting.empty()) {
+    const std::size_t v = waiting.back();
+    waiting.pop_back();
+    for (auto i = std::size_t(graph.first[v]); i < std::size_t(graph.first[v + 1]); ++i) {
+      const auto w = std::size_t(graph.neighbour[i]);
+      if (joined[w] || label[w] != label[v]) continue;
+      joined[w] = true;
+      waiting.push_back(w);
+    }
+  }
+  return joined;
+}
+
+/// What `found` makes of the vertices that have an exact distance above zero.
+Figures compare(const EdgeGraph& graph, const std::vector<VertexId>& generators, const DistanceTable& exact,
+                const Labels& truth, const Labels& found) {
+  const std::vector<bool> joined = find_joined(graph, found.label, generators);
+  std::vector<bool> in_pieces(generators.size(), false);
+  Figures sum;
+  double vertices = 0;
+  for (std::size_t v = 0; v < found.label.size(); ++v) {
+    if (truth.label[v] < 0 || found.label[v] < 0 || truth.distance[v] == 0) continue;
+    ++vertices;
+    const auto g = static_cast<std::size_t>(found.label[v]);
+    sum.wrong_label += exact[g][v] > truth.distance[v] * (1 + kTie) ? 1 : 0;
+    sum.error += std::abs(found.distance[v] / truth.distance[v] - 1);
+    if (joined[v]) continue;
+    sum.cut_off += 1;
+    in_pieces[g] = true;
+  }
+  double cells = 0;
+  for (const bool cell : in_pieces) cells += cell ? 1 : 0;
+  return {sum.wrong_label / vertices, sum.cut_off / vertices, cells / static_cast<double>(generators.size()),
+          sum.error / vertices};
+}
+
+void print_rows(const std::string& name, const Mesh& mesh, int count, int draws) {
+  const EdgeGraph graph = build_edge_graph(mesh);
+  const std::vector<Approach> approaches = list_approaches();
+  std::vector<Figures> sums(approaches.size());
+  for (int draw = 0; draw < draws; ++draw) {
+    const std::vector<VertexId> generators = draw_vertices(mesh, count, static_cast<std::uint64_t>(draw));
+    const DistanceTable exact = compute_exact(mesh, generators);
+    const Labels truth = find_nearest(exact);
+    for (std::size_t i = 0; i < approaches.size(); ++i) {
+      sums[i] += compare(graph, generators, exact, truth, find_nearest(approaches[i].compute(mesh, generators)));
+    }
+  }
+  for (std::size_t i = 0; i < approaches.size(); ++i) {
+    const auto percent = [&](double sum) { return 100 * sum / draws; };
+    std::cout << fmt::format("{:<22} {:>7} {:>5} {:<14} {:>11.2f} % {:>8.2f} % {:>9.1f} % {:>9.3f} %\n", name,
+                             mesh.face_count(), count, approaches[i].name, percent(sums[i].wrong_label),
+                             percent(sums[i].cut_off), percent(sums[i].in_pieces), percent(sums[i].error));
+  }
+  std::cout << std::flush;
+}
+
+int run(int argc, char** argv) {
+  std::vector<std::string> meshes;
+  int count = 30, draws = 10, refinements = 0;
+  CLI::App app("Compares labels and distances of simpler methods with the exact ones, at the vertices");
+  app.add_option("meshes", meshes, "OBJ, PLY, OFF or STL files (default: data/figure.obj)")->check(CLI::ExistingFile);
+  app.add_option("-m,--generators", count, "number of generators: random vertices")->check(CLI::PositiveNumber);
+  app.add_option("--draws", draws, "draws of generators of which the mean is taken")->check(CLI::PositiveNumber);
+  app.add_option("--refine", refinements, "cut every face in four, this many times over")->check(CLI::Range(0, 4));
+  CLI11_PARSE(app, argc, argv);
+  if (meshes.empty()) meshes.emplace_back(GVD_SOURCE_DIR "/data/figure.obj");
+  std::cout << fmt::format("{:<22} {:>7} {:>5} {:<14} {:>13} {:>10} {:>11} {:>11}\n", "mesh", "faces", "m", "distances",
+                           "wrong label", "cut off", "in pieces", "error");
+  for (const std::string& path : meshes) {
+    Mesh mesh = build_mesh(read_soup(path)).mesh;
+    for (int level = 0; level < refinements; ++level) mesh = refine_flat(mesh);
+    print_rows(std::filesystem::path(path).stem().string(), mesh, count, draws);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace gvd::bench
+
+int main(int argc, char** argv) {
+  try {
+    return gvd::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "gvd-why-exact: " << error.what() << "\n";
+    return 1;
+  }
+}
