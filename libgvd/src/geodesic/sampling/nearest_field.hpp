@@ -8,8 +8,8 @@ namespace gvd {
 
 /// The nearest of the generators inserted so far, at every vertex.
 ///
-/// Each new generator only changes the region that it wins, so that N of them cost about n log N in all. Where two are
-/// equally near, the earlier one stays.
+/// An insertion updates only the vertices that are nearest to the new generator, so N insertions cost about
+/// O(n log n log N) in all. Of two generators at the same distance the earlier one is kept.
 class NearestField {
  public:
   NearestField(const Mesh& mesh, Front front)
@@ -17,7 +17,7 @@ class NearestField {
         distance_(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity()),
         label_(static_cast<std::size_t>(mesh.vertex_count())) {}
 
-  /// Adds the next generator. Cost: O(k log k) for the k vertices that it wins.
+  /// Adds the next generator. Cost: O(k log k) for the k vertices that are nearest to it.
   GeneratorId insert(const SurfacePoint& point) {
     const GeneratorId g(count_++);
     march_.run(point, std::numeric_limits<double>::infinity(), &distance_);

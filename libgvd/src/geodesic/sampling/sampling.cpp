@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <string>
 
+#include "geodesic/sampling/sampling_farthest.hpp"
+#include "geodesic/sampling/sampling_poisson.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_steps.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -24,24 +22,15 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
   if (options.count < 1) {
     throw Error(ErrorCode::invalid_option, fmt::format("{} generators asked for; ask for at least 1", options.count));
   }
-  // Whatever uses the generators adds a vertex for each of them.
-  const std::int64_t most = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
-  if (options.count > most) {
+  // The working mesh adds a vertex for each generator.
+  const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
+  if (options.count > maximum) {
     throw Error(ErrorCode::precondition,
-                fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, most));
+                fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, maximum));
   }
 }
 
 }  // namespace
-
-double even_spacing(double area, std::int64_t count) {
-  // Each point has two triangles of area sqrt(3) / 4 times the square of the side.
-  return std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(count)));
-}
-
-std::int64_t most_splits(const Mesh& mesh, std::int64_t count) {
-  return std::min<std::int64_t>(4 * (mesh.vertex_count() + count), kMaxSamplingVertices);
-}
 
 std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOptions& options) {
   check_options(mesh, options);

@@ -1,5 +1,7 @@
-// Farthest sampling by incremental insertion: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for
+// Farthest-point sampling by incremental insertion: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for
 // progressive image sampling, 1997; on surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
+#include "geodesic/sampling/sampling_farthest.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,35 +11,32 @@
 #include <string>
 
 #include "base/lazy_max_heap.hpp"
-#include "geodesic/sampling/face_reach.hpp"
+#include "geodesic/sampling/face_distance_bound.hpp"
 #include "geodesic/sampling/nearest_field.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_steps.hpp"
+#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
 
-/// Edges longer than this many even spacings are split: a generator fits between the ends, a spacing from each.
-constexpr double kLongEdge = 2;
-
-/// For covering, edges longer than this part of the radius are split: what is known of the inside of a face from its
-/// corners is then at most an eighth of the radius above the truth.
+/// A covering splits edges longer than this fraction of the radius. The distance bound of a face is then too large by
+/// at most an eighth of the radius.
 constexpr double kCoveringEdge = 0.25;
 
-/// How often vertices that rounding can't tell apart make the sampling start again with twice as many.
-constexpr int kMaxRounds = 4;
+/// If some vertices coincide within rounding, sampling starts again with twice as many, at most this often.
+constexpr int kMaxAttempts = 4;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Farthest points among the vertices of a mesh, one after the other.
+/// Inserts farthest vertices of a mesh one by one.
 class FarthestSampler {
  public:
   FarthestSampler(const Mesh& mesh, const SamplingOptions& options)
       : mesh_(mesh), field_(mesh, options.front), faces_(sort_by_component()), random_(options.seed) {}
 
-  /// The vertices so far, in the order of their insertion.
+  /// The vertices inserted so far, in order.
   const std::vector<VertexId>& chosen() const { return chosen_; }
 
   /// One vertex in each component, or in the first `count` of them.
@@ -49,7 +48,7 @@ class FarthestSampler {
     }
   }
 
-  /// Inserts the farthest vertex as long as more(its distance) says so.
+  /// Inserts the farthest vertex while more(its distance) is true.
   template <class More>
   void insert_farthest(More more) {
     const auto key = [&](std::int32_t v) { return field_.distance(VertexId(v)); };
@@ -61,11 +60,11 @@ class FarthestSampler {
     }
   }
 
-  /// Inserts the farthest vertex of the face that reaches farthest, as long as more(that reach, the vertex's distance)
-  /// says so.
+  /// Takes the face with the largest distance bound and inserts its farthest corner, while more(that bound, the
+  /// corner's distance) is true.
   template <class More>
   void insert_in_farthest_face(More more) {
-    const auto key = [&](std::int32_t f) { return reach(FaceId(f)); };
+    const auto key = [&](std::int32_t f) { return distance_bound(FaceId(f)); };
     LazyMaxHeap heap(mesh_.face_count(), key);
     while (!heap.empty()) {
       const auto& top = heap.top(key);
@@ -99,11 +98,11 @@ class FarthestSampler {
   }
 
   /// No point of the face is farther than this from its nearest generator.
-  double reach(FaceId f) const {
+  double distance_bound(FaceId f) const {
     const auto length = [&](int corner) { return mesh_.length(Mesh::halfedge(f, corner)); };
     const auto& [a, b, c] = mesh_.vertices(f);
-    return compute_reach({length(0), length(1), length(2)}, 2 * mesh_.area(f),
-                         {field_.distance(a), field_.distance(b), field_.distance(c)});
+    return compute_face_distance_bound({length(0), length(1), length(2)}, 2 * mesh_.area(f),
+                                       {field_.distance(a), field_.distance(b), field_.distance(c)});
   }
 
   const Mesh& mesh_;
@@ -114,27 +113,27 @@ class FarthestSampler {
   std::vector<VertexId> chosen_;
 };
 
-/// As many of `count` points as the vertices of the sampling mesh are places that rounding can tell apart.
-std::vector<SurfacePoint> try_farthest(const SamplingMesh& positions, const SamplingOptions& options) {
-  const Mesh& mesh = positions.mesh();
-  const double least = kLeastSpacing * mesh.bbox_diagonal();
+/// Up to `count` points; fewer where the vertices of the sampling mesh coincide within rounding.
+std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const SamplingOptions& options) {
+  const Mesh& mesh = split.mesh();
+  const double least = kMinSampleSpacing * mesh.bbox_diagonal();
   FarthestSampler sampler(mesh, options);
   sampler.start_components(options.count);
   sampler.insert_farthest([&](double distance) {
-    // An insertion changes about a share of n / i vertices, so the work done grows with the logarithm.
+    // Insertion i changes about n / i vertices, so the work done grows with the logarithm of i.
     const auto done = static_cast<double>(sampler.chosen().size());
     report_progress(options.progress, "sampling", std::log1p(done) / std::log1p(double(options.count) + 1));
     return std::ssize(sampler.chosen()) < options.count && distance > least;
   });
   std::vector<SurfacePoint> points;
-  for (const VertexId v : sampler.chosen()) points.push_back(positions.to_input(v));
+  for (const VertexId v : sampler.chosen()) points.push_back(split.to_input(v));
   return points;
 }
 
-/// A covering radius below this certainly takes more than kMaxSamplingVertices splits until no edge is longer than
-/// kCoveringEdge of it, by two lower bounds on their number. An edge of length l takes l / longest - 1 of its own. And
-/// since no triangle with such edges has more area than the equilateral one, sqrt(3) / 4 longest^2, and a split adds
-/// two faces at most, they are half of area / (sqrt(3) / 4 longest^2) without the faces that are there.
+/// A covering radius below this value needs more than kMaxSamplingVertices splits. Let `longest` = kCoveringEdge *
+/// radius be the longest edge allowed. Two lower bounds on the number of splits give the value:
+/// an edge of length l needs l / longest - 1 splits; and a face with such edges has at most the area of the equilateral
+/// one, sqrt(3) / 4 longest^2, while a split adds at most two faces.
 double least_covering_radius(const Mesh& mesh) {
   double length = 0;
   for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));
@@ -144,27 +143,27 @@ double least_covering_radius(const Mesh& mesh) {
   return std::max(by_length, by_area) / kCoveringEdge;
 }
 
-/// Splitting may take some seven times the lower bound, as halved triangles are neither equilateral nor as large as
-/// allowed: the square root of that is the factor of the radius to try.
-constexpr double kTryFactor = 3;
+/// Splitting takes up to some seven times the lower bound, since halved triangles are neither equilateral nor as large
+/// as allowed. The error message suggests a radius larger by about the square root of that.
+constexpr double kSuggestedFactor = 3;
 
 [[noreturn]] void throw_too_small(double radius, double least) {
   throw Error(ErrorCode::precondition,
               fmt::format("a covering radius of {} is too small for this surface, which can't be split finely enough; "
                           "try {:.2g} or more",
-                          radius, kTryFactor * std::max(radius, least)));
+                          radius, kSuggestedFactor * std::max(radius, least)));
 }
 
 }  // namespace
 
 std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOptions& options) {
   const double area = compute_area(mesh);
-  const double longest = area > 0 ? kLongEdge * even_spacing(area, options.count) : kInfinity;
+  const double longest = area > 0 ? kMaxEdgeSpacings * even_spacing(area, options.count) : kInfinity;
   std::int64_t least = options.count;
-  for (int round = 0; round < kMaxRounds; ++round, least *= 2) {
+  for (int round = 0; round < kMaxAttempts; ++round, least *= 2) {
     if (least - mesh.vertex_count() > kMaxSamplingVertices) break;
-    const SamplingMesh positions(mesh, {longest, least, most_splits(mesh, options.count)}, options.progress);
-    auto points = try_farthest(positions, options);
+    const SamplingMesh split(mesh, {longest, least, max_splits(mesh, options.count)}, options.progress);
+    auto points = try_farthest(split, options);
     if (std::ssize(points) == options.count) return points;
   }
   throw Error(ErrorCode::precondition,
@@ -175,19 +174,19 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
   const double longest = kCoveringEdge * options.radius;
   const double least = least_covering_radius(mesh);
   if (options.radius < least) throw_too_small(options.radius, least);
-  const SamplingMesh positions(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
-  if (longest_edge(positions.mesh()) > longest) throw_too_small(options.radius, least);
-  FarthestSampler sampler(positions.mesh(), options);
+  const SamplingMesh split(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
+  if (longest_edge(split.mesh()) > longest) throw_too_small(options.radius, least);
+  FarthestSampler sampler(split.mesh(), options);
   sampler.start_components(std::numeric_limits<std::int64_t>::max());
-  sampler.insert_in_farthest_face([&](double reach, double distance) {
-    if (reach <= options.radius) return false;
+  sampler.insert_in_farthest_face([&](double bound, double distance) {
+    if (bound <= options.radius) return false;
     if (!(distance > 0)) throw_too_small(options.radius, least);  // where lengths overflow
-    // The number of generators goes with the inverse square of the reach, and so does the logarithm of the work.
-    report_progress(options.progress, "sampling", std::min(0.99, options.radius / reach));
+    // The number of generators grows with the inverse square of the bound; the work grows with its logarithm.
+    report_progress(options.progress, "sampling", std::min(0.99, options.radius / bound));
     return true;
   });
   std::vector<SurfacePoint> points;
-  for (const VertexId v : sampler.chosen()) points.push_back(positions.to_input(v));
+  for (const VertexId v : sampler.chosen()) points.push_back(split.to_input(v));
   return points;
 }
 

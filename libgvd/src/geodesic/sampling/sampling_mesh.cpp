@@ -27,7 +27,7 @@ double longest_edge(const Mesh& mesh) {
 }
 
 SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress) : input_(&input) {
-  if (longest_edge(input) <= options.longest && input.vertex_count() >= options.least) return;
+  if (longest_edge(input) <= options.max_edge_length && input.vertex_count() >= options.min_vertices) return;
   copy_input();
   std::vector<LongEdge> edges;
   edges.reserve(static_cast<std::size_t>(input.edge_count()));
@@ -36,8 +36,8 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
   for (;;) {
     const LongEdge top = queue.top();
     const std::int64_t vertices = copy_.vertex_count();
-    const bool is_long = top.length > options.longest && vertices - input.vertex_count() < options.most;
-    if (!is_long && vertices >= options.least) break;
+    const bool is_long = top.length > options.max_edge_length && vertices - input.vertex_count() < options.max_added;
+    if (!is_long && vertices >= options.min_vertices) break;
     queue.pop();
     if (top.length != copy_.length(top.edge)) continue;  // one half of an edge that was split
     if (vertices % kProgressStride == 0) report_progress(progress, "sampling", 0);
@@ -51,9 +51,9 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
 void SamplingMesh::copy_input() {
   split_ = true;
   copy_ = *input_;
-  parts_.resize(static_cast<std::size_t>(copy_.face_count()));
+  subfaces_.resize(static_cast<std::size_t>(copy_.face_count()));
   for (std::int32_t f = 0; f < copy_.face_count(); ++f) {
-    parts_[FaceId(f)] = {FaceId(f), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    subfaces_[FaceId(f)] = {FaceId(f), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
   }
 }
 
@@ -62,30 +62,30 @@ void SamplingMesh::split(EdgeId e) {
   const Vec3 middle = 0.5 * copy_.position(copy_.from(h)) + 0.5 * copy_.position(copy_.to(h));
   const FaceId appended(copy_.face_count());
   MeshEditor(copy_).split_edge(h, middle);
-  parts_.resize(static_cast<std::size_t>(copy_.face_count()));
-  split_part(h, appended);
-  if (twin.valid()) split_part(twin, FaceId(appended.value() + 1));
+  subfaces_.resize(static_cast<std::size_t>(copy_.face_count()));
+  split_subface(h, appended);
+  if (twin.valid()) split_subface(twin, FaceId(appended.value() + 1));
 }
 
-/// The face of h, from a to b, is now (a, middle, c), and `appended` is (middle, b, c).
-void SamplingMesh::split_part(HalfedgeId h, FaceId appended) {
-  Part& part = parts_[Mesh::face(h)];
+/// Records the split of h = (a, b): its face is now (a, middle, c), and `appended` is (middle, b, c).
+void SamplingMesh::split_subface(HalfedgeId h, FaceId appended) {
+  SubFace& subface = subfaces_[Mesh::face(h)];
   const auto i = static_cast<std::size_t>(Mesh::corner(h));
-  const auto a = part.corners[i], b = part.corners[(i + 1) % 3], c = part.corners[(i + 2) % 3];
+  const auto a = subface.corners[i], b = subface.corners[(i + 1) % 3], c = subface.corners[(i + 2) % 3];
   std::array<double, 3> middle;
   for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (a[k] + b[k]);
-  part.corners = {a, middle, c};
-  parts_[appended] = {part.parent, {middle, b, c}};
+  subface.corners = {a, middle, c};
+  subfaces_[appended] = {subface.parent, {middle, b, c}};
 }
 
 SurfacePoint SamplingMesh::to_input(const SurfacePoint& point) const {
   if (!split_) return point;
-  const Part& part = parts_[point.face];
+  const SubFace& subface = subfaces_[point.face];
   std::array<double, 3> bary{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) bary[k] += point.bary[i] * part.corners[i][k];
+    for (std::size_t k = 0; k < 3; ++k) bary[k] += point.bary[i] * subface.corners[i][k];
   }
-  return make_surface_point(part.parent, bary);
+  return make_surface_point(subface.parent, bary);
 }
 
 SurfacePoint SamplingMesh::to_input(VertexId v) const {

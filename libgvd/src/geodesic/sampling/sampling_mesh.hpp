@@ -11,19 +11,19 @@
 namespace gvd {
 
 struct SplitOptions {
-  double longest;      ///< edges longer than this are split; mesh units, > 0
-  std::int64_t least;  ///< the longest edges are split until there are so many vertices in all
-  std::int64_t most;   ///< splits for the sake of length add at most so many vertices
+  double max_edge_length;     ///< longer edges are split; mesh units, > 0
+  std::int64_t min_vertices;  ///< the longest edges are split until the mesh has this many vertices
+  std::int64_t max_added;     ///< splitting edges for their length adds at most this many vertices
 };
 
 /// The mesh that a sampling works on: the input, or a copy whose long edges are split at their midpoints.
 ///
-/// The surface stays as it is; each split halves the longest edge of all, and with it the longest edge of its two
-/// faces, so no angle falls below half of what it was in the face where it comes from (Rosenberg and Stenger, 1975).
-/// Where nothing is to be split, this is the input itself and nothing is allocated.
+/// The surface does not change. Each split halves the longest edge of the mesh, which is the longest edge of its two
+/// faces, so every angle stays at least half of the smallest angle of its parent face (Rosenberg and Stenger, 1975).
+/// If no edge needs to be split, mesh() is the input and nothing is allocated.
 class SamplingMesh {
  public:
-  /// Splits the longest edge as long as the options ask for it; ties go to the least edge id.
+  /// Splits the longest edge, the one with the least id among equals, until the options are satisfied.
   /// Cost: O((n + k) log n) for k vertices added.
   SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress);
 
@@ -34,19 +34,20 @@ class SamplingMesh {
 
  private:
   using Corners = std::array<std::array<double, 3>, 3>;
-  struct Part {
-    FaceId parent;    // of the input
+  /// A face of the copy.
+  struct SubFace {
+    FaceId parent;    // the input face that contains it
     Corners corners;  // in the parent's barycentric coordinates
   };
 
   void copy_input();
   void split(EdgeId e);
-  void split_part(HalfedgeId h, FaceId appended);
+  void split_subface(HalfedgeId h, FaceId appended);
 
   const Mesh* input_;
   bool split_ = false;
   Mesh copy_;
-  IdVector<FaceId, Part> parts_;
+  IdVector<FaceId, SubFace> subfaces_;
 };
 
 /// Length of the longest edge, in mesh units. Cost: O(n).

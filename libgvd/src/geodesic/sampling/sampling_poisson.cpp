@@ -1,6 +1,8 @@
-// Blue noise by elimination: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with geodesic
-// distances. Random candidates, several for each point wanted; the one with the most crowded neighbourhood goes, again
-// and again, until exactly as many are left as were asked for.
+// Blue noise by sample elimination: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with
+// geodesic distances. Start from several random candidates for each point. Remove the candidate with the largest
+// weight, again and again, until `count` points are left.
+#include "geodesic/sampling/sampling_poisson.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,22 +11,19 @@
 #include "geodesic/marching/local_march.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_steps.hpp"
+#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
-/// Candidates for each point wanted (section 3.2 of the paper: five suffice).
+/// Candidates for each point (section 3.2 of the paper: five suffice).
 constexpr std::int64_t kCandidates = 5;
 
-/// Weight limiting of the paper's equation 3, with the paper's numbers: pairs closer than a part of the largest
-/// possible spacing count as if they had that distance, beta (1 - (N / M)^gamma) with gamma = 1.5.
+/// Weight limiting of the paper's equation 3, with the paper's numbers: the distance of a pair counts as at least
+/// 2 r_max beta (1 - (N / M)^gamma), with gamma = 1.5, for N points out of M candidates.
 constexpr double kBeta = 0.65;
-
-/// Edges longer than this many even spacings are split, so that a face holds few candidates and neighbours are found in
-/// constant time.
-constexpr double kLongEdge = 2;
 
 struct Pair {
   std::int32_t first, second;
@@ -36,9 +35,9 @@ struct Neighbour {
   float weight;
 };
 
-/// Lists of neighbours, one after the other.
+/// The neighbours of every candidate, in one array.
 struct Neighbourhoods {
-  std::vector<std::size_t> begin;  // of each candidate's list, and the end of the last
+  std::vector<std::size_t> begin;  // where each candidate's list begins, and the end of the last
   std::vector<Neighbour> neighbours;
 };
 
@@ -58,7 +57,7 @@ struct FaceLists {
   std::vector<std::int32_t> items;
 };
 
-/// The paper's equation 2, with alpha = 8: 1 for points that fall together, 0 at `diameter`.
+/// The paper's equation 2, with alpha = 8: 1 for coincident points, 0 at `diameter`.
 float compute_weight(double distance, double least, double diameter) {
   const double w = 1 - std::max(distance, least) / diameter;
   const double w2 = w * w, w4 = w2 * w2;
@@ -82,20 +81,15 @@ class PairFinder {
         march_(mesh, front),
         seen_(static_cast<std::size_t>(mesh.face_count()), -1) {}
 
-  /// The candidates in the order of their faces: the order to visit them in, since it keeps to the same memory.
+  /// The candidates in the order of their faces. Visiting them in this order keeps memory accesses local.
   const std::vector<std::int32_t>& by_face() const { return lists_.items; }
 
-  /// Calls visit(j, distance) for the candidates j > i that are near i.
+  /// Calls visit(j, distance) for every candidate j > i whose distance from i is below `diameter`.
   template <class Visit>
   void for_each_after(std::int32_t i, double diameter, Visit visit) {
     march_.run(candidates_[static_cast<std::size_t>(i)], diameter);
     for (const VertexId v : march_.reached()) {
-      const HalfedgeId start = mesh_.halfedge(v);
-      HalfedgeId h = start;
-      do {
-        visit_face(Mesh::face(h), i, diameter, visit);
-        h = mesh_.twin(Mesh::previous(h));
-      } while (h.valid() && h != start);
+      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { visit_face(Mesh::face(h), i, diameter, visit); });
     }
   }
 
@@ -120,7 +114,7 @@ class PairFinder {
   std::vector<Vec3> positions_;
   FaceLists lists_;
   LocalMarch march_;
-  IdVector<FaceId, std::int32_t> seen_;  // the last candidate for which the face was looked at
+  IdVector<FaceId, std::int32_t> seen_;  // the last candidate whose search visited the face
 };
 
 Neighbourhoods join(std::size_t candidates, const std::vector<Pair>& pairs) {
@@ -140,7 +134,7 @@ Neighbourhoods join(std::size_t candidates, const std::vector<Pair>& pairs) {
 
 Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, std::int64_t count,
                                const SamplingOptions& options) {
-  // No `count` points of the plane lie farther from each other than the even spacing: the paper's 2 r_max.
+  // The largest spacing that `count` points of the plane can have: the paper's 2 r_max.
   const double diameter = even_spacing(compute_area(mesh), count);
   const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
   const double least = diameter * kBeta * (1 - share * std::sqrt(share));
@@ -156,7 +150,7 @@ Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>
   return join(candidates.size(), pairs);
 }
 
-/// Which candidates are left when the most crowded ones are gone.
+/// Removes the candidate with the largest weight until `count` are left; returns which ones these are.
 std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
   const std::size_t candidates = lists.begin.size() - 1;
   std::vector<double> weight(candidates, 0);
@@ -185,8 +179,8 @@ std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions
     throw Error(ErrorCode::precondition, "poisson sampling gives at most " + std::to_string(kMaxSamplingVertices) +
                                              " generators; ask for fewer, or for random ones");
   }
-  const double longest = kLongEdge * even_spacing(require_area(mesh), options.count);
-  const SamplingMesh split(mesh, {longest, 0, most_splits(mesh, options.count)}, options.progress);
+  const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
+  const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);
   const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options.seed);
   const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options.count, options), options.count);
   std::vector<SurfacePoint> points;

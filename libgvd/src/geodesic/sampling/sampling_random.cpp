@@ -9,27 +9,27 @@
 namespace gvd {
 namespace {
 
-/// Rounds of drawing points again that fell on others. A mesh that has room needs one round, nearly always none.
-constexpr int kMaxRounds = 64;
+/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Nearly always no point is.
+constexpr int kMaxRedraws = 64;
 
-/// Points to draw again: the later one of each pair that is too close. Straight distance on purpose: it also keeps
-/// apart what lies on two sheets that touch.
-std::vector<std::size_t> find_crowded(const std::vector<Vec3>& positions, double least) {
-  // Sorted along a direction that no ordinary model is perpendicular to; only neighbours in that order can be close.
+/// The later point of each pair that is too close. The distance is Euclidean on purpose, so that points on two sheets
+/// that touch are kept apart, too.
+std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, double least) {
+  // Sweep along a direction to which faces of ordinary models are not perpendicular.
   const Vec3 direction = Vec3(0.6180339887, 0.3819660113, 0.2360679775).normalized();
   std::vector<std::pair<double, std::size_t>> order(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) order[i] = {direction.dot(positions[i]), i};
   std::sort(order.begin(), order.end());
-  std::vector<std::size_t> crowded;
+  std::vector<std::size_t> too_close;
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= least; ++k) {
       const auto [earlier, later] = std::minmax(order[i].second, order[k].second);
-      if ((positions[earlier] - positions[later]).norm() <= least) crowded.push_back(later);
+      if ((positions[earlier] - positions[later]).norm() <= least) too_close.push_back(later);
     }
   }
-  std::sort(crowded.begin(), crowded.end());
-  crowded.erase(std::unique(crowded.begin(), crowded.end()), crowded.end());
-  return crowded;
+  std::sort(too_close.begin(), too_close.end());
+  too_close.erase(std::unique(too_close.begin(), too_close.end()), too_close.end());
+  return too_close;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ AreaSampler::AreaSampler(const Mesh& mesh, std::vector<FaceId> faces) : faces_(s
 FaceId AreaSampler::draw_face(SeededRandom& random, std::size_t first, std::size_t last) const {
   const double target = sums_[first] + random.real() * (sums_[last] - sums_[first]);
   const auto begin = sums_.begin() + static_cast<std::ptrdiff_t>(first);
-  // The first place whose faces up to and with it exceed the target; a face without area never does.
+  // The first face whose cumulated area exceeds the target; a face with zero area is never chosen.
   const auto found = std::upper_bound(begin + 1, sums_.begin() + static_cast<std::ptrdiff_t>(last), target);
   return faces_[first + static_cast<std::size_t>(found - begin) - 1];
 }
@@ -87,10 +87,10 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, st
     points[i] = sampler.draw_point(random);
     positions[i] = position(mesh, points[i]);
   }
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const auto crowded = find_crowded(positions, kLeastSpacing * mesh.bbox_diagonal());
-    if (crowded.empty()) return points;
-    for (const std::size_t i : crowded) {
+  for (int round = 0; round < kMaxRedraws; ++round) {
+    const auto too_close = find_too_close(positions, kMinSampleSpacing * mesh.bbox_diagonal());
+    if (too_close.empty()) return points;
+    for (const std::size_t i : too_close) {
       points[i] = sampler.draw_point(random);
       positions[i] = position(mesh, points[i]);
     }

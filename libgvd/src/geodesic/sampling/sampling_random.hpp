@@ -9,11 +9,12 @@
 
 namespace gvd {
 
-/// Two points of a sampling never lie closer than this part of the bounding box's diagonal: what else in the library
-/// takes two generators for one begins there.
-inline constexpr double kLeastSpacing = 1e-12;
+/// Least distance between two points of a sampling, as a fraction of the bounding box's diagonal. Below kCoincidence,
+/// which has the same value, the library takes two generators for one.
+inline constexpr double kMinSampleSpacing = 1e-12;
 
-/// Random numbers that are the same on every platform: the standard fixes the engine, and not its distributions.
+/// Random numbers that are the same on every platform. The C++ standard specifies the output of the engine, but not
+/// that of the distributions.
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : engine_(seed) {}
@@ -24,7 +25,7 @@ class SeededRandom {
   std::mt19937_64 engine_;
 };
 
-/// Draws faces with a chance in proportion to their area.
+/// Draws faces with a probability proportional to their area.
 class AreaSampler {
  public:
   /// Draws from all faces of `mesh`, in the order of `faces`.
@@ -33,18 +34,18 @@ class AreaSampler {
   /// Area of all faces, square mesh units.
   double area() const { return sums_.back(); }
   std::size_t size() const { return faces_.size(); }
-  /// A face among the places [first, last) of the list; the last of them where they have no area.
+  /// One of the faces [first, last) of the list; the last one if all their areas are 0.
   FaceId draw_face(SeededRandom& random, std::size_t first, std::size_t last) const;
   /// A point inside any face, uniform by area.
   SurfacePoint draw_point(SeededRandom& random) const;
 
  private:
   std::vector<FaceId> faces_;
-  std::vector<double> sums_;  // area of the faces before each place, and of all
+  std::vector<double> sums_;  // sums_[i]: area of the faces before faces_[i]; back(): of all faces
 };
 
-/// `count` points inside faces, uniform by area, no two closer than kLeastSpacing.
-/// Throws Error{precondition} where the mesh has no area, or no room.
+/// `count` points inside faces, uniform by area, no two closer than kMinSampleSpacing.
+/// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
 std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
 
 /// All faces in order.
@@ -53,7 +54,7 @@ std::vector<FaceId> list_faces(const Mesh& mesh);
 /// Sum of the face areas, square mesh units.
 double compute_area(const Mesh& mesh);
 
-/// The same. Throws Error{precondition} where it is 0 or not finite.
+/// compute_area, which must be finite and > 0. Throws Error{precondition} otherwise.
 double require_area(const Mesh& mesh);
 
 }  // namespace gvd

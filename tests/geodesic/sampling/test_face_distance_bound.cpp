@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "geodesic/sampling/face_reach.hpp"
+#include "geodesic/sampling/face_distance_bound.hpp"
 #include "gvd/vec.hpp"
 #include "support/catch.hpp"
 
@@ -20,7 +20,7 @@ struct Triangle {
     return std::abs(b.x() * c.y() - b.y() * c.x());
   }
   double reach(const std::array<double, 3>& distance) const {
-    return compute_reach({side(0), side(1), side(2)}, twice_area(), distance);
+    return compute_face_distance_bound({side(0), side(1), side(2)}, twice_area(), distance);
   }
   /// The largest value on a grid of points.
   double brute_force(const std::array<double, 3>& distance, int n) const {
