@@ -64,11 +64,11 @@ TEST_CASE("polar update: exact for a planar source, and symmetric") {
   const Vec2 a(0, 0), b(2, 0), d(0.8, 1.5), source(0.5, -2);
   const UpdateTriangle t = make_update_triangle(2, d.norm(), (d - b).norm(), 2 * 1.5);
   const PolarStep step = step_to_corner(t, (a - source).norm(), (b - source).norm());
-  CHECK(step.way == PolarStep::Way::through_base);
+  CHECK(step.kind == PolarStep::Kind::through_base);
   CHECK(step.distance == Approx((d - source).norm()).epsilon(1e-14));
   const auto azimuth = [&](const Vec2& p) { return std::atan2(p.y() - source.y(), p.x() - source.x()); };
   CHECK(polar_angle(t, step, azimuth(a), azimuth(b)) == Approx(azimuth(d)).epsilon(1e-14));
-  // Directions that stand on both sides of pi.
+  // Directions on both sides of pi.
   const double turn = kPi - azimuth(d);
   CHECK(polar_angle(t, step, azimuth(a) + turn, azimuth(b) + turn - 2 * kPi) ==
         Approx(azimuth(d) + turn).epsilon(1e-14));
@@ -82,11 +82,11 @@ TEST_CASE("polar update: along an edge where the source does not see the corner"
   const UpdateTriangle t = make_update_triangle(1, 1, 1, std::sqrt(3.0) / 2);
   const PolarStep broken = step_to_corner(t, 0.1, 5);  // no triangle has these sides
   CHECK(broken.distance == Approx(1.1));
-  CHECK(broken.way == PolarStep::Way::along_a);
+  CHECK(broken.kind == PolarStep::Kind::along_a);
   CHECK(polar_angle(t, broken, 0.25, 2) == 0.25);
   const PolarStep aside = step_to_corner(t, 3.9, 3);  // the source lies far beyond B
   CHECK(aside.distance == Approx(4));
-  CHECK(aside.way == PolarStep::Way::along_b);
+  CHECK(aside.kind == PolarStep::Kind::along_b);
   CHECK(polar_angle(t, aside, 0.25, 2) == 2);
 }
 

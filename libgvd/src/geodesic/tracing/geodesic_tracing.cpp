@@ -1,4 +1,6 @@
-// Straight lines on the surface: unfold the next face across the edge that the line leaves through.
+// Straight lines on the surface. The next face is unfolded across the edge that the line crosses.
+#include "gvd/geodesic_tracing.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,41 +9,42 @@
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/error.hpp"
-#include "gvd/geodesic_tracing.hpp"
 
 namespace gvd {
 namespace {
 
 using Bary = std::array<double, 3>;
 
-class Walker {
+class GeodesicWalker {
  public:
-  Walker(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent) : mesh_(mesh), left_(tangent.norm()) {
+  GeodesicWalker(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent)
+      : mesh_(mesh), left_(tangent.norm()) {
     trace_.points.push_back(start);
-    if (left_ > 0) go_on(TangentFan(mesh, start), std::atan2(tangent.y(), tangent.x()));
+    if (left_ > 0) continue_along(TangentFan(mesh, start), std::atan2(tangent.y(), tangent.x()));
   }
 
   GeodesicTrace run() {
     const double wanted = left_;
-    // A line of finite length crosses a finite number of faces; the bound only guards against rounding in slivers.
-    const std::int64_t most_faces = 1000 + 100 * std::int64_t{mesh_.face_count()};
-    for (std::int64_t i = 0; walking_ && i < most_faces; ++i) cross_face();
+    // A line of finite length crosses finitely many faces. The bound guards against cycles caused by rounding in
+    // slivers.
+    const std::int64_t max_faces = 1000 + 100 * std::int64_t{mesh_.face_count()};
+    for (std::int64_t i = 0; walking_ && i < max_faces; ++i) cross_face();
     trace_.length = wanted - left_;
     trace_.complete = left_ <= 0;
     return std::move(trace_);
   }
 
  private:
-  /// Turns into the direction of a tangent angle at the point where the line is.
-  void go_on(const TangentFan& fan, double angle) {
+  /// Continues from the current point in the direction of a tangent angle.
+  void continue_along(const TangentFan& fan, double angle) {
     trace_.direction = unit_vector(angle);
     const auto next = fan.face_direction(angle);
     walking_ = next.has_value();
     if (walking_) enter(next->point, next->direction);
   }
 
-  /// Into a face, from a point on its boundary or in its inside. Sides that the point lies on are not left through: by
-  /// rounding alone the direction could point out of them.
+  /// Continues in the face of `point`. The line does not leave through a side that contains the point: only rounding
+  /// makes the direction point out of it.
   void enter(const SurfacePoint& point, const Vec2& direction) {
     point_ = point;
     direction_ = direction;
@@ -52,7 +55,7 @@ class Walker {
     const FaceLayout layout(mesh_, point_.face);
     const Bary rate = layout.bary_rate(direction_);
     double step = std::numeric_limits<double>::infinity();
-    std::size_t side = 3;  // opposite to corner `side`
+    std::size_t side = 3;  // the side opposite to this corner; 3: none
     for (std::size_t i = 0; i < 3; ++i) {
       if (on_side_[i] || !(rate[i] < 0) || -point_.bary[i] / rate[i] >= step) continue;
       step = -point_.bary[i] / rate[i];
@@ -104,20 +107,20 @@ class Walker {
     entry.bary[i] = exit.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
     entry.bary[(i + 1) % 3] = exit.bary[static_cast<std::size_t>(Mesh::corner(h))];
     const Vec2 back = FaceLayout(mesh_, entry.face).side(Mesh::corner(twin));
-    // The twin runs the other way, so both components change their sign.
+    // The twin has the opposite direction, so both components change their sign.
     enter(entry, -forward * back - inward * Vec2(-back.y(), back.x()));
   }
 
   void leave_through_vertex(const SurfacePoint& exit) {
     const TangentFan fan(mesh_, exit);
     const double onward = fan.angle(point_.face, -direction_) + std::numbers::pi;
-    if (fan.closed()) return go_on(fan, onward);
+    if (fan.closed()) return continue_along(fan, onward);
     trace_.direction = unit_vector(onward);
     walking_ = false;
   }
 
   const Mesh& mesh_;
-  double left_;  // length still to walk
+  double left_;  // remaining length
   bool walking_ = false;
   SurfacePoint point_;
   Vec2 direction_ = Vec2::Zero();  // unit, in the layout of point_.face
@@ -135,14 +138,14 @@ GeodesicTrace trace_geodesic(const Mesh& mesh, const SurfacePoint& start, const 
                 start.face.value());
   }
   if (!tangent.allFinite()) throw Error(ErrorCode::precondition, "a geodesic's tangent vector must be finite");
-  return Walker(mesh, start, tangent).run();
+  return GeodesicWalker(mesh, start, tangent).run();
 }
 
 Vec2 project_to_surface(const Mesh& mesh, const SurfacePoint& point, const Vec2& tangent) {
   const TangentFan fan(mesh, point);
   const double angle = angle_of(tangent);
   if (fan.closed() || angle <= fan.total()) return tangent;
-  // Off the surface: the nearer one of the two directions along the boundary.
+  // Off the surface: project to the nearer of the two directions along the boundary.
   const Vec2 first(1, 0), last = unit_vector(fan.total());
   const double along_first = tangent.dot(first), along_last = tangent.dot(last);
   if (along_first <= 0 && along_last <= 0) return Vec2::Zero();

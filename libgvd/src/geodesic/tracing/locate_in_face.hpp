@@ -7,7 +7,8 @@
 
 namespace gvd {
 
-/// Where a surface point lies in the layout of face f, whichever of its faces it names; nothing where it is not in f.
+/// The position of a surface point in the layout of face f, whichever face the point names. Without a value if f does
+/// not contain the point.
 inline std::optional<Vec2> locate_in_face(const Mesh& mesh, FaceId f, const SurfacePoint& point) {
   const FaceLayout layout(mesh, f);
   if (point.face == f) return layout.at(point.bary);

@@ -1,4 +1,4 @@
-// Geodesic polar coordinates over a patch: a march by distance, and sweeps until the values stand.
+// Geodesic polar coordinates over a patch: a march in the order of distance, then sweeps until the values converge.
 #include "gvd/log_map.hpp"
 
 #include <algorithm>
@@ -10,24 +10,32 @@
 #include "geodesic/tracing/polar_update.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Most sweeps after the march. On a flat patch every sweep settles one more link of a chain of obtuse triangles, and
-/// on scans three to five sweeps leave nothing to change.
-constexpr int kMostSweeps = 8;
+/// Largest number of sweeps after the march. On a flat patch every sweep finishes one more link of a chain of obtuse
+/// triangles; on scans nothing changes after three to five sweeps.
+constexpr int kMaxSweeps = 8;
 
-/// A change below this part of a distance is rounding.
-constexpr double kSettled = 1e-12;
+/// Relative changes of a distance below this are rounding.
+constexpr double kConverged = 1e-12;
 
 /// The triangle of h's face on h as its base: A = from(h), B = to(h), D opposite.
 UpdateTriangle triangle_on(const Mesh& mesh, HalfedgeId h) {
   const FaceShape& s = mesh.shape(Mesh::face(h));
   const auto i = static_cast<std::size_t>(Mesh::corner(h));
   return make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
+}
+
+/// Polar step to the corner opposite to the base of t. A distance that is unknown is infinite, and at most one is.
+PolarStep step_from_known(const UpdateTriangle& t, double distance_a, double distance_b) {
+  if (distance_a < kInfinity && distance_b < kInfinity) return step_to_corner(t, distance_a, distance_b);
+  const auto kind = distance_a < kInfinity ? PolarStep::Kind::along_a : PolarStep::Kind::along_b;
+  return {update_along_edges(t, distance_a, distance_b), kind};
 }
 
 }  // namespace
@@ -39,19 +47,26 @@ LogMapSolver::LogMapSolver(const Mesh& mesh)
       state_(static_cast<std::size_t>(mesh.vertex_count())) {}
 
 LogMap LogMapSolver::compute(const SurfacePoint& origin, const std::vector<FaceId>& faces) {
-  if (!origin.face.valid() || origin.face.value() >= mesh_.face_count()) {
-    throw Error(ErrorCode::precondition,
-                "the origin of a log map lies in face " + std::to_string(origin.face.value()) + ": the mesh has " +
-                    std::to_string(mesh_.face_count()) + " faces",
-                origin.face.value());
-  }
-  ++turn_;
+  check_origin(origin);
+  ++call_;
   queue_.clear();
   order_.clear();
   open_patch(origin, faces);
   start(origin);
   march();
-  settle();
+  converge();
+  return collect(faces);
+}
+
+void LogMapSolver::check_origin(const SurfacePoint& origin) const {
+  if (origin.face.valid() && origin.face.value() < mesh_.face_count()) return;
+  throw Error(ErrorCode::precondition,
+              "the origin of a log map lies in face " + std::to_string(origin.face.value()) + ": the mesh has " +
+                  std::to_string(mesh_.face_count()) + " faces",
+              origin.face.value());
+}
+
+LogMap LogMapSolver::collect(const std::vector<FaceId>& faces) const {
   LogMap map;
   map.corners.reserve(faces.size());
   for (const FaceId f : faces) {
@@ -68,30 +83,31 @@ LogMap LogMapSolver::compute(const SurfacePoint& origin, const std::vector<FaceI
 }
 
 void LogMapSolver::open_patch(const SurfacePoint& origin, const std::vector<FaceId>& faces) {
-  for (const VertexId v : mesh_.vertices(origin.face)) open_round(v);
+  for (const VertexId v : mesh_.vertices(origin.face)) open_faces_round(v);
   for (const FaceId f : faces) {
-    for (const VertexId v : mesh_.vertices(f)) open_round(v);
+    for (const VertexId v : mesh_.vertices(f)) open_faces_round(v);
   }
 }
 
-void LogMapSolver::open_round(VertexId v) {
-  if (vertex_stamp_[v] == turn_ && state_[v].accepted) return;  // opened before; `accepted` is the mark until the march
-  for_each_halfedge(v, [&](HalfedgeId h) { open_face(Mesh::face(h)); });
+/// Until the march, `accepted` marks the vertices whose faces are all in the patch.
+void LogMapSolver::open_faces_round(VertexId v) {
+  if (vertex_stamp_[v] == call_ && state_[v].accepted) return;
+  for_each_outgoing(mesh_, v, [&](HalfedgeId h) { open_face(Mesh::face(h)); });
   state_[v].accepted = true;
 }
 
 void LogMapSolver::open_face(FaceId f) {
-  if (face_stamp_[f] == turn_) return;
-  face_stamp_[f] = turn_;
+  if (is_in_patch(f)) return;
+  face_stamp_[f] = call_;
   for (const VertexId v : mesh_.vertices(f)) {
-    if (vertex_stamp_[v] == turn_) continue;
-    vertex_stamp_[v] = turn_;
+    if (vertex_stamp_[v] == call_) continue;
+    vertex_stamp_[v] = call_;
     state_[v] = {{kInfinity, 0}, {kInfinity, 0}, false, false};
     order_.push_back(v);
   }
 }
 
-/// Straight lines through the faces round the origin.
+/// Sets the direct values: segments in the faces round the origin.
 void LogMapSolver::start(const SurfacePoint& origin) {
   for (const VertexId v : order_) state_[v].accepted = false;
   order_.clear();
@@ -109,16 +125,6 @@ void LogMapSolver::start(const SurfacePoint& origin) {
   }
 }
 
-template <class Visit>
-void LogMapSolver::for_each_halfedge(VertexId v, Visit visit) const {
-  const HalfedgeId start = mesh_.halfedge(v);
-  HalfedgeId h = start;
-  do {
-    visit(h);
-    h = mesh_.twin(Mesh::previous(h));
-  } while (h.valid() && h != start);
-}
-
 void LogMapSolver::offer(VertexId v, double distance) {
   if (!(distance < state_[v].value.distance)) return;
   state_[v].value.distance = distance;
@@ -126,39 +132,39 @@ void LogMapSolver::offer(VertexId v, double distance) {
   std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
 }
 
-/// Vertices in the order of their distance, each accepted once.
+/// Accepts the vertices in the order of their distance, each once.
 void LogMapSolver::march() {
   while (!queue_.empty()) {
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
     const VertexId v = queue_.back().second;
     queue_.pop_back();
     if (state_[v].accepted) continue;
-    state_[v].value = best(v, true);
+    state_[v].value = compute_value(v, true);
     state_[v].accepted = true;
     order_.push_back(v);
-    spread(v);
+    offer_to_neighbours(v);
   }
 }
 
-/// Offers the neighbours of an accepted vertex the distances that it makes possible.
-void LogMapSolver::spread(VertexId v) {
-  const auto offer_through = [&](HalfedgeId base) {
-    const VertexId a = mesh_.from(base), b = mesh_.to(base), d = mesh_.opposite(base);
-    if (state_[d].accepted) return;
-    const auto distance = [&](VertexId x) { return state_[x].accepted ? state_[x].value.distance : kInfinity; };
-    const UpdateTriangle t = triangle_on(mesh_, base);
-    if (state_[a].accepted && state_[b].accepted) return offer(d, step_to_corner(t, distance(a), distance(b)).distance);
-    offer(d, update_along_edges(t, distance(a), distance(b)));
-  };
-  for_each_halfedge(v, [&](HalfedgeId h) {
-    if (face_stamp_[Mesh::face(h)] != turn_) return;
+/// Offers the neighbours of an accepted vertex the distances that follow from its own.
+void LogMapSolver::offer_to_neighbours(VertexId v) {
+  for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
+    if (!is_in_patch(Mesh::face(h))) return;
     offer_through(h);
     offer_through(Mesh::previous(h));
   });
 }
 
-/// The shortest way to v through its faces in the patch.
-LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
+void LogMapSolver::offer_through(HalfedgeId base) {
+  const VertexId d = mesh_.opposite(base);
+  if (state_[d].accepted) return;
+  const auto distance = [&](VertexId x) { return state_[x].accepted ? state_[x].value.distance : kInfinity; };
+  const double distance_a = distance(mesh_.from(base)), distance_b = distance(mesh_.to(base));
+  offer(d, step_from_known(triangle_on(mesh_, base), distance_a, distance_b).distance);
+}
+
+/// The shortest path to v through its faces in the patch.
+LogMapSolver::Polar LogMapSolver::compute_value(VertexId v, bool accepted_only) const {
   const Polar direct = state_[v].direct;
   const auto known = [&](VertexId x) {
     const bool usable = !accepted_only || state_[x].accepted;
@@ -167,23 +173,15 @@ LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
   PolarStep shortest;
   shortest.distance = direct.distance;
   HalfedgeId shortest_base;
-  for_each_halfedge(v, [&](HalfedgeId leaving) {
-    if (face_stamp_[Mesh::face(leaving)] != turn_) return;
+  for_each_outgoing(mesh_, v, [&](HalfedgeId leaving) {
+    if (!is_in_patch(Mesh::face(leaving))) return;
     const HalfedgeId base = Mesh::next(leaving);
     const Polar a = known(mesh_.from(base)), b = known(mesh_.to(base));
-    // No point of the base is nearer than this, and so no way through it is shorter: behind v that ends the matter.
+    // A lower bound of the distance on the base, and so of every path through it.
     const double nearest = 0.5 * (a.distance + b.distance - mesh_.length(base));
     if (!(std::min({a.distance, b.distance, nearest}) < shortest.distance)) return;
-    const UpdateTriangle t = triangle_on(mesh_, base);
-    PolarStep step;
-    if (a.distance < kInfinity && b.distance < kInfinity) {
-      step = step_to_corner(t, a.distance, b.distance);
-    } else {
-      const bool from_a = a.distance < kInfinity;
-      step = {update_along_edges(t, a.distance, b.distance),
-              from_a ? PolarStep::Way::along_a : PolarStep::Way::along_b};
-    }
-    if (!(step.distance < shortest.distance * (1 - kSettled))) return;  // of equals, the direct one and the first
+    const PolarStep step = step_from_known(triangle_on(mesh_, base), a.distance, b.distance);
+    if (!(step.distance < shortest.distance * (1 - kConverged))) return;  // of equals the direct one, then the first
     shortest = step;
     shortest_base = base;
   });
@@ -193,22 +191,20 @@ LogMapSolver::Polar LogMapSolver::best(VertexId v, bool accepted_only) const {
   return {shortest.distance, polar_angle(triangle_on(mesh_, shortest_base), shortest, angle_a, angle_b)};
 }
 
-/// Computes values again in the order of distance. Only those round a value that has changed can change.
-void LogMapSolver::settle() {
+/// Recomputes the values in the order of distance until they converge. A value can change only if a neighbour's has
+/// changed.
+void LogMapSolver::converge() {
   for (const VertexId v : order_) state_[v].stale = true;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool changed = false;
     for (const VertexId v : order_) {
       if (!state_[v].stale) continue;
       state_[v].stale = false;
-      const Polar before = state_[v].value, after = best(v, false);
+      const Polar before = state_[v].value, after = compute_value(v, false);
       if (after.distance == before.distance && after.angle == before.angle) continue;
       state_[v].value = after;
-      for_each_halfedge(v, [&](HalfedgeId h) {
-        state_[mesh_.to(h)].stale = true;
-        state_[mesh_.opposite(h)].stale = true;
-      });
-      changed = changed || std::abs(after.distance - before.distance) > kSettled * before.distance;
+      for_each_neighbour(mesh_, v, [&](VertexId neighbour, HalfedgeId) { state_[neighbour].stale = true; });
+      changed = changed || std::abs(after.distance - before.distance) > kConverged * before.distance;
     }
     if (!changed) return;
   }

@@ -9,18 +9,18 @@
 
 namespace gvd {
 
-/// A way to the corner D of a triangle A, B, D whose distances at A and B are known.
+/// A path to the corner D of a triangle A, B, D, given the distances at A and B.
 struct PolarStep {
-  enum class Way { through_base, along_a, along_b };
+  enum class Kind { through_base, along_a, along_b };
 
   double distance = std::numeric_limits<double>::infinity();  ///< at D, mesh units
-  Way way = Way::along_a;
-  double source_x = 0;  ///< foot of the unfolded source on the base, from A towards B; for through_base
-  double depth = 0;     ///< of the source behind the base, >= 0; for through_base
+  Kind kind = Kind::along_a;
+  double source_x = 0;  ///< of the unfolded source: its foot on the base, from A towards B; for through_base
+  double depth = 0;     ///< of the unfolded source below the base, >= 0; for through_base
 };
 
-/// Distance at D from a point source that the two distances unfold to, where it sees D through the base, and along the
-/// edges otherwise.
+/// Distance at D. The distances at A and B determine a point source in the unfolded plane. If the segment from it to D
+/// crosses the base AB, the path goes through the base; otherwise along AD or BD.
 ///
 /// Source: Melvaer and Reimers (2012), section 3.1; the formula is that of update_circle.
 /// Inputs: distances >= 0, mesh units. Properties: (1) symmetric in A and B; (2) exact for a planar point source.
@@ -28,24 +28,24 @@ struct PolarStep {
 inline PolarStep step_to_corner(const UpdateTriangle& t, double distance_a, double distance_b) {
   const auto along_edges = [&] {
     const double a = distance_a + t.side_a, b = distance_b + t.side_b;
-    return a <= b ? PolarStep{a, PolarStep::Way::along_a} : PolarStep{b, PolarStep::Way::along_b};
+    return a <= b ? PolarStep{a, PolarStep::Kind::along_a} : PolarStep{b, PolarStep::Kind::along_b};
   };
   const double source_x = apex_foot_by_inverse(t.base, t.inverse_base, distance_a, distance_b);
   const double depth_squared = (distance_a - source_x) * (distance_a + source_x);
   if (depth_squared < 0) return along_edges();
   const double depth = std::sqrt(depth_squared), span = depth + t.height;
-  const double crossing = source_x * t.height + t.x * depth;  // times 1 / span: where the ray meets the base
+  const double crossing = source_x * t.height + t.x * depth;  // divided by span: where the ray crosses the base
   if (crossing < 0 || crossing > t.base * span) return along_edges();
   const double dx = t.x - source_x;
-  return {std::sqrt(dx * dx + span * span), PolarStep::Way::through_base, source_x, depth};
+  return {std::sqrt(dx * dx + span * span), PolarStep::Kind::through_base, source_x, depth};
 }
 
-/// Direction at D, in radians, out of those at A and B: between the two in the ratio of the unfolded angles, on the
-/// shorter side round; along an edge that of its end.
+/// The polar angle of D, in radians, from those of A and B. Through the base it is interpolated in the ratio of the
+/// unfolded angles, across the smaller difference of the two. Along an edge it is that of the edge's other end.
 inline double polar_angle(const UpdateTriangle& t, const PolarStep& step, double angle_a, double angle_b) {
-  if (step.way == PolarStep::Way::along_a) return angle_a;
-  if (step.way == PolarStep::Way::along_b) return angle_b;
-  // Angles at the source between its vertical and the three corners.
+  if (step.kind == PolarStep::Kind::along_a) return angle_a;
+  if (step.kind == PolarStep::Kind::along_b) return angle_b;
+  // Angles at the source from its vertical to the three corners.
   const double to_a = std::atan2(-step.source_x, step.depth);
   const double to_b = std::atan2(t.base - step.source_x, step.depth);
   const double to_d = std::atan2(t.x - step.source_x, step.depth + t.height);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A direction this near to the boundary is taken for one along it. Radians: a million times the rounding of an angle.
+/// A direction this close to the boundary counts as one along it. Radians: a million times the rounding of an angle.
 constexpr double kAlongBoundary = 1e-9;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr double kAlongBoundary = 1e-9;
 double normalized_angle(double angle) {
   const double turned = std::fmod(angle, 2 * kPi);
   const double positive = turned < 0 ? turned + 2 * kPi : turned;
-  return positive < 2 * kPi ? positive : 0;  // a tiny negative angle rounds to 2 pi
+  return positive < 2 * kPi ? positive : 0;  // the sum of a tiny negative angle and 2 pi rounds to 2 pi
 }
 
 TangentFan::TangentFan(const Mesh& mesh, const SurfacePoint& point) {
@@ -103,11 +103,11 @@ double TangentFan::angle(FaceId face, const Vec2& direction) const {
   std::size_t i = 0;
   while (i + 1 < sectors_.size() && sectors_[i].point.face != face) ++i;
   const TangentSector& s = sectors_[i];
-  // Signed, from the middle of the sector, so that rounding can't turn it round by 2 pi at one of the sides.
+  // Measured from the middle of the sector, so that rounding at a side of the sector can't change it by 2 pi.
   const Vec2 middle = unit_vector(0.5 * s.opening / scale_);
   const Vec2 turned(direction.dot(s.reference), cross(s.reference, direction));
-  const double off = std::atan2(cross(middle, turned), middle.dot(turned));
-  return normalized_angle(s.begin + 0.5 * s.opening + scale_ * off);
+  const double offset = std::atan2(cross(middle, turned), middle.dot(turned));
+  return normalized_angle(s.begin + 0.5 * s.opening + scale_ * offset);
 }
 
 }  // namespace gvd

@@ -10,9 +10,9 @@
 
 namespace gvd {
 
-/// The part of a point's tangent plane that lies in one face.
+/// The sector of a point's tangent plane that lies in one face.
 struct TangentSector {
-  SurfacePoint point;  ///< the fan's point, seen in this face
+  SurfacePoint point;  ///< the fan's point, given in this face
   double begin;        ///< tangent angle of its first side, radians
   double opening;      ///< tangent angle between its sides, radians
   Vec2 reference;      ///< its first side, a unit vector in the face's layout
@@ -24,19 +24,19 @@ struct FaceDirection {
   Vec2 direction;  ///< unit
 };
 
-/// The faces round a surface point and the angles in which they lie in its tangent plane (see geodesic_tracing.hpp).
+/// The faces round a surface point, and their sectors of its tangent plane (see geodesic_tracing.hpp).
 class TangentFan {
  public:
   /// Cost: O(degree of the vertex).
   TangentFan(const Mesh& mesh, const SurfacePoint& point);
 
   const std::vector<TangentSector>& sectors() const { return sectors_; }
-  /// Whether the faces go all the way round: the point is no boundary point.
+  /// Whether the sectors cover all directions: the point is not on the boundary.
   bool closed() const { return closed_; }
-  /// Radians; 2 pi where closed.
+  /// The angle that the sectors cover, radians; 2 pi if closed.
   double total() const { return total_; }
 
-  /// The face and direction that a tangent angle leads into; nothing where it leads off the surface.
+  /// The face and direction of a tangent angle. Without a value if it leads off the surface.
   std::optional<FaceDirection> face_direction(double angle) const;
   /// The tangent angle, in [0, 2 pi), of a direction in the layout of one of the fan's faces.
   double angle(FaceId face, const Vec2& direction) const;
@@ -47,12 +47,12 @@ class TangentFan {
   void add_vertex(const Mesh& mesh, VertexId v);
 
   std::vector<TangentSector> sectors_;
-  double scale_ = 1;  // tangent angle over angle on the surface
+  double scale_ = 1;  // ratio of tangent angles to angles on the surface
   double total_ = 0;
   bool closed_ = true;
 };
 
-/// A tangent angle in [0, 2 pi).
+/// The equivalent angle in [0, 2 pi), radians.
 double normalized_angle(double angle);
 inline double angle_of(const Vec2& v) { return normalized_angle(std::atan2(v.y(), v.x())); }
 inline Vec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
