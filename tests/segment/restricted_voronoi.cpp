@@ -7,7 +7,8 @@ namespace {
 
 using Polygon = std::vector<std::array<double, 3>>;
 
-/// The part of a polygon of barycentric coordinates where a linear function, given at the corners of the face, is <= 0.
+/// The subset of a polygon of barycentric coordinates where a linear function, given at the corners of the face, is <=
+/// 0.
 Polygon clip(const Polygon& polygon, const std::array<double, 3>& value) {
   const auto at = [&](const std::array<double, 3>& b) { return b[0] * value[0] + b[1] * value[1] + b[2] * value[2]; };
   Polygon kept;
@@ -23,7 +24,7 @@ Polygon clip(const Polygon& polygon, const std::array<double, 3>& value) {
   return kept;
 }
 
-double part(const Polygon& polygon) {
+double twice_area(const Polygon& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const auto &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
@@ -32,20 +33,20 @@ double part(const Polygon& polygon) {
   return sum;
 }
 
-std::vector<FacePiece> cut(const Mesh& mesh, FaceId f, const std::vector<Vec3>& places) {
+std::vector<FacePiece> cut(const Mesh& mesh, FaceId f, const std::vector<Vec3>& positions) {
   std::vector<FacePiece> pieces;
-  for (std::size_t g = 0; g < places.size(); ++g) {
+  for (std::size_t g = 0; g < positions.size(); ++g) {
     Polygon polygon{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (std::size_t other = 0; other < places.size() && polygon.size() >= 3; ++other) {
+    for (std::size_t other = 0; other < positions.size() && polygon.size() >= 3; ++other) {
       if (other == g) continue;
       std::array<double, 3> value{};
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& p = mesh.position(mesh.vertices(f)[i]);
-        value[i] = (p - places[g]).squaredNorm() - (p - places[other]).squaredNorm();
+        value[i] = (p - positions[g]).squaredNorm() - (p - positions[other]).squaredNorm();
       }
       polygon = clip(polygon, value);
     }
-    if (polygon.size() >= 3 && part(polygon) > 1e-14) {
+    if (polygon.size() >= 3 && twice_area(polygon) > 1e-14) {
       pieces.push_back({f, GeneratorId(static_cast<std::int64_t>(g)), polygon});
     }
   }
@@ -57,18 +58,18 @@ std::vector<FacePiece> cut(const Mesh& mesh, FaceId f, const std::vector<Vec3>& 
 Diagram make_restricted_voronoi(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   Diagram diagram;
   diagram.generators = generators;
-  std::vector<Vec3> places;
-  for (const SurfacePoint& point : generators) places.push_back(position(mesh, point));
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& point : generators) positions.push_back(position(mesh, point));
   for (const Vec3& p : mesh.positions()) {
     std::size_t best = 0;
-    for (std::size_t g = 1; g < places.size(); ++g) {
-      if ((p - places[g]).norm() < (p - places[best]).norm()) best = g;
+    for (std::size_t g = 1; g < positions.size(); ++g) {
+      if ((p - positions[g]).norm() < (p - positions[best]).norm()) best = g;
     }
     diagram.vertex_label.push_back(GeneratorId(static_cast<std::int64_t>(best)));
-    diagram.vertex_distance.push_back((p - places[best]).norm());
+    diagram.vertex_distance.push_back((p - positions[best]).norm());
   }
   for (int f = 0; f < mesh.face_count(); ++f) {
-    const std::vector<FacePiece> pieces = cut(mesh, FaceId(f), places);
+    const std::vector<FacePiece> pieces = cut(mesh, FaceId(f), positions);
     diagram.face_label.push_back(pieces.size() == 1 ? pieces[0].generator : GeneratorId());
     if (pieces.size() > 1) diagram.pieces.insert(diagram.pieces.end(), pieces.begin(), pieces.end());
   }

@@ -26,13 +26,13 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
   return points;
 }
 
-/// How many edge-connected parts the faces of each label have.
-std::map<GeneratorId, int> count_parts(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
-  std::map<GeneratorId, int> parts;
+/// The number of edge-connected components the faces of each label.
+std::map<GeneratorId, int> count_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
+  std::map<GeneratorId, int> components;
   IdVector<FaceId, char> seen(label.size(), 0);
   for (int i = 0; i < mesh.face_count(); ++i) {
     if (seen[FaceId(i)] || !label[FaceId(i)].valid()) continue;
-    ++parts[label[FaceId(i)]];
+    ++components[label[FaceId(i)]];
     seen[FaceId(i)] = 1;
     for (std::vector<FaceId> stack{FaceId(i)}; !stack.empty();) {
       const FaceId f = stack.back();
@@ -45,19 +45,19 @@ std::map<GeneratorId, int> count_parts(const Mesh& mesh, const IdVector<FaceId, 
       }
     }
   }
-  return parts;
+  return components;
 }
 
 void require_guarantees(const Mesh& mesh, const Diagram& diagram, const Segmentation& result) {
   REQUIRE(result.face_label.size() == static_cast<std::size_t>(mesh.face_count()));
   REQUIRE(std::all_of(result.face_label.begin(), result.face_label.end(), [](GeneratorId g) { return g.valid(); }));
-  const auto parts = count_parts(mesh, result.face_label);
-  for (const auto& [label, count] : parts) {
+  const auto components = count_components(mesh, result.face_label);
+  for (const auto& [label, count] : components) {
     CAPTURE(label.value());
     REQUIRE(count == 1);
   }
-  REQUIRE(parts.size() + result.without_face.size() == diagram.generators.size());
-  for (const GeneratorId g : result.without_face) REQUIRE(parts.count(g) == 0);
+  REQUIRE(components.size() + result.without_face.size() == diagram.generators.size());
+  for (const GeneratorId g : result.without_face) REQUIRE(components.count(g) == 0);
 }
 
 /// A square of two faces, (0,0) (1,0) (1,1) and (0,0) (1,1) (0,1).

@@ -1,4 +1,4 @@
-#include "part_coincident_corners.hpp"
+#include "separate_coincident_corners.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;
@@ -16,30 +16,30 @@ CutTriangles make_cut(std::vector<Vec3> positions) {
 
 }  // namespace
 
-TEST_CASE("parting: corners with places of their own stay") {
+TEST_CASE("coincident corners: different corners do not move") {
   CutTriangles cut = make_cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   const std::vector<Vec3> before = cut.positions;
-  CHECK(part_coincident_corners(cut, 2, 1e-15) == 0);
+  CHECK(separate_coincident_corners(cut, 2, 1e-15) == 0);
   CHECK(cut.positions == before);
 }
 
-TEST_CASE("parting: an added vertex moves along the longest edge, away from one of the input") {
+TEST_CASE("coincident corners: an added vertex moves along the longest edge, away from one of the input") {
   CutTriangles cut = make_cut({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  CHECK(part_coincident_corners(cut, 2, 1e-3) == 1);
+  CHECK(separate_coincident_corners(cut, 2, 1e-3) == 1);
   CHECK(cut.positions[1] == Vec3(1, 0, 0));
   CHECK((cut.positions[2] - Vec3(1, 0, 0)).norm() == Approx(1e-3));
   CHECK(cut.positions[3] == Vec3(0, 1, 0));
 }
 
-TEST_CASE("parting: vertices of the input stay in one place") {
+TEST_CASE("coincident corners: vertices of the input do not move") {
   CutTriangles cut = make_cut({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const std::vector<Vec3> before = cut.positions;
-  CHECK(part_coincident_corners(cut, 2, 1e-3) == 0);
+  CHECK(separate_coincident_corners(cut, 2, 1e-3) == 0);
   CHECK(cut.positions == before);
 }
 
-TEST_CASE("parting: where a whole parent is in one place, there is no way to go, and no round is in vain") {
+TEST_CASE("coincident corners: a parent whose corners all coincide is left as it is, in no round") {
   CutTriangles cut = make_cut(std::vector<Vec3>(4, Vec3(1, 2, 3)));
-  CHECK(part_coincident_corners(cut, 2, 1e-3) == 0);
+  CHECK(separate_coincident_corners(cut, 2, 1e-3) == 0);
   CHECK(cut.positions == std::vector<Vec3>(4, Vec3(1, 2, 3)));
 }

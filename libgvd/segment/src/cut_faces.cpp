@@ -9,7 +9,7 @@
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
-#include "part_coincident_corners.hpp"
+#include "separate_coincident_corners.hpp"
 #include "split_doubled_edges.hpp"
 
 namespace gvd {
@@ -18,7 +18,7 @@ namespace {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), shares_(diagram), reach_(place_reach(mesh)) {
+      : mesh_(mesh), diagram_(diagram), shares_(diagram), tolerance_(position_tolerance(mesh)) {
     triangles_.positions = mesh.positions();
   }
 
@@ -66,28 +66,28 @@ class Cutter {
               [](const EdgePoint& a, const EdgePoint& b) { return std::tie(a.edge, a.t) < std::tie(b.edge, b.t); });
   }
 
-  /// Gives each edge point a vertex: the one before it or an end of the edge where they are in the same place.
+  /// Gives each edge point a vertex: that of the point before it or an end of the edge if they coincide, or a new one.
   void number_edge_points() {
     for (std::size_t i = 0; i < edge_points_.size(); ++i) {
       EdgePoint& point = edge_points_[i];
       const HalfedgeId h = mesh_.halfedge(point.edge);
-      const Vec3 place = (1 - point.t) * mesh_.position(mesh_.from(h)) + point.t * mesh_.position(mesh_.to(h));
-      const EdgePoint* const last = i > 0 && edge_points_[i - 1].edge == point.edge ? &edge_points_[i - 1] : nullptr;
-      if (same_place(place, mesh_.position(mesh_.from(h)), reach_)) {
+      const Vec3 at = (1 - point.t) * mesh_.position(mesh_.from(h)) + point.t * mesh_.position(mesh_.to(h));
+      const EdgePoint* const before = i > 0 && edge_points_[i - 1].edge == point.edge ? &edge_points_[i - 1] : nullptr;
+      if (coincide(at, mesh_.position(mesh_.from(h)), tolerance_)) {
         point.vertex = mesh_.from(h);
-      } else if (same_place(place, mesh_.position(mesh_.to(h)), reach_)) {
+      } else if (coincide(at, mesh_.position(mesh_.to(h)), tolerance_)) {
         point.vertex = mesh_.to(h);
-      } else if (last && (point.t - last->t <= kCutWeld ||
-                          same_place(triangles_.positions[last->vertex.index()], place, reach_))) {
-        point.vertex = last->vertex;
+      } else if (before && (point.t - before->t <= kCutWeld ||
+                            coincide(triangles_.positions[before->vertex.index()], at, tolerance_))) {
+        point.vertex = before->vertex;
       } else {
-        point.vertex = add_vertex(place);
+        point.vertex = add_vertex(at);
       }
     }
   }
 
-  VertexId add_vertex(const Vec3& place) {
-    triangles_.positions.push_back(place);
+  VertexId add_vertex(const Vec3& at) {
+    triangles_.positions.push_back(at);
     return VertexId(static_cast<std::int64_t>(triangles_.positions.size()) - 1);
   }
 
@@ -127,7 +127,7 @@ class Cutter {
       const auto points = points_on(e);
       const auto found = std::lower_bound(points.begin(), points.end(), t,
                                           [](const EdgePoint& p, double value) { return p.t < value; });
-      corner.vertex = found->vertex;  // collect_edge_points met this very corner
+      corner.vertex = found->vertex;  // collect_edge_points has added this corner
     }
     return corner;
   }
@@ -141,7 +141,7 @@ class Cutter {
       ++polygons_;
       return;
     }
-    FaceTiling tiling(std::move(border), reach_);
+    FaceTiling tiling(std::move(border), tolerance_);
     for (const FacePiece& piece : pieces) {
       FaceTiling::Polygon polygon{piece.generator, {}};
       for (const auto& bary : piece.corners) polygon.corners.push_back(tiling.find_or_add(corner_of(f, bary)));
@@ -155,13 +155,13 @@ class Cutter {
 
   void add_polygons(FaceId f, FaceTiling& tiling) {
     for (const FaceTiling::Polygon& polygon : tiling.polygons()) {
-      std::vector<Vec2> places;
+      std::vector<Vec2> plane_points;
       for (const std::size_t number : polygon.corners) {
         FaceTiling::Corner& corner = tiling.corners()[number];
         if (!corner.vertex.valid()) corner.vertex = add_vertex(corner.position);
-        places.push_back(tiling.place(number));
+        plane_points.push_back(tiling.plane_point(number));
       }
-      for (const auto& triangle : triangulate_plane_polygon(places)) {
+      for (const auto& triangle : triangulate_plane_polygon(plane_points)) {
         std::array<VertexId, 3> vertices;
         for (std::size_t i = 0; i < 3; ++i) vertices[i] = tiling.corners()[polygon.corners[triangle[i]]].vertex;
         add_triangle(vertices, f, polygon.generator);
@@ -179,24 +179,24 @@ class Cutter {
 
   void build_mesh() {
     split_doubled_edges(triangles_);
-    part_coincident_corners(triangles_, static_cast<std::size_t>(mesh_.vertex_count()), reach_);
+    separate_coincident_corners(triangles_, static_cast<std::size_t>(mesh_.vertex_count()), tolerance_);
     result_.parent = std::move(triangles_.parent);
     result_.label = std::move(triangles_.label);
     try {
       result_.mesh = Mesh(std::move(triangles_.positions), std::move(triangles_.faces));
     } catch (const Error& error) {
       throw Error(ErrorCode::no_valid_result,
-                  std::string("cutting along the bisectors gave no manifold mesh: ") + error.what(), error.element());
+                  std::string("cutting along the bisectors gives no manifold mesh: ") + error.what(), error.element());
     }
   }
 
   const Mesh& mesh_;
   const Diagram& diagram_;
   FaceShares shares_;
-  double reach_;
+  double tolerance_;
   std::vector<EdgePoint> edge_points_;  ///< sorted by edge and t
   CutTriangles triangles_;
-  std::int32_t polygons_ = 0;  ///< done so far
+  std::int32_t polygons_ = 0;  ///< number of polygons so far
   CutMesh result_;
 };
 

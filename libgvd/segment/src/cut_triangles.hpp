@@ -10,17 +10,17 @@
 
 namespace gvd {
 
-/// The triangles of a cut mesh before they become one. Those of one parent stand together, and in it those of one
+/// The triangles of a cut mesh before it is built. The triangles of a parent are consecutive, and so are those of a
 /// polygon.
 struct CutTriangles {
   std::vector<Vec3> positions;
   std::vector<std::array<VertexId, 3>> faces;
   IdVector<FaceId, FaceId> parent;
   IdVector<FaceId, GeneratorId> label;
-  IdVector<FaceId, std::int32_t> polygon;  ///< which polygon of all parents it is a part of, ascending
+  IdVector<FaceId, std::int32_t> polygon;  ///< the polygon that contains the triangle, numbered over all parents
 };
 
-/// Where the triangles of the parent of triangle `first` end. Cost: O(triangles of the parent).
+/// The end of the range of triangles that begins at `first` and has one parent. Cost: O(triangles of the parent).
 inline std::size_t end_of_parent(const CutTriangles& cut, std::size_t first) {
   const auto parent = [&cut](std::size_t t) { return cut.parent[FaceId(static_cast<std::int64_t>(t))]; };
   std::size_t last = first;

@@ -9,11 +9,11 @@
 
 namespace gvd {
 
-double compute_part(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
+double compute_area_fraction(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
 
 FaceShares::FaceShares(const Diagram& diagram) {
   for (const FacePiece& piece : diagram.pieces) {
-    shares_.push_back({piece.face, piece.generator, compute_part(piece)});
+    shares_.push_back({piece.face, piece.generator, compute_area_fraction(piece)});
   }
   std::stable_sort(shares_.begin(), shares_.end(), [](const FaceShare& a, const FaceShare& b) {
     return std::tie(a.face, a.generator) < std::tie(b.face, b.generator);
@@ -21,13 +21,13 @@ FaceShares::FaceShares(const Diagram& diagram) {
   std::vector<FaceShare> united;
   for (const FaceShare& share : shares_) {
     if (!united.empty() && united.back().face == share.face && united.back().generator == share.generator) {
-      united.back().part += share.part;
+      united.back().fraction += share.fraction;
     } else {
       united.push_back(share);
     }
   }
   std::stable_sort(united.begin(), united.end(), [](const FaceShare& a, const FaceShare& b) {
-    return a.face != b.face ? a.face < b.face : a.part > b.part;
+    return a.face != b.face ? a.face < b.face : a.fraction > b.fraction;
   });
   shares_ = std::move(united);
 }
@@ -38,9 +38,9 @@ std::span<const FaceShare> FaceShares::of(FaceId face) const {
   return {first, last};
 }
 
-double FaceShares::part(FaceId face, GeneratorId generator) const {
+double FaceShares::fraction(FaceId face, GeneratorId generator) const {
   for (const FaceShare& share : of(face)) {
-    if (share.generator == generator) return share.part;
+    if (share.generator == generator) return share.fraction;
   }
   return 0;
 }

@@ -11,12 +11,12 @@
 namespace gvd {
 namespace {
 
-bool same_place(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+bool coincide(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::abs(a[0] - b[0]) <= kCutWeld && std::abs(a[1] - b[1]) <= kCutWeld && std::abs(a[2] - b[2]) <= kCutWeld;
 }
 
-/// Simple loops out of a closed walk over some of `corners` corners that meets corners again; loops of two corners are
-/// nothing.
+/// Splits a closed walk over corners (numbers below `corners`) where it repeats a corner into simple loops. Loops of
+/// two corners are dropped.
 std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::size_t>& walk, std::size_t corners) {
   std::vector<std::vector<std::size_t>> loops;
   std::vector<std::size_t> stack;
@@ -37,16 +37,16 @@ std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::si
 
 }  // namespace
 
-double place_reach(const Mesh& mesh) {
-  return kPlaceSteps * std::numeric_limits<double>::epsilon() * mesh.largest_coordinate();
+double position_tolerance(const Mesh& mesh) {
+  return kPositionUlps * std::numeric_limits<double>::epsilon() * mesh.largest_coordinate();
 }
 
-void FaceTiling::Order::insert(double coordinate, std::size_t corner) {
+void FaceTiling::SortedCorners::insert(double coordinate, std::size_t corner) {
   const std::pair item(coordinate, corner);
   corners_.insert(std::lower_bound(corners_.begin(), corners_.end(), item), item);
 }
 
-std::span<const std::pair<double, std::size_t>> FaceTiling::Order::between(double low, double high) const {
+std::span<const std::pair<double, std::size_t>> FaceTiling::SortedCorners::between(double low, double high) const {
   const auto below = [](const auto& item, double value) { return item.first < value; };
   const auto above = [](double value, const auto& item) { return value < item.first; };
   return {std::lower_bound(corners_.begin(), corners_.end(), low, below),
@@ -54,27 +54,27 @@ std::span<const std::pair<double, std::size_t>> FaceTiling::Order::between(doubl
 }
 
 template <class Test>
-std::size_t FaceTiling::find_near(const Order& order, double coordinate, double reach, std::size_t found,
+std::size_t FaceTiling::find_near(const SortedCorners& corners, double coordinate, double tolerance, std::size_t found,
                                   const Test& passes) {
-  // Twice the reach: rounding in the ends of the range loses nothing.
-  for (const auto& [at, corner] : order.between(coordinate - 2 * reach, coordinate + 2 * reach)) {
+  // Twice the tolerance, so that rounding of the range's ends excludes no corner.
+  for (const auto& [at, corner] : corners.between(coordinate - 2 * tolerance, coordinate + 2 * tolerance)) {
     if (corner < found && passes(corner)) found = corner;
   }
   return found;
 }
 
-FaceTiling::FaceTiling(std::vector<Corner> border, double reach)
-    : corners_(std::move(border)), border_(corners_.size()), reach_(reach) {
+FaceTiling::FaceTiling(std::vector<Corner> border, double tolerance)
+    : corners_(std::move(border)), border_(corners_.size()), tolerance_(tolerance) {
   Vec3 low = corners_[0].position, high = low;
   for (const Corner& corner : corners_) {
     low = low.cwiseMin(corner.position);
     high = high.cwiseMax(corner.position);
   }
   (high - low).maxCoeff(&axis_);
-  for (std::size_t i = 0; i < border_; ++i) enter(i);
+  for (std::size_t i = 0; i < border_; ++i) index(i);
 }
 
-void FaceTiling::enter(std::size_t corner) {
+void FaceTiling::index(std::size_t corner) {
   by_bary_.insert(corners_[corner].bary[1], corner);
   by_position_.insert(corners_[corner].position[axis_], corner);
 }
@@ -86,23 +86,24 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
     found = static_cast<std::size_t>(std::find_if(corners_.begin(), corners_.end(), same) - corners_.begin());
   } else {
     found = find_near(by_bary_, corner.bary[1], kCutWeld, found,
-                      [&](std::size_t i) { return same_place(corners_[i].bary, corner.bary); });
-    found = find_near(by_position_, corner.position[axis_], reach_, found,
-                      [&](std::size_t i) { return same_place(corners_[i].position, corner.position, reach_); });
+                      [&](std::size_t i) { return coincide(corners_[i].bary, corner.bary); });
+    found = find_near(by_position_, corner.position[axis_], tolerance_, found,
+                      [&](std::size_t i) { return coincide(corners_[i].position, corner.position, tolerance_); });
   }
   if (found < corners_.size()) return found;
   corners_.push_back(corner);
-  enter(found);
+  index(found);
   return found;
 }
 
 bool FaceTiling::fit() {
-  // Pieces mostly share their corners already. Splitting at every corner near a segment comes second: in a sliver
-  // thinner than kCutWeld it would fold one side onto the other.
-  for (const double reach : {0.0, kCutWeld}) {
+  // Most pieces share their corners already. Splitting at every corner near a segment is only the second attempt: in a
+  // sliver thinner than kCutWeld it would fold one side onto the other.
+  for (const double tolerance : {0.0, kCutWeld}) {
     std::vector<Polygon> fitted;
     for (const Polygon& polygon : polygons_) {
-      for (std::vector<std::size_t>& loop : split_at_repeats(split_segments(polygon.corners, reach), corners_.size())) {
+      for (std::vector<std::size_t>& loop :
+           split_at_repeats(split_segments(polygon.corners, tolerance), corners_.size())) {
         fitted.push_back({polygon.generator, std::move(loop)});
       }
     }
@@ -120,30 +121,30 @@ void FaceTiling::leave_whole(GeneratorId generator) {
   polygons_.assign(1, whole);
 }
 
-std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, double reach) const {
+std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_t>& polygon, double tolerance) const {
   std::vector<std::size_t> split;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
     if (from == to) continue;
     split.push_back(from);
-    append_corners_between(from, to, reach, split);
+    append_corners_between(from, to, tolerance, split);
   }
   return split;
 }
 
-void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double reach,
+void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double tolerance,
                                         std::vector<std::size_t>& out) const {
-  const Vec2 start = place(from), along = place(to) - start;
+  const Vec2 start = plane_point(from), along = plane_point(to) - start;
   const double length = along.norm();
   const double low = std::min(start.x(), start.x() + along.x()), high = std::max(start.x(), start.x() + along.x());
   std::vector<std::pair<double, std::size_t>> between;
-  // What lies on an edge of the face is as far from it as rounding: less than kCutWeld.
+  // A point on an edge of the face is off it by rounding only: less than kCutWeld.
   for (const auto& [x, k] : by_bary_.between(low - 2 * kCutWeld, high + 2 * kCutWeld)) {
     if (k == from || k == to) continue;
-    const Vec2 offset = place(k) - start;
+    const Vec2 offset = plane_point(k) - start;
     const double t = along.dot(offset) / (length * length);
     const double away = std::abs(cross(along, offset)) / length;
-    if (t > 0 && t < 1 && (away <= reach || on_one_edge(from, to, k))) between.emplace_back(t, k);
+    if (t > 0 && t < 1 && (away <= tolerance || on_one_edge(from, to, k))) between.emplace_back(t, k);
   }
   std::sort(between.begin(), between.end());
   for (const auto& [t, k] : between) out.push_back(k);
@@ -157,7 +158,7 @@ bool FaceTiling::on_one_edge(std::size_t a, std::size_t b, std::size_t c) const 
 }
 
 bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
-  // Each directed segment once; its reverse belongs to the polygon beyond it, or the border runs along it.
+  // Each directed segment occurs once; its reverse belongs to the adjacent polygon or to the border.
   std::set<std::pair<std::size_t, std::size_t>> open;
   for (std::size_t i = 0; i < border_; ++i) open.insert({(i + 1) % border_, i});
   std::set<std::pair<std::size_t, std::size_t>> seen = open;
@@ -173,7 +174,7 @@ bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
 }
 
 double FaceTiling::twice_area(const std::vector<std::size_t>& polygon) const {
-  return twice_signed_area(polygon.size(), [&](std::size_t i) { return place(polygon[i]); });
+  return twice_signed_area(polygon.size(), [&](std::size_t i) { return plane_point(polygon[i]); });
 }
 
 }  // namespace gvd

@@ -12,26 +12,28 @@
 
 namespace gvd {
 
-/// Two points of a face are one below this distance, in barycentric coordinates: the same crossing, computed from two
-/// sides, differs by some 1e-15.
+/// Points of a face whose barycentric coordinates differ by at most this are merged. A crossing computed from two sides
+/// differs by some 1e-15.
 inline constexpr double kCutWeld = 1e-12;
 
-/// Two positions are one where they lie within this many rounding steps of the mesh's largest coordinate from each
-/// other: a point between two others is rounded by one step in each of the three terms, and once for their sum.
-inline constexpr double kPlaceSteps = 4;
+/// Positions are merged if their coordinates differ by at most this many units in the last place of the mesh's largest
+/// coordinate. An interpolated position has four rounding errors: one for each of three terms, and one for the sum.
+inline constexpr double kPositionUlps = 4;
 
-/// kPlaceSteps for the coordinates of a mesh, mesh units.
-double place_reach(const Mesh& mesh);
+/// The tolerance of positions (kPositionUlps) for a mesh, mesh units.
+double position_tolerance(const Mesh& mesh);
 
-inline bool same_place(const Vec3& p, const Vec3& q, double reach) { return (p - q).cwiseAbs().maxCoeff() <= reach; }
+inline bool coincide(const Vec3& p, const Vec3& q, double tolerance) {
+  return (p - q).cwiseAbs().maxCoeff() <= tolerance;
+}
 
-/// The corners and polygons of one face that is cut.
+/// The corners and polygons of one cut face.
 class FaceTiling {
  public:
   struct Corner {
     std::array<double, 3> bary;
     Vec3 position;
-    VertexId vertex;  ///< invalid for a corner inside the face that no mesh has yet
+    VertexId vertex;  ///< invalid for a corner inside the face that is not yet a vertex
   };
   struct Polygon {
     GeneratorId generator;
@@ -39,33 +41,33 @@ class FaceTiling {
   };
 
   /// `border`: the face's three corners and the points on its edges, counter-clockwise from its first corner.
-  /// `reach`: see place_reach.
-  FaceTiling(std::vector<Corner> border, double reach);
+  /// `tolerance`: see position_tolerance.
+  FaceTiling(std::vector<Corner> border, double tolerance);
 
-  /// The corner on the border with this vertex, or one inside within kCutWeld or at the same place; a new one
-  /// otherwise. Cost: O(log n) to look, with those that are nearly as far along one axis; O(n) to add, as a sorted list
-  /// moves up.
+  /// The number of the corner: of the border's corner with the same vertex, or of one inside that coincides in
+  /// barycentric coordinates (kCutWeld) or in position (`tolerance`). Otherwise it becomes a new one.
+  /// Cost: O(log n) to find, and O(1) for each corner with nearly the same coordinate along one axis; O(n) to add.
   std::size_t find_or_add(const Corner& corner);
 
   /// Adds a polygon of the face, counter-clockwise.
   void add(Polygon polygon) { polygons_.push_back(std::move(polygon)); }
 
-  /// Makes the polygons share whole segments: a corner that lies on another's segment splits it. Then checks that they
-  /// tile the face, each segment between two of them or once on the border. False where they don't.
-  /// Cost: O(n log n), as long as only a few segments are long.
+  /// Splits segments at the corners that lie on them, so that adjacent polygons share whole segments. Then checks that
+  /// the polygons tile the face: each segment belongs to two polygons, or to one and the border. False if they don't.
+  /// Cost: O(n log n) if only a few segments are long.
   bool fit();
 
-  /// Forgets all polygons and corners inside: the face is one polygon.
+  /// Removes all polygons and the corners inside; the face becomes one polygon.
   void leave_whole(GeneratorId generator);
 
   std::vector<Corner>& corners() { return corners_; }
   const std::vector<Polygon>& polygons() const { return polygons_; }
-  /// Where a corner is drawn: two barycentric coordinates, an affine picture of the face.
-  Vec2 place(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
+  /// Two barycentric coordinates of a corner: an affine image of the face in the plane.
+  Vec2 plane_point(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
 
  private:
-  /// Corners in the order of one of their coordinates.
-  class Order {
+  /// Corners sorted by one of their coordinates.
+  class SortedCorners {
    public:
     void insert(double coordinate, std::size_t corner);
     /// The corners with a coordinate from `low` to `high`.
@@ -75,23 +77,24 @@ class FaceTiling {
     std::vector<std::pair<double, std::size_t>> corners_;
   };
 
-  void enter(std::size_t corner);
-  /// The least of the corners near one coordinate of theirs that passes the test, and is less than `found`.
+  void index(std::size_t corner);
+  /// The smallest number below `found` of a corner that passes the test, among those within `tolerance` of the
+  /// coordinate; `found` if there is none.
   template <class Test>
-  static std::size_t find_near(const Order& order, double coordinate, double reach, std::size_t found,
+  static std::size_t find_near(const SortedCorners& corners, double coordinate, double tolerance, std::size_t found,
                                const Test& passes);
-  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double reach) const;
-  /// The corners on the segment: those on the same edge of the face, and those within `reach`.
-  void append_corners_between(std::size_t from, std::size_t to, double reach, std::vector<std::size_t>& out) const;
+  std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double tolerance) const;
+  /// Appends the corners on the segment in order: those on the same edge of the face, and those within `tolerance`.
+  void append_corners_between(std::size_t from, std::size_t to, double tolerance, std::vector<std::size_t>& out) const;
   bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
   bool tiles(const std::vector<Polygon>& polygons) const;
   double twice_area(const std::vector<std::size_t>& polygon) const;
 
   std::vector<Corner> corners_;  ///< the border first
   std::size_t border_;
-  double reach_;
-  int axis_ = 0;  ///< along which the face is longest
-  Order by_bary_, by_position_;
+  double tolerance_;
+  int axis_ = 0;  ///< the axis along which the face is longest
+  SortedCorners by_bary_, by_position_;
   std::vector<Polygon> polygons_;
 };
 

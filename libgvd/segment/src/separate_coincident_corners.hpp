@@ -6,18 +6,18 @@
 
 namespace gvd {
 
-/// Moves vertices apart that are corners of one triangle and have the same position, by a few times `reach`
-/// (mesh units; see place_reach).
+/// Moves corners of a triangle apart that have the same position, by a small multiple of `tolerance` (mesh units; see
+/// position_tolerance).
 ///
-/// In a face without area the cuts through two of its sides can meet in one place, and stay two vertices: one on each
-/// side. The vertices from `first_added` on may be moved, each along the longest edge in its parent; the
-/// others, those of the input, stay. Returns how many rounds have moved a vertex; kPartingRounds where one more might.
-/// Cost: O(k) for k triangles, times the rounds that it takes, which are few: at most kPartingRounds.
-int part_coincident_corners(CutTriangles& cut, std::size_t first_added, double reach);
+/// In a face without area, cuts through two of its sides can have the same position but are different vertices, one on
+/// each side. Vertices from `first_added` on may move, each along the longest edge of its parent; the vertices of the
+/// input don't. Returns the number of rounds that moved a vertex; with kMaxSeparationRounds some may still coincide.
+/// Cost: O(k) for k triangles in each of a few rounds.
+int separate_coincident_corners(CutTriangles& cut, std::size_t first_added, double tolerance);
 
-/// Each round moves by twice as much as the one before, so that two vertices that were moved onto each other, or onto a
-/// third, are parted by the next. The last round moves by 2^19 times the reach, 5e-10 of the largest coordinate: more
-/// would be a shift that matters.
-inline constexpr int kPartingRounds = 20;
+/// Each round moves by twice the length of the one before. It separates vertices that the last one moved onto each
+/// other or onto a third. The last round moves by 2^19 times the tolerance, 5e-10 of the largest coordinate; a longer
+/// move would change the shape.
+inline constexpr int kMaxSeparationRounds = 20;
 
 }  // namespace gvd

@@ -10,10 +10,10 @@ namespace {
 
 using Triangle = std::array<VertexId, 3>;
 
-/// A side between two polygons: it belongs to neither.
+/// The polygon of a side that lies between two polygons.
 constexpr std::int32_t kBetween = -1;
 
-/// A side of a triangle, by its ends in ascending order.
+/// A side of a triangle; its ends ascend.
 struct Side {
   VertexId low;
   VertexId high;
@@ -41,8 +41,8 @@ std::vector<Side> collect_sides_of_cut_parents(const CutTriangles& cut) {
   return sides;
 }
 
-/// Appends the edges that the sides `begin` to `end` make inside of their parents: diagonals of polygons, and what lies
-/// between two polygons.
+/// Appends the edges inside parents among the sides `begin` to `end`, which have the same ends: diagonals of polygons,
+/// and edges between two polygons.
 void append_inner_edges(const Side* begin, const Side* end, std::vector<Side>& edges) {
   const Side* single = nullptr;
   for (const Side* side = begin; side != end; ++side) {
@@ -57,8 +57,8 @@ void append_inner_edges(const Side* begin, const Side* end, std::vector<Side>& e
   }
 }
 
-/// The edges inside a parent whose ends more than two triangles join, by parent. A diagonal comes before the edge
-/// between two polygons with the same ends.
+/// The edges inside parents whose two ends are those of sides of more than two triangles, sorted by parent. A diagonal
+/// comes before an edge between two polygons with the same ends.
 std::vector<Side> find_doubled_edges(const CutTriangles& cut) {
   std::vector<Side> sides = collect_sides_of_cut_parents(cut), doubled;
   std::sort(sides.begin(), sides.end());
@@ -101,8 +101,7 @@ class Splitter {
     polygon_.push_back(polygon);
   }
 
-  /// Halves the triangles on both sides of the edge, among those from `begin` on: those of its polygon, where it has
-  /// one.
+  /// Halves the triangles from `begin` on that have the edge as a side; only those of its polygon if it is a diagonal.
   void split(const Side& edge, std::size_t begin) {
     const VertexId middle(static_cast<std::int64_t>(cut_.positions.size()));
     cut_.positions.push_back(0.5 * (cut_.positions[edge.low.index()] + cut_.positions[edge.high.index()]));

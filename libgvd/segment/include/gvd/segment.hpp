@@ -14,21 +14,21 @@ namespace gvd {
 struct Segmentation {
   IdVector<FaceId, GeneratorId> face_label;  ///< invalid where no generator reaches
   std::vector<GeneratorId> without_face;     ///< generators that own no face, ascending
-  std::int32_t moved_faces = 0;  ///< faces that another cell has the largest part of: moved to keep labels connected
-  std::int32_t given_faces = 0;  ///< faces given to a generator that had the largest part of none
+  std::int32_t moved_faces = 0;  ///< faces labelled with a cell that does not have the largest share, for connectivity
+  std::int32_t given_faces = 0;  ///< faces given to generators that would own none otherwise
 };
 
 /// Labels the faces of a mesh by the cells of its diagram.
 ///
-/// A face that no bisector cuts takes its cell; a cut one takes the cell with the largest part of its area (of equals
-/// the smaller id). Then, of each label, the part with the generator's own face stays, or else the part with the
-/// largest area, and the faces of other parts go to a label next to them, the one with the largest share first. At last
-/// a generator without a face is given one that its cell has a part of, the face that it lies in first, where the label
-/// that loses the face keeps another one and stays connected.
+/// (a) A face that no bisector cuts gets the label of its cell. A cut one gets that of the cell with the largest share
+/// of its area, of equals the smaller id. (b) Each label keeps one connected component: the one with a face of its
+/// generator, or else the one with the largest area. The faces of its other components take the label of an adjacent
+/// face, the one with the largest share. (c) A generator without a face is given one that its cell has a share of,
+/// first of all the face that it lies in. The label that loses the face must keep another one and stay connected.
 ///
 /// Properties: (1) the faces of each label are connected through edges; (2) each generator owns a face or is listed in
 /// `without_face`; (3) a face has no label exactly where no generator reaches it.
-/// Throws Error{precondition} where the diagram was not made of this mesh. Cost: O(n log n).
+/// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
 Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram);
 
 /// A mesh whose faces each lie in one cell.
@@ -36,18 +36,18 @@ struct CutMesh {
   Mesh mesh;                            ///< vertices of the input first, in their order
   IdVector<FaceId, FaceId> parent;      ///< the face of the input that holds each face; ascending
   IdVector<FaceId, GeneratorId> label;  ///< invalid where no generator reaches
-  std::int32_t uncut_faces = 0;         ///< faces left whole because their pieces do not fit together; normally 0
+  std::int32_t uncut_faces = 0;         ///< faces left whole because their pieces do not tile them; normally 0
 };
 
 /// Splits the faces of a mesh along the bisectors of its diagram.
 ///
-/// Where the cuts of two faces with the same three corners would become one edge with four faces, each gets a vertex of
-/// its own in its middle.
+/// If cuts of two faces have the same ends, the result would have one edge with four faces. Each such cut is therefore
+/// split by a vertex of its own at its midpoint.
 ///
-/// Properties: (1) the surface stays the same set of points, within rounding; (2) a vertex on an edge is shared by the
-/// faces on both sides, so the result has the topology of the input; (3) faces that no bisector touches stay as they
-/// are. Throws Error{precondition} where the diagram was not made of this mesh. Cost: O(n log n), and O(k^2) in a face
-/// with k corners of pieces.
+/// Properties: (1) the surface is the same set of points, within rounding; (2) the faces on both sides of an edge share
+/// the vertices on it, so the result has the topology of the input; (3) faces that no bisector touches do not change.
+/// Throws Error{precondition} if the diagram was not made of this mesh, Error{no_valid_result} if the result is not a
+/// manifold. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram);
 
 /// The faces that have one label.
