@@ -101,7 +101,7 @@ TEST_CASE("dual: (3) sectors of a cylinder meet both of its boundaries") {
   for (const int corner : {0, 6, 12, 18}) generators.push_back(vertex_point(mesh, VertexId(7 * corner + 3)));
   const auto defects = check(mesh, generators);
   CHECK(std::count_if(defects.begin(), defects.end(),
-                      [](const DualDefect& d) { return d.property == DualProperty::one_boundary_run; }) == 4);
+                      [](const DualDefect& d) { return d.property == DualProperty::one_boundary_arc; }) == 4);
   CHECK(finds(defects, DualProperty::bisector_has_face));
 }
 

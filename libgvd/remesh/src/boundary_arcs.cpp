@@ -1,4 +1,4 @@
-#include "boundary_runs.hpp"
+#include "boundary_arcs.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,17 +10,18 @@ namespace {
 /// Where a bisector ends on a boundary halfedge.
 struct BoundaryEnd {
   double at = 0;      ///< parameter along the halfedge
-  GeneratorId after;  ///< the cell ahead of it, along the halfedge
+  GeneratorId after;  ///< the cell that follows it along the halfedge
 };
 
-class RunLister {
+class ArcLister {
  public:
-  RunLister(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {}
+  ArcLister(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {}
 
-  std::vector<BoundaryRun> list() {
+  std::vector<BoundaryArc> list() {
     for (const Bisector& b : diagram_.bisectors) {
       if (b.closed) continue;
-      // Seen with the surface to the left of the boundary, the cell ahead is to the right of a bisector that comes in.
+      // The surface lies to the left of a boundary halfedge, so the cell that follows lies to the right of a bisector
+      // that starts at the boundary, and to the left of one that ends there.
       if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
       if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
     }
@@ -32,7 +33,7 @@ class RunLister {
       const HalfedgeId h(i);
       if (!mesh_.twin(h).valid() && !seen[h.index()]) cut_loop(h, seen);
     }
-    return std::move(runs_);
+    return std::move(arcs_);
   }
 
  private:
@@ -45,57 +46,57 @@ class RunLister {
     }
   }
 
-  /// Walks once round the loop of `first`. What comes before the first end belongs to the run after the last one.
+  /// Walks once round the boundary loop of `first`. The segments before the first end belong to the last arc.
   void cut_loop(HalfedgeId first, std::vector<char>& seen) {
-    const std::size_t before = runs_.size();
-    BoundaryRun head;
-    BoundaryRun* run = &head;
+    const std::size_t before = arcs_.size();
+    BoundaryArc head;
+    BoundaryArc* arc = &head;
     for (HalfedgeId h = first; !seen[h.index()];) {
       seen[h.index()] = 1;
       double begin = 0;
       const auto here = ends_.find(h);
       for (std::size_t i = 0; here != ends_.end() && i < here->second.size(); ++i) {
         const BoundaryEnd& end = here->second[i];
-        run->pieces.push_back({h, begin, end.at});
-        runs_.push_back({end.after, {}});
-        run = &runs_.back();
+        arc->segments.push_back({h, begin, end.at});
+        arcs_.push_back({end.after, {}});
+        arc = &arcs_.back();
         begin = end.at;
       }
-      run->pieces.push_back({h, begin, 1});
+      arc->segments.push_back({h, begin, 1});
       h = Mesh::next(h);
       while (mesh_.twin(h).valid()) h = Mesh::next(mesh_.twin(h));
     }
-    if (runs_.size() > before) {
-      run->pieces.insert(run->pieces.end(), head.pieces.begin(), head.pieces.end());
+    if (arcs_.size() > before) {
+      arc->segments.insert(arc->segments.end(), head.segments.begin(), head.segments.end());
     } else if (const GeneratorId whole = diagram_.vertex_label[mesh_.from(first)]; whole.valid()) {
       head.cell = whole;
-      runs_.push_back(std::move(head));
+      arcs_.push_back(std::move(head));
     }
   }
 
   const Mesh& mesh_;
   const Diagram& diagram_;
   std::map<HalfedgeId, std::vector<BoundaryEnd>> ends_;
-  std::vector<BoundaryRun> runs_;
+  std::vector<BoundaryArc> arcs_;
 };
 
 }  // namespace
 
-std::vector<BoundaryRun> list_boundary_runs(const Mesh& mesh, const Diagram& diagram) {
-  return RunLister(mesh, diagram).list();
+std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram) {
+  return ArcLister(mesh, diagram).list();
 }
 
-SurfacePoint nearest_point(const Mesh& mesh, const BoundaryRun& run, const Vec3& to) {
+SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const Vec3& to) {
   SurfacePoint best;
   double least = std::numeric_limits<double>::infinity();
-  for (const BoundaryRun::Piece& piece : run.pieces) {
-    const Vec3& from = mesh.position(mesh.from(piece.halfedge));
-    const Vec3 along = mesh.position(mesh.to(piece.halfedge)) - from;
-    const double t = std::clamp((to - from).dot(along) / along.squaredNorm(), piece.begin, piece.end);
+  for (const BoundaryArc::Segment& segment : arc.segments) {
+    const Vec3& from = mesh.position(mesh.from(segment.halfedge));
+    const Vec3 along = mesh.position(mesh.to(segment.halfedge)) - from;
+    const double t = std::clamp((to - from).dot(along) / along.squaredNorm(), segment.begin, segment.end);
     const double distance = (from + t * along - to).squaredNorm();
     if (distance >= least) continue;
     least = distance;
-    best = edge_point(piece.halfedge, t);
+    best = edge_point(segment.halfedge, t);
   }
   return make_surface_point(best.face, best.bary);
 }

@@ -9,23 +9,24 @@
 
 namespace gvd {
 
-/// A part of the mesh's boundary that lies in one cell: between two ends of bisectors, or a whole loop.
-struct BoundaryRun {
-  /// A part of a boundary halfedge, from parameter `begin` to `end`.
-  struct Piece {
+/// A maximal connected arc of the mesh's boundary that lies in one cell: between two ends of bisectors, or a whole
+/// boundary loop.
+struct BoundaryArc {
+  /// The interval from parameter `begin` to `end` of a boundary halfedge.
+  struct Segment {
     HalfedgeId halfedge;
     double begin = 0;
     double end = 1;
   };
   GeneratorId cell;
-  std::vector<Piece> pieces;
+  std::vector<Segment> segments;
 };
 
-/// The point of a run that is nearest to `to` in a straight line. Cost: O(pieces).
-SurfacePoint nearest_point(const Mesh& mesh, const BoundaryRun& run, const Vec3& to);
+/// The point of the arc with the least Euclidean distance from `to`. Cost: O(segments).
+SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const Vec3& to);
 
-/// All runs, loop by loop in the order of their first halfedge; loops that no generator reaches have none.
-/// Cost: O(k log k) for k boundary edges and ends of bisectors.
-std::vector<BoundaryRun> list_boundary_runs(const Mesh& mesh, const Diagram& diagram);
+/// The boundary arcs of all cells, loop by loop in the order of their first halfedge. A loop that no generator reaches
+/// has none. Cost: O(k log k) for k boundary edges and ends of bisectors.
+std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram);
 
 }  // namespace gvd

@@ -37,8 +37,8 @@ class DualBuilder {
     if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
   }
 
-  /// The corner whose neighbours have no edge yet and that is cut off with the best Q; the polygon's size where none
-  /// is.
+  /// The ear with the best quality Q among those whose new edge is not an edge yet; the polygon's size if there is
+  /// none.
   std::size_t best_ear(const std::vector<GeneratorId>& polygon) const {
     const std::size_t n = polygon.size();
     std::size_t best = n;

@@ -12,7 +12,7 @@
 namespace gvd {
 namespace {
 
-/// A second opinion that shares nothing with the constructor of Mesh.
+/// By OpenMesh, so that the test is independent of the constructor of Mesh.
 bool is_manifold(const Mesh& mesh) {
   try {
     const OpenMeshTriMesh peer = to_openmesh(mesh);
@@ -35,7 +35,7 @@ HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) {
   return next;
 }
 
-/// Of every component, in the order of compute_face_components.
+/// The topology of every component, in the order of compute_face_components.
 std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component) {
   std::vector<ComponentTopology> result;
   const auto of = [&](HalfedgeId h) -> ComponentTopology& {
@@ -56,7 +56,8 @@ std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVe
   return result;
 }
 
-/// For every component of the remesh the one of the surface that its generators lie on; empty where they do not pair.
+/// For every component of the remesh, the component of the surface that its generators lie on. Empty unless the
+/// components correspond one to one.
 std::vector<std::int32_t> pair_components(const IdVector<FaceId, std::int32_t>& surface_component, const Mesh& remesh,
                                           const IdVector<FaceId, std::int32_t>& remesh_component,
                                           const std::vector<SurfacePoint>& generators) {
@@ -90,7 +91,7 @@ void compare_components(const Mesh& surface, const Mesh& remesh, const std::vect
 }  // namespace
 
 std::string RemeshCertificate::first_failure() const {
-  if (!manifold) return "it is no manifold";
+  if (!manifold) return "it is not a manifold";
   if (!closed_as_input) return "it is not closed where the input is closed";
   if (!same_components) return "its components are not those of the input";
   if (!same_euler_characteristic) return "its Euler characteristic is not that of the input";

@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-std::string place(const Vec3& p) { return fmt::format("near ({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
+std::string format_position(const Vec3& p) { return fmt::format("near ({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
 
 class DualChecker {
  public:
@@ -18,21 +18,21 @@ class DualChecker {
     count_boundary_ends();
     check_components();
     check_discs();
-    check_boundary_runs();
+    check_boundary_arcs();
     check_bisectors();
     check_pairs();
     check_branch_points();
     check_neighbours();
-    check_rings();
+    check_different_cells();
     check_polygons();
     return std::move(defects_);
   }
 
  private:
-  static std::int64_t id(std::size_t i) { return static_cast<std::int64_t>(i); }
+  static std::int64_t to_id(std::size_t i) { return static_cast<std::int64_t>(i); }
 
   Vec3 generator_position(GeneratorId g) const { return position(mesh_, diagram_.generators[g.index()]); }
-  std::string at_cell(GeneratorId g) const { return place(generator_position(g)); }
+  std::string at_cell(GeneratorId g) const { return format_position(generator_position(g)); }
   Vec3 middle(const Bisector& b) const { return position(mesh_, b.points[b.points.size() / 2]); }
 
   void add_cell_defect(DualProperty property, GeneratorId g, const std::string& what) {
@@ -44,14 +44,14 @@ class DualChecker {
   }
 
   void add_bisector_defect(DualProperty property, std::size_t i, const std::string& what) {
-    const Bisector& b = diagram_.bisectors[BisectorId(id(i))];
+    const Bisector& b = diagram_.bisectors[BisectorId(to_id(i))];
     DualDefect defect;
     defect.property = property;
     const auto [first, second] = std::minmax(b.left, b.right);
     defect.message = fmt::format("({}) cells {} and {} {}, {}", static_cast<int>(property), first.value(),
-                                 second.value(), what, place(middle(b)));
+                                 second.value(), what, format_position(middle(b)));
     defect.cells = {b.left, b.right};
-    defect.bisector = BisectorId(id(i));
+    defect.bisector = BisectorId(to_id(i));
     defects_.push_back(std::move(defect));
   }
 
@@ -59,7 +59,7 @@ class DualChecker {
     const BranchPoint& branch = diagram_.branch_points[b];
     DualDefect defect;
     defect.property = property;
-    defect.message = fmt::format("({}) {}, {}", static_cast<int>(property), what, place(branch.position));
+    defect.message = fmt::format("({}) {}, {}", static_cast<int>(property), what, format_position(branch.position));
     defect.cells = branch.generators;
     defect.branch_point = b;
     defects_.push_back(std::move(defect));
@@ -90,7 +90,7 @@ class DualChecker {
       defect.component = c;
       const FaceId f(std::find(component.begin(), component.end(), c) - component.begin());
       defect.message = fmt::format("(1) component {} of the mesh has no generator, {}", c,
-                                   place(mesh_.position(mesh_.vertices(f)[0])));
+                                   format_position(mesh_.position(mesh_.vertices(f)[0])));
       defects_.push_back(std::move(defect));
     }
   }
@@ -99,26 +99,26 @@ class DualChecker {
     for (const Cell& c : diagram_.cells) {
       if (c.components == 1 && c.euler_characteristic == 1) continue;
       add_cell_defect(DualProperty::cell_is_disc, c.generator,
-                      fmt::format("is no disc (Euler characteristic {})", c.euler_characteristic));
+                      fmt::format("is not a disc (Euler characteristic {})", c.euler_characteristic));
     }
   }
 
-  /// A run of the boundary lies between two ends of bisectors on it.
-  void check_boundary_runs() {
+  /// A boundary arc lies between two ends of bisectors on the boundary.
+  void check_boundary_arcs() {
     for (const Cell& c : diagram_.cells) {
       if (boundary_ends_[c.generator] <= 2) continue;
-      add_cell_defect(DualProperty::one_boundary_run, c.generator,
-                      fmt::format("meets the mesh's boundary in {} runs", boundary_ends_[c.generator] / 2));
+      add_cell_defect(DualProperty::one_boundary_arc, c.generator,
+                      fmt::format("touches the mesh's boundary in {} arcs", boundary_ends_[c.generator] / 2));
     }
   }
 
   void check_bisectors() {
     for (std::size_t i = 0; i < diagram_.bisectors.size(); ++i) {
-      const Bisector& b = diagram_.bisectors[BisectorId(id(i))];
+      const Bisector& b = diagram_.bisectors[BisectorId(to_id(i))];
       if (b.closed) {
-        add_bisector_defect(DualProperty::bisector_has_face, i, "meet in a closed bisector");
+        add_bisector_defect(DualProperty::bisector_has_face, i, "share a closed bisector");
       } else if (!b.ends[0].valid() && !b.ends[1].valid()) {
-        add_bisector_defect(DualProperty::bisector_has_face, i, "meet in a bisector from boundary to boundary");
+        add_bisector_defect(DualProperty::bisector_has_face, i, "share a bisector from boundary to boundary");
       }
     }
   }
@@ -126,9 +126,9 @@ class DualChecker {
   void check_pairs() {
     std::map<std::pair<GeneratorId, GeneratorId>, int> count;
     for (std::size_t i = 0; i < diagram_.bisectors.size(); ++i) {
-      const Bisector& b = diagram_.bisectors[BisectorId(id(i))];
+      const Bisector& b = diagram_.bisectors[BisectorId(to_id(i))];
       if (++count[std::minmax(b.left, b.right)] == 2) {
-        add_bisector_defect(DualProperty::one_bisector, i, "meet in more than one bisector");
+        add_bisector_defect(DualProperty::one_bisector, i, "share more than one bisector");
       }
     }
   }
@@ -136,13 +136,13 @@ class DualChecker {
   void check_branch_points() {
     std::map<std::vector<GeneratorId>, int> count;
     for (std::size_t i = 0; i < diagram_.branch_points.size(); ++i) {
-      std::vector<GeneratorId> cells = diagram_.branch_points[BranchPointId(id(i))].generators;
+      std::vector<GeneratorId> cells = diagram_.branch_points[BranchPointId(to_id(i))].generators;
       std::sort(cells.begin(), cells.end());
       if (++count[cells] != 2) continue;
       std::string names;
       for (const GeneratorId g : cells) names += fmt::format("{}{}", names.empty() ? "" : ", ", g.value());
-      add_branch_defect(DualProperty::one_branch_point, BranchPointId(id(i)),
-                        fmt::format("cells {} meet in more than one branch point", names));
+      add_branch_defect(DualProperty::one_branch_point, BranchPointId(to_id(i)),
+                        fmt::format("cells {} share more than one branch point", names));
     }
   }
 
@@ -157,14 +157,14 @@ class DualChecker {
     }
   }
 
-  void check_rings() {
+  void check_different_cells() {
     for (std::size_t i = 0; i < diagram_.branch_points.size(); ++i) {
-      std::vector<GeneratorId> cells = diagram_.branch_points[BranchPointId(id(i))].generators;
+      std::vector<GeneratorId> cells = diagram_.branch_points[BranchPointId(to_id(i))].generators;
       std::sort(cells.begin(), cells.end());
       const auto twice = std::adjacent_find(cells.begin(), cells.end());
       if (twice == cells.end()) continue;
-      add_branch_defect(DualProperty::different_cells, BranchPointId(id(i)),
-                        fmt::format("cell {} meets itself in a branch point", twice->value()));
+      add_branch_defect(DualProperty::different_cells, BranchPointId(to_id(i)),
+                        fmt::format("cell {} occurs twice at a branch point", twice->value()));
     }
   }
 
@@ -176,17 +176,17 @@ class DualChecker {
     std::vector<std::size_t> found(diagram_.branch_points.size(), 0);
     for (const BranchPointId b : dual.branch_points) ++found[b.index()];
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const BranchPointId b(id(i));
+      const BranchPointId b(to_id(i));
       const std::size_t corners = diagram_.branch_points[b].generators.size();
       if (found[i] == corners - 2) continue;
       add_branch_defect(DualProperty::polygon_fits, b,
-                        fmt::format("a branch point of {} cells can't be cut into triangles", corners));
+                        fmt::format("the polygon of a branch point of {} cells can't be triangulated", corners));
     }
   }
 
   const Mesh& mesh_;
   const Diagram& diagram_;
-  IdVector<GeneratorId, std::int32_t> boundary_ends_;  // of bisectors, on the mesh's boundary, at each cell
+  IdVector<GeneratorId, std::int32_t> boundary_ends_;  // of each cell: ends of its bisectors on the mesh's boundary
   std::vector<DualDefect> defects_;
 };
 

@@ -10,26 +10,24 @@
 
 namespace gvd {
 
-/// Two generators of a component closer than this part of the bounding box's diagonal are never made: they would give
-/// edges that no other program can tell from points of zero length in single precision (1.2e-7).
-inline constexpr double kLeastSpacing = 1e-6;
-
-/// Where new generators go, so that the defects go away.
+/// New generators that repair defects of the dual.
 ///
-/// | property that fails   | new generators                                                                          |
-/// | component_reached     | the component's first vertex                                                            |
-/// | cell_is_disc          | in thirds round the cell's shortest loop that can't be contracted, else farthest        |
-/// | one_boundary_run      | the point nearest to the generator on the run that is farthest from it                  |
-/// | bisector_has_face     | closed: the point farthest from its generators; else its end on the boundary that is    |
-/// | one_bisector          | the middle of that bisector of the two that is longest for its distance                 |
-/// | one_branch_point      | the branch point that is farther from its generators                                    |
-/// | enough_neighbours     | the farthest free vertex of the cell, else point of its bisectors                       |
-/// | the others            | at the branch point or on its bisectors, the point farthest from all generators         |
+/// | property that fails | new generators                                                                            |
+/// | ------------------- | ----------------------------------------------------------------------------------------- |
+/// | component_reached   | the component's first vertex                                                              |
+/// | cell_is_disc        | thirds of the cell's shortest non-contractible loop, else as for enough_neighbours        |
+/// | one_boundary_arc    | of each boundary arc of the cell the point nearest to the generator; of these the farthest |
+/// | bisector_has_face   | closed: its point farthest from the two generators; open: the farther of its two ends     |
+/// | one_bisector        | the midpoint of that bisector of the pair that is shortest relative to its distance       |
+/// | one_branch_point    | of the branch points of the same cells the one that is farthest from its generators       |
+/// | enough_neighbours   | the cell's farthest vertex, else the farthest point of its bisectors                      |
+/// | the others          | of the branch point and its bisectors the point farthest from all generators              |
 ///
-/// In one call each cell is part of one repaired defect at most, for the others may go away with it; the order is that
-/// of `defects`. At most `room` points. Empty where no place is far enough from the component's generators
-/// (kLeastSpacing). Cost: O(n log n) where a cell is no disc, else O(n) and O(k m) for k defects and m generators.
-std::vector<SurfacePoint> place_generators(const Mesh& mesh, const Diagram& diagram,
-                                           const std::vector<DualDefect>& defects, std::size_t room);
+/// A candidate that is too close to a generator of its component (kMinAddedSpacing) is skipped for the next best one.
+/// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
+/// cell's other defects too. Returns at most `max_count` points; none where every candidate is too close.
+/// Cost: O(n log n) where a cell is no disc, else O(n) and O(k m) for k defects and m generators.
+std::vector<SurfacePoint> propose_generators(const Mesh& mesh, const Diagram& diagram,
+                                             const std::vector<DualDefect>& defects, std::size_t max_count);
 
 }  // namespace gvd

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
-#include "place_generators.hpp"
+#include "propose_generators.hpp"
 
 namespace gvd {
 namespace {
@@ -44,7 +44,7 @@ class Remesher {
     if (options_.on_stage) options_.on_stage(stage);
   }
 
-  /// Where the dual is proper, builds the mesh and looks for flipped faces.
+  /// Builds the mesh where the dual has no defect, and then looks for flipped faces.
   std::vector<DualDefect> find_defects() {
     std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);
     if (!defects.empty()) return defects;
@@ -60,7 +60,7 @@ class Remesher {
     return defects;
   }
 
-  /// The two sides of a slit are far from each other on the surface, and at one place in space.
+  /// Generators on the two sides of a slit can have the same position while they are far apart on the surface.
   bool has_coincident_corners(const std::array<GeneratorId, 3>& face) const {
     const auto at = [&](std::size_t corner) { return position(mesh_, result_.generators[face[corner].index()]); };
     return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
@@ -78,7 +78,8 @@ class Remesher {
       result_.mesh = Mesh(positions_of(mesh_, result_.generators), std::move(faces));
     } catch (const Error& error) {
       throw Error(ErrorCode::no_valid_result,
-                  std::string("the dual of the generators is no mesh: ") + error.what() + "; move or remove generators",
+                  std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
+                      "; move or remove generators",
                   error.element());
     }
   }
@@ -97,13 +98,14 @@ class Remesher {
 
   void refine(const std::vector<DualDefect>& defects) {
     if (!options_.refine) refuse(defects, "give more generators there, or let some be added");
-    const std::int64_t room = max_added_ - result_.added;
-    if (room <= 0 || result_.rounds >= kMostRounds) {
+    const std::int64_t may_add = max_added_ - result_.added;
+    if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
       refuse(defects, fmt::format("{} generators were added in {} rounds: give more or other ones{}", result_.added,
-                                  result_.rounds, room <= 0 ? ", or allow to add more" : ""));
+                                  result_.rounds, may_add <= 0 ? ", or allow to add more" : ""));
     }
-    const auto points = place_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(room));
-    if (points.empty()) refuse(defects, "there is no room to add a generator: give other ones there");
+    const auto points = propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
+    if (points.empty())
+      refuse(defects, "every place to add a generator is too close to another one: give other generators there");
     result_.generators.insert(result_.generators.end(), points.begin(), points.end());
     result_.added += static_cast<std::int64_t>(points.size());
   }
@@ -111,7 +113,7 @@ class Remesher {
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} generators is no proper mesh: {}; {}", result_.generators.size(),
+                fmt::format("the dual of {} generators is not a proper mesh: {}; {}", result_.generators.size(),
                             defects.front().message, advice),
                 cells.empty() ? -1 : cells.front().value());
   }

@@ -38,6 +38,6 @@ TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothi
   const CommandResult result = run_command("gvd-remesh", data_file("torus.ply") + " -n 2 --no-refine -o " + path);
   CHECK(result.exit_code == 5);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  CHECK_THAT(result.err, Contains("gvd-remesh: error: the dual of 2 generators is no proper mesh: (2) cell "));
+  CHECK_THAT(result.err, Contains("gvd-remesh: error: the dual of 2 generators is not a proper mesh: (2) cell "));
   CHECK(!std::filesystem::exists(path));
 }

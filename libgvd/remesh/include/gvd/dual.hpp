@@ -15,11 +15,11 @@
 
 namespace gvd {
 
-/// What keeps the dual of a diagram from being a proper mesh. The numbers are those of check_dual's properties.
+/// The properties that the dual of a diagram must have to be a proper mesh, with the numbers of check_dual.
 enum class DualProperty {
   component_reached = 1,
   cell_is_disc = 2,
-  one_boundary_run = 3,
+  one_boundary_arc = 3,
   bisector_has_face = 4,
   one_bisector = 5,
   one_branch_point = 6,
@@ -29,31 +29,31 @@ enum class DualProperty {
   not_flipped = 10,
 };
 
-/// The first place where a property fails for a cell, a pair or triple of cells, or a branch point.
+/// One failure of a property, for a cell, a pair or triple of cells, or a branch point.
 struct DualDefect {
   DualProperty property{};
   std::string message;             ///< one line: the property's number, the elements and the position
-  std::vector<GeneratorId> cells;  ///< the cells that are concerned
+  std::vector<GeneratorId> cells;  ///< the cells involved
   std::int32_t component = -1;     ///< of the mesh, for component_reached; numbered as compute_face_components does
-  BisectorId bisector;             ///< where one is concerned
-  BranchPointId branch_point;      ///< where one is concerned
+  BisectorId bisector;             ///< valid where the property is one of bisectors
+  BranchPointId branch_point;      ///< valid where the property is one of branch points
 };
 
-/// Whether the dual of a diagram is a proper mesh, from the public data alone.
+/// Checks whether the dual of a diagram is a proper mesh: a simplicial complex with the topology of the surface.
 ///
 /// Properties:
 ///  (1) every component of the mesh has a generator;
 ///  (2) every cell is a disc: connected, of Euler characteristic 1;
-///  (3) every cell meets the mesh's boundary nowhere or in one run;
+///  (3) every cell touches the mesh's boundary nowhere or in one arc;
 ///  (4) every bisector ends in a branch point at one end at least: its dual edge has a face;
-///  (5) two cells meet in at most one bisector;
-///  (6) two branch points do not join the same cells;
+///  (5) two cells share at most one bisector;
+///  (6) two branch points do not have the same cells;
 ///  (7) every cell has at least three neighbours, two where it touches the mesh's boundary;
 ///  (8) the cells round a branch point are all different;
-///  (9) a branch point of k > 3 cells can be cut into k - 2 triangles whose new edges are no edges yet.
-/// Where they hold, the dual is a mesh with the topology of the surface: the cells' complex is regular enough for its
-/// dual to be a simplicial complex. Property (10), no triangle flipped, is `find_flipped_faces`'s.
-/// The diagram must be sound (see check_diagram). Ascending by property. Never throws on a finding.
+///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new.
+/// If all hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property
+/// (10), that no triangle is flipped.
+/// The diagram must be sound (see check_diagram). The defects ascend by property. Never throws on a finding.
 /// Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram);
 
@@ -63,19 +63,19 @@ struct DualMesh {
   std::vector<BranchPointId> branch_points;       ///< of each face
 };
 
-/// Cuts the branch points' polygons into triangles, ear by ear: of the ears whose new edge is no edge yet, the one with
-/// the best Q (see quality.hpp) goes first. A polygon that can't be cut so loses the rest of its triangles: check_dual
-/// names it. Cost: O(k log k).
+/// Cuts the polygons of the branch points into triangles by ear clipping. An ear is allowed if its new edge is not an
+/// edge yet; the allowed ear with the best Q (see quality.hpp) is cut first. If a polygon has no allowed ear left, the
+/// rest of its triangles is missing, and check_dual reports it. Cost: O(k log k).
 DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 
-/// How far from flat on one's face a triangle may lie: least cosine between its normal and the surface's, and least
-/// area as a part of its longest edge squared. Both only keep rounding from deciding: 1e-9 is a million times that.
+/// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this, and as degenerate
+/// unless twice its area exceeds this fraction of its longest edge squared. A million times the rounding error.
 inline constexpr double kFlipTolerance = 1e-9;
 
-/// Faces of a remesh that are turned against the surface or have no area, ascending.
+/// Faces of a remesh that are flipped against the surface or degenerate, ascending.
 ///
-/// A face is flipped where the cosine between its normal and the mean of the surface's unit normals at its three
-/// generators and at its branch point is not above kFlipTolerance (gvd/surface_normal.hpp).
+/// The surface's normal is the mean of its unit normals at the face's three generators and at its branch point
+/// (gvd/surface_normal.hpp); see kFlipTolerance.
 /// `generators` are the vertices, `face_points` the branch point of every face. Cost: O(k).
 std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,

@@ -14,53 +14,53 @@
 
 namespace gvd {
 
-/// The two kinds of work that a remesh alternates between.
+/// The two stages of a round of a remesh.
 enum class RemeshStage {
-  diagram,  ///< computing the diagram
-  dual,     ///< checking its dual, adding generators, and building and certifying the mesh
+  diagram,  ///< computes the diagram
+  dual,     ///< checks its dual, and adds generators or builds and certifies the mesh
 };
 
 struct RemeshOptions {
-  DiagramOptions diagram;  ///< its progress serves the whole run
-  bool refine = true;      ///< add generators where the dual of the given ones is no proper mesh; otherwise refuse
-  /// Most generators that may be added, >= 0. Not given: default_max_added.
+  DiagramOptions diagram;  ///< its progress callback serves the whole run
+  bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
+  /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
-  /// Called when a stage starts, so that a caller can time them; may be empty.
+  /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
 
-/// Ten for each given generator, each component, each boundary loop and each handle, and 100 more: a sphere takes four
-/// vertices, a boundary loop three, a handle at most three on each of two loops, and thin limbs three a loop.
+/// Ten for each given generator, component, boundary loop and handle, and 100 more. A sphere needs four vertices, a
+/// boundary loop three, a handle at most three on each of two loops, and a thin limb three on each loop round it.
 std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 
-/// A run ends after this many diagrams, for where it has not converged by then it hardly will: of 850 runs on real
-/// meshes, with 1 to 300 generators, none that succeeded took more than 50, and nine of ten took 12 at most.
-inline constexpr std::int32_t kMostRounds = 60;
+/// The largest number of rounds (diagrams). Of 850 runs on real meshes with 1 to 300 generators, none that succeeded
+/// took more than 50 rounds, and nine of ten took at most 12.
+inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
-/// What holds for a remesh, measured on the mesh that is handed out and not on how it came about.
+/// What holds for a remesh, measured on the returned mesh itself.
 struct RemeshCertificate {
   MeshSummary input;
   MeshSummary output;
-  bool manifold = false;         ///< OpenMesh takes every face, and finds one fan round every vertex
+  bool manifold = false;         ///< OpenMesh accepts every face, and finds one fan round every vertex
   bool closed_as_input = false;  ///< no boundary where the input has none, and a boundary where it has one
   bool same_euler_characteristic = false;
-  bool same_components = false;  ///< as many, and each one holds exactly the generators of one input component
+  bool same_components = false;  ///< the same number, and each has exactly the generators of one input component
   bool same_boundary_loops = false;
-  /// Euler characteristic and boundary loops agree in each component by itself, not only in sum.
+  /// Euler characteristic and boundary loops agree for each component, not only in sum.
   bool same_in_each_component = false;
   std::int64_t flipped_faces = 0;      ///< see find_flipped_faces
-  std::int64_t unused_generators = 0;  ///< generators that are no vertex of any face
+  std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
 
   bool ok() const;
-  /// The first thing that does not hold, in words; empty where all do.
+  /// The first property that does not hold, as part of a sentence; empty if all hold.
   std::string first_failure() const;
 };
 
 struct RemeshResult {
   Mesh mesh;                              ///< vertex i is generator i
-  std::vector<SurfacePoint> generators;   ///< the given ones first and in their order, then those that were added
-  std::int64_t added = 0;                 ///< how many of them were added
-  std::int32_t rounds = 0;                ///< diagrams that were computed
+  std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
+  std::int64_t added = 0;                 ///< number of generators added
+  std::int32_t rounds = 0;                ///< number of diagrams computed
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   Diagram diagram;                        ///< of all generators
   RemeshCertificate certificate;
@@ -70,20 +70,21 @@ struct RemeshResult {
 
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
-/// Where the dual of the given generators is no proper mesh (check_dual, find_flipped_faces), generators are added at
-/// the places that fail, one for each place in a round, and the diagram is built again. docs/guide/remesh.md says where
-/// they go. None is ever removed or moved.
+/// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces), generators are added near
+/// the defects and the diagram is computed again. docs/guide/remesh.md says where they go. No generator is removed or
+/// moved.
 ///
-/// At a boundary of the mesh, a bisector that ends there becomes a boundary edge: the coarse boundary runs through the
-/// generators whose cells touch the boundary, so it lies inside of it unless these generators are on it.
+/// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
+/// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary.
 ///
 /// Properties: (1) the certificate of a result is ok; (2) vertex i is generator i, bit by bit; (3) deterministic.
-/// Throws Error{no_valid_result} that names the failing property and its place where no proper mesh comes about within
-/// `max_added`, or without `refine`; and what compute_diagram throws. Cost: one diagram a round, and some tens of
-/// rounds for the hardest surfaces.
+/// Throws Error{no_valid_result}, naming the failing property and its position, if no proper mesh is found with
+/// `max_added` generators within kMaxRemeshRounds, or without `refine`; and what compute_diagram throws.
+/// Cost: one diagram a round, and some tens of rounds for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
-/// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` one point a face.
+/// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` the branch points of
+/// the faces.
 /// Never throws on a finding. Cost: O(n).
 RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
                                  const std::vector<SurfacePoint>& face_points);
