@@ -1,4 +1,4 @@
-// Energy and centroid of a cell, in closed form over the triangles of its faces' pieces.
+// Energy and centroid of a cell, in closed form over the triangles of its faces and clipped faces.
 #include "cell_integrals.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ constexpr std::array<Bary, 3> kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0
 
 Bary middle(const Bary& p, const Bary& q) { return {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])}; }
 
-/// Signed area of a triangle given in barycentric coordinates, as a part of its face's area.
-double area_share(const Bary& p, const Bary& q, const Bary& r) {
+/// Signed area of a triangle given in barycentric coordinates, as a fraction of its face's area.
+double area_fraction(const Bary& p, const Bary& q, const Bary& r) {
   return (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
 }
 
@@ -23,13 +23,13 @@ double area_share(const Bary& p, const Bary& q, const Bary& r) {
 
 double SquaredDistance::at(const std::array<double, 3>& b) const {
   const double linear = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
-  const double bend = b[0] * b[1] * side[0] + b[1] * b[2] * side[1] + b[2] * b[0] * side[2];
-  return std::max(0.0, linear - bend);
+  const double quadratic = b[0] * b[1] * side[0] + b[1] * b[2] * side[1] + b[2] * b[0] * side[2];
+  return std::max(0.0, linear - quadratic);
 }
 
-CellMoments CellIntegrals::compute(const SurfacePoint& generator, std::span<const CellPart> parts) {
+CellMoments CellIntegrals::compute(const SurfacePoint& generator, std::span<const CellFace> cell) {
   faces_.clear();
-  for (const CellPart& part : parts) faces_.push_back(part.face);
+  for (const CellFace& face : cell) faces_.push_back(face.face);
   std::sort(faces_.begin(), faces_.end());
   faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
   LogMap map = solver_.compute(generator, faces_);
@@ -40,28 +40,28 @@ CellMoments CellIntegrals::compute(const SurfacePoint& generator, std::span<cons
     map = solver_.compute(generator, faces_);
   }
   CellMoments sum;
-  for (const CellPart& part : parts) {
-    const auto at = std::lower_bound(faces_.begin(), faces_.end(), part.face) - faces_.begin();
-    add(part, map.corners[static_cast<std::size_t>(at)], sum);
+  for (const CellFace& face : cell) {
+    const auto at = std::lower_bound(faces_.begin(), faces_.end(), face.face) - faces_.begin();
+    add(face, map.corners[static_cast<std::size_t>(at)], sum);
   }
   if (sum.area > 0) sum.centroid /= sum.area;
   return sum;
 }
 
-/// Over a simple polygon the integral is the sum over its fan of triangles, with their signs. The rule of the three
-/// edge midpoints is exact for quadratics.
-void CellIntegrals::add(const CellPart& part, const std::array<Vec2, 3>& log, CellMoments& sum) const {
-  const std::span<const Bary> polygon = part.piece ? std::span<const Bary>(part.piece->corners) : kWholeFace;
-  const double face_area = mesh_.area(part.face);
+/// The integral over a simple polygon is the signed sum over the triangles of a fan. The quadrature rule of the three
+/// edge midpoints is exact for quadratic functions.
+void CellIntegrals::add(const CellFace& face, const std::array<Vec2, 3>& log, CellMoments& sum) const {
+  const std::span<const Bary> polygon = face.piece ? std::span<const Bary>(face.piece->corners) : kWholeFace;
+  const double face_area = mesh_.area(face.face);
   SquaredDistance squared{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double length = mesh_.length(Mesh::halfedge(part.face, static_cast<int>(i)));
+    const double length = mesh_.length(Mesh::halfedge(face.face, static_cast<int>(i)));
     squared.corner[i] = log[i].squaredNorm();
     squared.side[i] = length * length;
   }
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Bary &p = polygon[0], &q = polygon[i], &r = polygon[i + 1];
-    const double third = face_area * area_share(p, q, r) / 3;
+    const double third = face_area * area_fraction(p, q, r) / 3;
     sum.area += 3 * third;
     sum.energy += third * (squared.at(middle(p, q)) + squared.at(middle(q, r)) + squared.at(middle(r, p)));
     for (std::size_t k = 0; k < 3; ++k) sum.centroid += third * (p[k] + q[k] + r[k]) * log[k];
@@ -70,14 +70,14 @@ void CellIntegrals::add(const CellPart& part, const std::array<Vec2, 3>& log, Ce
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram) {
   if (diagram.face_label.size() != static_cast<std::size_t>(mesh.face_count())) {
-    throw Error(ErrorCode::precondition, "the diagram was made of another mesh: the number of faces differs");
+    throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
   }
-  const CellRegions regions(diagram);
+  const CellFaces cells(diagram);
   CellIntegrals integrals(mesh);
   IdVector<GeneratorId, CellMoments> moments(diagram.generators.size());
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
-    moments[g] = integrals.compute(diagram.generators[i], regions.parts(g));
+    moments[g] = integrals.compute(diagram.generators[i], cells.of(g));
   }
   return moments;
 }

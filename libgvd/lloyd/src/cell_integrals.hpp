@@ -4,34 +4,35 @@
 #include <span>
 #include <vector>
 
-#include "cell_regions.hpp"
+#include "cell_faces.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/log_map.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
 
-/// Squared distance over a triangle, from a point source in its plane: the quadratic that three corner distances and
-/// the edge lengths determine.
+/// Squared distance over a triangle, from a point source in its plane. Three corner distances and the edge lengths
+/// determine this quadratic function.
 struct SquaredDistance {
   std::array<double, 3> corner;  ///< squared distance at the corners
-  std::array<double, 3> side;    ///< squared length from corner i to corner i + 1
+  std::array<double, 3> side;    ///< squared length of the side from corner i to corner i + 1
 
-  /// At barycentric coordinates; never below 0, which distances that no plane source has could give.
+  /// The value at barycentric coordinates b. Clamped to 0: distances that no source in the plane has can give less.
   double at(const std::array<double, 3>& b) const;
 };
 
-/// Adds up integrals over one cell whose generator's log map is known.
+/// Computes the integrals over single cells; keeps its work space between them.
 class CellIntegrals {
  public:
   explicit CellIntegrals(const Mesh& mesh) : mesh_(mesh), solver_(mesh) {}
 
-  /// The moments of the cell with these parts about `generator`, which need not be the cell's own.
-  /// A part that no path reaches within the cell's faces is reached over the whole mesh. Cost: O(k log k) for k parts.
-  CellMoments compute(const SurfacePoint& generator, std::span<const CellPart> parts);
+  /// The moments of the cell with these faces about `generator`, which need not be the cell's own. The log map covers
+  /// the cell's faces, or the whole mesh if no path within the cell's faces leads to some of them.
+  /// Cost: O(k log k) for k faces.
+  CellMoments compute(const SurfacePoint& generator, std::span<const CellFace> cell);
 
  private:
-  void add(const CellPart& part, const std::array<Vec2, 3>& log, CellMoments& sum) const;
+  void add(const CellFace& face, const std::array<Vec2, 3>& log, CellMoments& sum) const;
 
   const Mesh& mesh_;
   LogMapSolver solver_;

@@ -8,10 +8,10 @@
 
 namespace gvd {
 
-/// Puts generators that would collide back to where they come from: `to[i]` becomes `from[i]` where another point of
-/// `to` is closer to it than `gap` in space and one of the two has moved. The points of `from` must not coincide.
-/// Returns how many were put back. Cost: O(m log m) for m points that are not crowded along x, for each of a few
-/// rounds.
+/// Undoes moves that would let generators collide: `to[i]` becomes `from[i]` if another point of `to` is within `gap`
+/// of it (Euclidean, mesh units) and point i has moved. The points of `from` must be farther apart than `gap`.
+/// Returns the number of moves undone. Cost: O(m log m) in each of a few rounds, for m points that are not crowded
+/// along x.
 std::int32_t keep_apart(const Mesh& mesh, const std::vector<SurfacePoint>& from, double gap,
                         std::vector<SurfacePoint>& to);
 

@@ -1,25 +1,26 @@
-// Lloyd's method on a surface, with backtracking: the energy falls or the step is not taken.
+// Lloyd's method on a surface, with backtracking: a step is taken only if it lowers the energy.
+#include "gvd/lloyd.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "cell_faces.hpp"
 #include "cell_integrals.hpp"
-#include "cell_regions.hpp"
 #include "gvd/error.hpp"
 #include "gvd/geodesic_tracing.hpp"
-#include "gvd/lloyd.hpp"
 #include "keep_apart.hpp"
 
 namespace gvd {
 namespace {
 
-/// Halvings of one generator's own step, and of all steps together, before they are given up: 1/16 and 1/32 of a step.
+/// The largest number of halvings of one generator's own step, and of all steps together: 1/16 and 1/32 of a step.
 constexpr int kOwnHalvings = 4;
 constexpr int kCommonHalvings = 5;
 
-/// Generators stay farther apart than this part of the mean cell radius: a thousand times closer than any two cells of
-/// a relaxed diagram, and far above the distance at which two points count as one.
+/// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
+/// relaxed diagram, and far above the distance at which two points coincide.
 constexpr double kGap = 1e-6;
 
 void check_options(const LloydOptions& o) {
@@ -41,7 +42,7 @@ struct State {
 
 struct Move {
   std::vector<SurfacePoint> to;
-  std::vector<double> length;  // way walked, mesh units
+  std::vector<double> length;  // of every generator's path, mesh units
   double scale = 1;
   std::int32_t held = 0;
 };
@@ -88,17 +89,18 @@ class Relaxer {
     };
     state.diagram = compute_diagram(mesh_, generators, diagram_options);
     ++result_.diagrams;
-    const CellRegions regions(state.diagram);
+    const CellFaces cells(state.diagram);
     state.moments.resize(generators.size());
     for (std::size_t i = 0; i < generators.size(); ++i) {
       const GeneratorId g(static_cast<std::int64_t>(i));
-      state.moments[g] = integrals_.compute(generators[i], regions.parts(g));
+      state.moments[g] = integrals_.compute(generators[i], cells.of(g));
       state.energy += state.moments[g].energy;
     }
     return state;
   }
 
-  /// The tangent vectors to the centroids, led along the boundary where they would leave the surface.
+  /// The tangent vectors to the centroids, projected to the boundary where they would leave the surface. Updates
+  /// `residual` and `mean_cell_radius`.
   std::vector<Vec2> find_steps(const State& state) {
     std::vector<Vec2> steps;
     double area = 0;
@@ -113,7 +115,7 @@ class Relaxer {
     return steps;
   }
 
-  /// One iteration: the first move that lowers the energy, if any.
+  /// One iteration: takes the first move that lowers the energy. False if none does.
   bool descend(State& state, const std::vector<Vec2>& steps) {
     std::vector<double> scale(steps.size(), options_.step);
     if (take_if_lower(state, move(state, steps, scale))) return true;
@@ -159,22 +161,22 @@ class Relaxer {
     return true;
   }
 
-  /// For each generator the largest part of its step, out of 1, 1/2, ... and 0, that lowers the energy of its cell kept
-  /// as it is. The diagram of the moved generators has no more energy than those cells together, but for what the
-  /// distances' errors make of it.
+  /// For each generator the largest fraction of its step, out of 1, 1/2, ... and 0, that lowers the energy of its cell
+  /// while the cell stays fixed. The diagram of the moved generators has at most the energy of these fixed cells, up to
+  /// the errors of the distances.
   std::vector<double> find_own_scales(const State& state, const std::vector<Vec2>& steps) {
-    const CellRegions regions(state.diagram);
+    const CellFaces cells(state.diagram);
     std::vector<double> scales;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       report();
       const GeneratorId g(static_cast<std::int64_t>(i));
       double scale = options_.step;
-      int tries = 0;
+      int halvings = 0;
       const auto lowers = [&] {
         const SurfacePoint to = trace_geodesic(mesh_, state.generators[i], scale * steps[i]).points.back();
-        return integrals_.compute(to, regions.parts(g)).energy < state.moments[g].energy;
+        return integrals_.compute(to, cells.of(g)).energy < state.moments[g].energy;
       };
-      while (scale > 0 && !lowers()) scale = ++tries > kOwnHalvings ? 0 : 0.5 * scale;
+      while (scale > 0 && !lowers()) scale = ++halvings > kOwnHalvings ? 0 : 0.5 * scale;
       scales.push_back(scale);
     }
     return scales;
