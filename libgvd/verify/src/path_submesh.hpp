@@ -8,28 +8,30 @@
 
 namespace gvd {
 
-/// The part of a mesh that the shortest paths from a generator to its points can visit, with the generator as a vertex.
-struct Reach {
+/// A submesh that contains the shortest paths from a generator to the points of a query, with the generator as a
+/// vertex.
+struct PathSubmesh {
   std::vector<Vec3> positions;
   std::vector<std::array<int, 3>> faces;  ///< oriented and manifold; indices into positions
-  int source = -1;                        ///< the generator's vertex; -1 where there is nothing to solve
-  /// Points to solve for, as indices into the query's list, with the local face and the coordinates in it.
+  int source = -1;                        ///< the generator's vertex; -1 if there is no target
+  /// A point whose distance needs the solver.
   struct Target {
-    std::size_t point;
-    int face;
+    std::size_t point;  ///< index into the query's points
+    int face;           ///< of the submesh
     std::array<double, 3> bary;
   };
   std::vector<Target> targets;
-  /// The distance of every point of the query, filled in where no solver is needed: the straight line in the faces
-  /// that touch the generator, infinity where no path leads. Not a number at the targets.
+  /// The distance of every point of the query that needs no solver: Euclidean in the faces that contain the generator,
+  /// infinity without a path. NaN for the targets.
   std::vector<double> distances;
 };
 
-/// Cuts out what lies within reach: every face that a path no longer than the farthest target's distance along the
-/// edges can visit. A path of that length stays in the ball of that radius round the generator, and the faces that
-/// it visits are linked across edges: at a vertex that it passes, all faces are in the ball.
-/// Vertices at which the cut leaves several fans are doubled; no shortest path passes them.
-/// Throws Error{precondition} where a point or the generator lies in no face. Cost: O(n log n).
-Reach cut_reach(const Mesh& mesh, const DistanceQuery& query);
+/// Let R be the largest distance of a target along edges, an upper bound of the exact one. A path of length R stays in
+/// the ball of radius R round the generator, and the faces that it visits are connected across edges, because all faces
+/// round a vertex that it passes intersect the ball. The submesh consists of the faces that intersect the ball and are
+/// so connected to the generator's. A vertex where several fans of them remain is duplicated; no shortest path passes
+/// through it.
+/// Throws Error{precondition} if a point or the generator lies in no face. Cost: O(n log n).
+PathSubmesh extract_path_submesh(const Mesh& mesh, const DistanceQuery& query);
 
 }  // namespace gvd

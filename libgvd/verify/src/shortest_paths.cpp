@@ -26,33 +26,33 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vertex vertex_of(int index) { return Vertex(static_cast<SurfaceMesh::size_type>(index)); }
 
-SurfaceMesh build_surface(const Reach& reach) {
+SurfaceMesh build_surface(const PathSubmesh& submesh) {
   SurfaceMesh surface;
-  for (const Vec3& p : reach.positions) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : reach.faces) {
+  for (const Vec3& p : submesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
+  for (const auto& [a, b, c] : submesh.faces) {
     const Face f = surface.add_face(vertex_of(a), vertex_of(b), vertex_of(c));
-    if (f == SurfaceMesh::null_face()) throw Error(ErrorCode::no_valid_result, "CGAL refuses the surface");
-    // CGAL counts barycentric coordinates from the source of the face's halfedge.
+    if (f == SurfaceMesh::null_face()) throw Error(ErrorCode::no_valid_result, "CGAL rejects the surface");
+    // In CGAL, the first barycentric coordinate belongs to the source of the face's halfedge.
     const auto h = surface.halfedge(vertex_of(a), vertex_of(b));
     surface.set_halfedge(f, h);
   }
   return surface;
 }
 
-/// CGAL's distance, with its sign for "no path" (and whatever an area of zero made of it) turned into infinity.
+/// CGAL's distance; infinity for a negative one, which means "no path", and for NaN, which degenerate faces can give.
 double checked(double distance) { return distance >= 0 ? distance : kInfinity; }
 
-/// The least of what CGAL finds in the target's face and of the ways through its corners. The corners close the gap
-/// of a path that grazes one: by rounding it can miss both windows beside the corner.
-double solve_target(ShortestPath& paths, const Reach& reach, const Reach::Target& target) {
+/// The minimum of CGAL's distance in the target's face and of the paths through the face's corners. The latter matter
+/// where a path passes very close to a corner: by rounding it can miss the windows on both sides.
+double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathSubmesh::Target& target) {
   const Face f(static_cast<SurfaceMesh::size_type>(target.face));
-  const std::array<int, 3>& corners = reach.faces[static_cast<std::size_t>(target.face)];
+  const std::array<int, 3>& corners = submesh.faces[static_cast<std::size_t>(target.face)];
   Vec3 at = Vec3::Zero();
-  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * reach.positions[static_cast<std::size_t>(corners[i])];
+  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * submesh.positions[static_cast<std::size_t>(corners[i])];
   double best = checked(paths.shortest_distance_to_source_points(f, target.bary).first);
   for (const int corner : corners) {
     const double to_corner = checked(paths.shortest_distance_to_source_points(vertex_of(corner)).first);
-    best = std::min(best, to_corner + (reach.positions[static_cast<std::size_t>(corner)] - at).norm());
+    best = std::min(best, to_corner + (submesh.positions[static_cast<std::size_t>(corner)] - at).norm());
   }
   return best;
 }
@@ -61,15 +61,15 @@ void ignore(const char*, const char*, const char*, int, const char*) {}
 
 }  // namespace
 
-std::vector<double> solve_shortest_paths(const Reach& reach) {
+std::vector<double> solve_shortest_paths(const PathSubmesh& submesh) {
   try {
-    const SurfaceMesh surface = build_surface(reach);
+    const SurfaceMesh surface = build_surface(submesh);
     ShortestPath paths(surface);
-    paths.add_source_point(vertex_of(reach.source));
+    paths.add_source_point(vertex_of(submesh.source));
     paths.build_sequence_tree();
     std::vector<double> distances;
-    distances.reserve(reach.targets.size());
-    for (const Reach::Target& target : reach.targets) distances.push_back(solve_target(paths, reach, target));
+    distances.reserve(submesh.targets.size());
+    for (const PathSubmesh::Target& target : submesh.targets) distances.push_back(solve_target(paths, submesh, target));
     return distances;
   } catch (const CGAL::Failure_exception& failure) {
     throw Error(ErrorCode::no_valid_result,

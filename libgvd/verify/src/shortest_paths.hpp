@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "reach.hpp"
+#include "path_submesh.hpp"
 
 namespace gvd {
 
-/// Exact distances from the reach's source to its targets, by CGAL's Surface_mesh_shortest_path; infinity where CGAL
-/// finds no path. Every word of CGAL is in the .cpp.
-/// Throws Error{no_valid_result} where CGAL refuses the surface.
-std::vector<double> solve_shortest_paths(const Reach& reach);
+/// Exact distances from the submesh's source to its targets, by CGAL's Surface_mesh_shortest_path; infinity if CGAL
+/// finds no path. Only the .cpp file includes CGAL.
+/// Throws Error{no_valid_result} if CGAL rejects the surface.
+std::vector<double> solve_shortest_paths(const PathSubmesh& submesh);
 
-/// While one lives, CGAL reports a broken check by its exception alone and prints nothing.
+/// While an object of this class exists, a failed check of CGAL throws and prints nothing.
 class QuietCgal {
  public:
   QuietCgal();

@@ -5,31 +5,31 @@
 
 #include "base/parallel_chunks.hpp"
 #include "gvd/error.hpp"
-#include "reach.hpp"
+#include "path_submesh.hpp"
 #include "shortest_paths.hpp"
 
 namespace gvd {
 namespace {
 
-std::vector<double> answer(const Mesh& mesh, const DistanceQuery& query, std::size_t index) {
+std::vector<double> solve_query(const Mesh& mesh, const DistanceQuery& query, std::size_t index) {
   try {
-    Reach reach = cut_reach(mesh, query);
-    if (reach.targets.empty()) return std::move(reach.distances);
-    const std::vector<double> solved = solve_shortest_paths(reach);
+    PathSubmesh submesh = extract_path_submesh(mesh, query);
+    if (submesh.targets.empty()) return std::move(submesh.distances);
+    const std::vector<double> solved = solve_shortest_paths(submesh);
     for (std::size_t i = 0; i < solved.size(); ++i) {
-      const std::size_t point = reach.targets[i].point;
+      const std::size_t point = submesh.targets[i].point;
       if (std::isinf(solved[i])) {
-        throw Error(ErrorCode::no_valid_result, "CGAL's shortest paths leave out a point of face " +
+        throw Error(ErrorCode::no_valid_result, "CGAL's shortest paths do not reach a point of face " +
                                                     std::to_string(query.points[point].face.value()));
       }
-      reach.distances[point] = solved[i];
+      submesh.distances[point] = solved[i];
     }
-    return std::move(reach.distances);
+    return std::move(submesh.distances);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::no_valid_result) throw;
     throw Error(error.code(),
                 "no exact distances from generator " + std::to_string(index) + ": " + error.what() +
-                    "; faces without area are the usual cause, remove them or do without the verification",
+                    "; the usual cause are faces without area: remove them, or run without verification",
                 static_cast<std::int64_t>(index));
   }
 }
@@ -44,7 +44,7 @@ std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const
   const QuietCgal quiet;
   std::vector<std::vector<double>> distances(queries.size());
   ParallelChunks(options.threads, options.progress).run(queries.size(), {kStep}, [&](std::size_t i) {
-    distances[i] = answer(mesh, queries[i], i);
+    distances[i] = solve_query(mesh, queries[i], i);
   });
   return distances;
 }

@@ -12,24 +12,24 @@
 namespace gvd {
 
 struct VerifyOptions {
-  int panels = 1;     ///< parts of every bisector segment, see ErrorMeasureOptions; 1 or more
-  int threads = 0;    ///< 0 for all cores; the result does not depend on it
+  int panels = 1;     ///< panels of every bisector segment, see ErrorMeasureOptions; >= 1
+  int threads = 0;    ///< >= 0; 0: as many as there are cores. The result does not depend on it
   Progress progress;  ///< may be empty
 };
 
-/// Exact polyhedral geodesic distances, one independent single-source run a query.
+/// Exact polyhedral geodesic distances, by one independent single-source computation for each query.
 ///
-/// Source:  Xin and Wang 2009 as CGAL implements it, on doubles with exact predicates. The solver never sees more
-/// than the part of the surface within reach: no path of length R from the generator leaves the ball of radius R round
-/// it, and the farthest point's distance along edges bounds R. The generator becomes a vertex of that part.
-/// Returns: mesh units; infinity where no path leads. In the faces that touch the generator: the straight line.
-/// Properties: (1) never below the straight-line distance, but for rounding; (2) never above the distance through a
-/// corner of the point's face; (3) the same bytes for any number of threads.
-/// Error:   against the reference distances at most 1e-9 relative; faces without area can cost more.
-/// Throws Error{precondition} for a point that lies in no face, Error{no_valid_result} where CGAL gives up (element:
-/// the query), Error{invalid_option} for threads < 0, Error{interrupted} where the progress callback cancels.
-/// Not to be called from two threads at once: CGAL keeps its failure handlers in globals, which are silenced meanwhile.
-/// Cost: 100 to 700 times a Dijkstra on the edges of the part within reach; memory freed after each query.
+/// Source:  Xin and Wang 2009 as CGAL implements it, on doubles with exact predicates. The solver works on a submesh
+///   only: a path of length R from the generator stays in the ball of radius R round it, and the largest distance of a
+///   point along edges bounds R. The generator becomes a vertex of the submesh.
+/// Returns: mesh units; infinity without a path. Euclidean in the faces that contain the generator.
+/// Properties: (1) at least the Euclidean distance, within rounding; (2) at most the distance through a corner of the
+///   point's face; (3) the same bytes for any number of threads.
+/// Error:   at most 1e-9 relative against the reference distances; more where faces have no area.
+/// Throws Error{precondition} for a point that lies in no face, Error{no_valid_result} if CGAL fails (element: the
+/// query), Error{invalid_option} for threads < 0, Error{interrupted} if the progress callback cancels.
+/// Not to be called from two threads at once: CGAL's failure handlers are global, and are replaced during the call.
+/// Cost: 100 to 700 times Dijkstra's algorithm on the edges of the submesh; memory is freed after each query.
 std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
                                                          const VerifyOptions& options = {});
 
