@@ -1,4 +1,4 @@
-// What check_dual finds and build_dual makes of it, on small diagrams whose dual is known.
+// The defects that check_dual finds and the triangles that build_dual makes, on small diagrams whose dual is known.
 #include <algorithm>
 #include <optional>
 
@@ -95,7 +95,7 @@ TEST_CASE("dual: (2) a single cell on a sphere, and rings round a cylinder, are 
                       [](const DualDefect& d) { return d.property == DualProperty::cell_is_disc; }) == 2);
 }
 
-TEST_CASE("dual: (3) sectors of a cylinder meet both of its boundaries") {
+TEST_CASE("dual: (3) sectors of a cylinder touch both of its boundaries") {
   const Mesh mesh = test::make_ring(24, 6);
   std::vector<SurfacePoint> generators;
   for (const int corner : {0, 6, 12, 18}) generators.push_back(vertex_point(mesh, VertexId(7 * corner + 3)));
@@ -126,7 +126,7 @@ TEST_CASE("dual: (7) a cell that is a whole component needs two neighbours where
   CHECK_THAT(closed.back().message, Catch::Matchers::Contains("has 0 neighbours and needs 3"));
 }
 
-TEST_CASE("dual: (6) and (7) three cells on a sphere meet twice") {
+TEST_CASE("dual: (6) and (7) three cells on a sphere share two branch points") {
   const Mesh mesh = test::make_sphere(3);
   const auto defects = check(mesh, extremes(mesh, {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}));
   CHECK(finds(defects, DualProperty::one_branch_point));
@@ -167,7 +167,7 @@ TEST_CASE("dual: (9) a polygon whose diagonals are edges already can't be cut") 
   CHECK(finds(check_dual(mesh, forged), DualProperty::polygon_fits));
 }
 
-TEST_CASE("dual: many generators on smooth meshes need nothing") {
+TEST_CASE("dual: many generators on smooth meshes have no defect") {
   for (const Mesh& mesh : {test::make_sphere(3), test::make_bumpy_sphere(3, 7)}) {
     CHECK(check(mesh, test::random_generators(mesh, 30, 1)).empty());
   }

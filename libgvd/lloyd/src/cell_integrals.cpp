@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
-
-using Bary = std::array<double, 3>;
 
 constexpr std::array<Bary, 3> kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
 

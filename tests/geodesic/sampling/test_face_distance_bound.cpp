@@ -19,7 +19,7 @@ struct Triangle {
     const Vec2 b = corner[1] - corner[0], c = corner[2] - corner[0];
     return std::abs(b.x() * c.y() - b.y() * c.x());
   }
-  double reach(const std::array<double, 3>& distance) const {
+  double bound(const std::array<double, 3>& distance) const {
     return compute_face_distance_bound({side(0), side(1), side(2)}, twice_area(), distance);
   }
   /// The largest value on a grid of points.
@@ -39,7 +39,7 @@ struct Triangle {
 
 }  // namespace
 
-TEST_CASE("the reach of a face bounds every point of it, and not by much") {
+TEST_CASE("face distance bound: it bounds the distance of every point, and not by much more") {
   std::mt19937 random(1);
   const auto real = [&] { return double(random()) / double(std::mt19937::max()); };
   for (int trial = 0; trial < 2000; ++trial) {
@@ -54,28 +54,28 @@ TEST_CASE("the reach of a face bounds every point of it, and not by much") {
     }
     const double truth = t.brute_force(distance, 100);
     const double longest = std::max({t.side(0), t.side(1), t.side(2)});
-    const double reach = t.reach(distance);
+    const double bound = t.bound(distance);
     INFO("trial " << trial);
-    CHECK(reach >= truth * (1 - 1e-12));
-    // The sides leave the third corner out; beside that and the grid's spacing it is exact.
-    CHECK(reach <= truth + 0.5 * longest);
-    CHECK(reach <= *std::max_element(distance.begin(), distance.end()) + longest / std::numbers::sqrt3 + 1e-12);
+    CHECK(bound >= truth * (1 - 1e-12));
+    // The bound on a side ignores the third corner; otherwise it is exact up to the spacing of the grid.
+    CHECK(bound <= truth + 0.5 * longest);
+    CHECK(bound <= *std::max_element(distance.begin(), distance.end()) + longest / std::numbers::sqrt3 + 1e-12);
     for (std::size_t c = 0; c < 3; ++c) {
       std::array<double, 3> nearer = distance;
       nearer[c] -= 0.05 * real();
-      CHECK(t.reach(nearer) <= reach * (1 + 1e-9));
+      CHECK(t.bound(nearer) <= bound * (1 + 1e-9));
     }
   }
 }
 
-TEST_CASE("the reach of an equilateral triangle is exact at its centre") {
+TEST_CASE("face distance bound: exact at the centre of an equilateral triangle") {
   const Triangle t{{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, std::sqrt(0.75))}};
-  CHECK(t.reach({1, 1, 1}) == Approx(1 + 1 / std::numbers::sqrt3).epsilon(1e-12));
-  CHECK(t.reach({0, 0, 0}) == Approx(1 / std::numbers::sqrt3).epsilon(1e-12));
+  CHECK(t.bound({1, 1, 1}) == Approx(1 + 1 / std::numbers::sqrt3).epsilon(1e-12));
+  CHECK(t.bound({0, 0, 0}) == Approx(1 / std::numbers::sqrt3).epsilon(1e-12));
 }
 
-TEST_CASE("the reach of a triangle without area is still a bound") {
+TEST_CASE("face distance bound: a triangle without area") {
   const Triangle t{{Vec2(0, 0), Vec2(2, 0), Vec2(1, 0)}};
-  CHECK(t.reach({0, 0, 0}) >= 0.5);
-  CHECK(t.reach({0, 0, 0}) <= 2 / std::numbers::sqrt3 + 1e-12);
+  CHECK(t.bound({0, 0, 0}) >= 0.5);
+  CHECK(t.bound({0, 0, 0}) <= 2 / std::numbers::sqrt3 + 1e-12);
 }

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <numbers>
 #include <random>
 
-#include "geodesic/tracing/polar_update.hpp"
 #include "gvd/error.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/log_map.hpp"
@@ -13,8 +11,6 @@
 using namespace gvd;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The plane z = 0 turned so that the tangent plane's x axis is its own.
 Vec2 flat_tangent(const Mesh& mesh, const SurfacePoint& p, const Vec3& v) {
@@ -60,36 +56,6 @@ Mesh make_crooked_grid(int n, double shift) {
 
 }  // namespace
 
-TEST_CASE("polar update: exact for a planar source, and symmetric") {
-  const Vec2 a(0, 0), b(2, 0), d(0.8, 1.5), source(0.5, -2);
-  const UpdateTriangle t = make_update_triangle(2, d.norm(), (d - b).norm(), 2 * 1.5);
-  const PolarStep step = step_to_corner(t, (a - source).norm(), (b - source).norm());
-  CHECK(step.kind == PolarStep::Kind::through_base);
-  CHECK(step.distance == Approx((d - source).norm()).epsilon(1e-14));
-  const auto azimuth = [&](const Vec2& p) { return std::atan2(p.y() - source.y(), p.x() - source.x()); };
-  CHECK(polar_angle(t, step, azimuth(a), azimuth(b)) == Approx(azimuth(d)).epsilon(1e-14));
-  // Directions on both sides of pi.
-  const double turn = kPi - azimuth(d);
-  CHECK(polar_angle(t, step, azimuth(a) + turn, azimuth(b) + turn - 2 * kPi) ==
-        Approx(azimuth(d) + turn).epsilon(1e-14));
-  const UpdateTriangle mirrored = make_update_triangle(2, (d - b).norm(), d.norm(), 2 * 1.5);
-  const PolarStep other = step_to_corner(mirrored, (b - source).norm(), (a - source).norm());
-  CHECK(other.distance == Approx(step.distance).epsilon(1e-14));
-  CHECK(polar_angle(mirrored, other, azimuth(b), azimuth(a)) == Approx(azimuth(d)).epsilon(1e-14));
-}
-
-TEST_CASE("polar update: along an edge where the source does not see the corner") {
-  const UpdateTriangle t = make_update_triangle(1, 1, 1, std::sqrt(3.0) / 2);
-  const PolarStep broken = step_to_corner(t, 0.1, 5);  // no triangle has these sides
-  CHECK(broken.distance == Approx(1.1));
-  CHECK(broken.kind == PolarStep::Kind::along_a);
-  CHECK(polar_angle(t, broken, 0.25, 2) == 0.25);
-  const PolarStep aside = step_to_corner(t, 3.9, 3);  // the source lies far beyond B
-  CHECK(aside.distance == Approx(4));
-  CHECK(aside.kind == PolarStep::Kind::along_b);
-  CHECK(polar_angle(t, aside, 0.25, 2) == 2);
-}
-
 TEST_CASE("on a flat grid the log map is the Euclidean difference") {
   const Mesh mesh = test::make_grid(9, 7);
   for (const SurfacePoint& origin : test::random_generators(mesh, 60, 1)) {
@@ -99,7 +65,7 @@ TEST_CASE("on a flat grid the log map is the Euclidean difference") {
   }
 }
 
-TEST_CASE("and on a flat mesh with obtuse triangles") {
+TEST_CASE("the log map is the Euclidean difference on a flat mesh with obtuse triangles, too") {
   for (const double shift : {0.2, 0.4, 0.6}) {
     CAPTURE(shift);
     const Mesh mesh = make_crooked_grid(12, shift);
@@ -109,7 +75,7 @@ TEST_CASE("and on a flat mesh with obtuse triangles") {
   }
 }
 
-TEST_CASE("a patch gives what the whole mesh gives, and one solver serves many") {
+TEST_CASE("the log map of a patch is that of the whole mesh, and one solver computes many") {
   const Mesh mesh = test::make_sphere(3);
   LogMapSolver solver(mesh);
   for (const SurfacePoint& origin : test::random_generators(mesh, 20, 8)) {
@@ -151,7 +117,7 @@ TEST_CASE("on a sphere the log map is close to the analytic one") {
   }
 }
 
-TEST_CASE("tracing the log map's vectors leads to the vertices") {
+TEST_CASE("tracing the log map's vectors ends at the vertices") {
   const Mesh mesh = test::make_bumpy_sphere(4, 7);
   for (const SurfacePoint& origin : test::random_generators(mesh, 9, 4)) {
     const LogMap map = compute_log_map(mesh, origin);
@@ -164,7 +130,7 @@ TEST_CASE("tracing the log map's vectors leads to the vertices") {
   }
 }
 
-TEST_CASE("what nothing reaches is infinite, and a face that does not exist is refused") {
+TEST_CASE("log map: corners without a path are infinite, and a face that does not exist is refused") {
   const Mesh mesh = test::make_two_components();
   const LogMap map = compute_log_map(mesh, vertex_point(mesh, VertexId(0)));
   CHECK(!map.complete);

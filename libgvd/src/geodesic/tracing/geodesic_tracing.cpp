@@ -6,14 +6,13 @@
 #include <numbers>
 #include <string>
 
+#include "base/barycentric.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
-
-using Bary = std::array<double, 3>;
 
 class GeodesicWalker {
  public:
