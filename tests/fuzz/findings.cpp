@@ -16,9 +16,9 @@
 namespace gvd::test {
 namespace {
 
-/// Two distances to one point, computed by different windows: 1e-13 of themselves where no sliver is (exact_field.hpp),
-/// and what a position far from the origin has lost by rounding. Crossings are equidistant to 1e-12 of the bounding box
-/// diagonal; the fields that are asked add their own error to it.
+/// Error of a distance. Different windows give distances of one point that differ by 1e-13 relative without slivers
+/// (exact_field.hpp), and positions far from the origin are rounded. Crossings are equidistant to 1e-12 of the bounding
+/// box diagonal; the exact fields add their own error.
 constexpr double kDistanceError = 1e-11, kPositionError = 1e-14;
 
 double allowed_error(const Mesh& mesh) {
@@ -36,25 +36,25 @@ void examine_point(const SurfacePoint& point, const std::string& name, Findings&
   if (!(std::abs(sum - 1) <= 1e-9)) findings.push_back(fmt::format("{}: coordinates add up to {}", name, sum));
 }
 
-/// Cutting costs O(k^2) to O(k^3) for k corners in a face: pieces with more come out of tiny chord tolerances only.
-constexpr std::size_t kMostCorners = 300;
+/// Cutting costs O(k^2) to O(k^3) for k corners in a face. Only tiny chord tolerances give pieces with more corners.
+constexpr std::size_t kMaxCorners = 300;
 
 bool is_cheap_to_cut(const Diagram& diagram) {
   return std::all_of(diagram.pieces.begin(), diagram.pieces.end(),
-                     [](const FacePiece& piece) { return piece.corners.size() <= kMostCorners; });
+                     [](const FacePiece& piece) { return piece.corners.size() <= kMaxCorners; });
 }
 
-/// How many of the labels' connected parts there are.
-std::size_t count_parts(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
-  UnionFind parts(label.size());
+/// The number of connected components of the faces of all labels.
+std::size_t count_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
+  UnionFind components(label.size());
   for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
     const HalfedgeId h = mesh.halfedge(EdgeId(e)), twin = mesh.twin(h);
     if (!twin.valid() || label[Mesh::face(h)] != label[Mesh::face(twin)]) continue;
-    parts.unite(Mesh::face(h).value(), Mesh::face(twin).value());
+    components.unite(Mesh::face(h).value(), Mesh::face(twin).value());
   }
   std::set<std::int32_t> roots;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    if (label[FaceId(f)].valid()) roots.insert(parts.find(f));
+    if (label[FaceId(f)].valid()) roots.insert(components.find(f));
   }
   return roots.size();
 }
@@ -76,7 +76,7 @@ class Fields {
 
   double distance(GeneratorId g, VertexId v) const { return fields_[g.index()].distance(v); }
   double distance(GeneratorId g, const SurfacePoint& p) const { return fields_[g.index()].nearest(p).distance; }
-  /// To the nearest generator.
+  /// The distance to the nearest generator.
   template <class Place>
   double least(const Place& place) const {
     double best = std::numeric_limits<double>::infinity();
@@ -127,7 +127,8 @@ Findings examine(const Error& error) {
   Findings findings;
   const std::string line = error.what();
   if (line.find_first_of("\n\r") != std::string::npos) findings.push_back("the message has several lines: " + line);
-  if (line.size() < 15 || line.back() == '.') findings.push_back("the message is no message: " + line);
+  if (line.size() < 15 || line.back() == '.')
+    findings.push_back("the message is too short, or ends with a full stop: " + line);
   return findings;
 }
 
@@ -165,8 +166,11 @@ Findings examine_distances(const Mesh& mesh, const Diagram& diagram) {
 Findings examine_segmentation(const Mesh& mesh, const Diagram& diagram) {
   Findings findings;
   const Segmentation segmentation = segment_faces(mesh, diagram);
-  const std::size_t parts = count_parts(mesh, segmentation.face_label), labels = count_labels(segmentation.face_label);
-  if (parts != labels) findings.push_back(fmt::format("segmentation: {} labels in {} parts", labels, parts));
+  const std::size_t components = count_components(mesh, segmentation.face_label);
+  const std::size_t labels = count_labels(segmentation.face_label);
+  if (components != labels) {
+    findings.push_back(fmt::format("segmentation: {} labels in {} components", labels, components));
+  }
   if (labels + segmentation.without_face.size() != diagram.generators.size()) {
     findings.push_back("segmentation: a generator without a face is not listed");
   }

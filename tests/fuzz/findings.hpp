@@ -9,23 +9,23 @@
 
 namespace gvd::test {
 
-/// What is wrong with a result, a line each; empty where nothing is.
+/// The defects of a result, a line for each; empty for a sound one.
 using Findings = std::vector<std::string>;
 
-/// A message of one line, without a full stop, that says enough.
+/// The message must be one line of sufficient length without a full stop.
 Findings examine(const Error& error);
 
-/// `check_diagram`, no end unresolved, and every number finite and in its range.
+/// The violations of `check_diagram`, unresolved ends, and numbers that are not finite or out of range.
 Findings examine(const Mesh& mesh, const Diagram& diagram);
 
-/// Distances and labels at the vertices, and crossings of bisectors with edges, by an exact field of each generator's
-/// own.
+/// Compares distances and labels at the vertices, and crossings of bisectors with edges, with one exact field for each
+/// generator.
 Findings examine_distances(const Mesh& mesh, const Diagram& diagram);
 
-/// The faces of each label hang together, and each generator has one or is listed as having none.
+/// The faces of each label must be connected, and each generator must have one or be listed as having none.
 Findings examine_segmentation(const Mesh& mesh, const Diagram& diagram);
 
-/// Cutting keeps the topology and the area.
+/// Cutting must keep the topology and the area.
 Findings examine_cut(const Mesh& mesh, const Diagram& diagram);
 
 }  // namespace gvd::test

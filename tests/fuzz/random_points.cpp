@@ -15,7 +15,7 @@ using Bary = std::array<double, 3>;
 
 constexpr Bary kCentre{1.0 / 3, 1.0 / 3, 1.0 / 3};
 
-/// Of vertices, edges or faces where all are taken, so that runs stay short.
+/// Number of vertices, edges or faces used where all of them become generators, so that a case stays cheap.
 constexpr int kMost = 60;
 
 FaceId any_face(const Mesh& mesh, Random& random) { return FaceId(random.below(mesh.face_count())); }
@@ -100,7 +100,7 @@ Points along_one_edge(const Mesh& mesh, Random& random) {
   return points;
 }
 
-/// A vertex and a point on each of its edges and in each of its faces, very near to it.
+/// A vertex, and a point very close to it on each of its edges and in each of its faces.
 Points round_one_vertex(const Mesh& mesh, Random& random) {
   const VertexId v = any_vertex(mesh, random);
   const double e = tiny(random);
@@ -156,7 +156,7 @@ constexpr std::array kKinds{Kind{"anywhere", &any_points},
                             Kind{"nearly coincident", &near_coincident},
                             Kind{"on the boundary", &on_boundary}};
 
-/// Leaves all but one of equal points out; now and then not, for then it is an error.
+/// Removes duplicates, but sometimes keeps them to provoke the error.
 void drop_equal(const Mesh& mesh, Random& random, Points& points) {
   Points kept;
   for (const SurfacePoint& point : points) {

@@ -10,23 +10,24 @@
 namespace gvd::test {
 
 struct RandomPoints {
-  std::string name;  ///< of how they were chosen, for messages
+  std::string name;  ///< how they were chosen, for messages
   std::vector<SurfacePoint> points;
 };
 
 /// Generators of every kind: on vertices, on edges, in faces, on the boundary, all in one face, in a row along one
-/// edge, round one vertex, in clusters that nearly coincide, and now and then two that do.
+/// edge, round one vertex, in clusters that nearly coincide, and sometimes two that do.
 RandomPoints make_random_points(const Mesh& mesh, Random& random);
 
-/// Whether two of them are nearer to each other than `close`, as a part of the mean edge, or one to a vertex or an edge
-/// that it is not on, as a part of a triangle's height: then triangles of the working mesh are thin.
+/// Whether the working mesh has thin triangles: two points are closer to each other than the fraction `close` of the
+/// mean edge length, or one is closer than that fraction of a triangle's height to a vertex or edge that it is not on.
 bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double close);
 
-/// Closer than this, a point's coordinates in the thin triangles between generators are rounded by more than distances
-/// are compared to, and runs on edges are shorter than the shortest one that is kept, which cuts cells off.
+/// For closer generators, rounding of coordinates in the thin triangles between them exceeds the error allowed in the
+/// comparison of distances. Label intervals on edges are then shorter than the shortest one that is kept, so that cells
+/// can be cut off.
 inline constexpr double kClose = 1e-5;
 
-/// Closer than this, branch points between generators come as near to each other as cutting welds.
+/// For closer generators, branch points between them are so close that cutting welds them.
 inline constexpr double kWelded = 1e-9;
 
 }  // namespace gvd::test

@@ -33,7 +33,7 @@ void add_square(RandomSoup& soup, std::array<int, 4> corners, bool other_diagona
   }
 }
 
-/// How the squares of a grid are cut: all one way, like a chessboard, all the other way.
+/// The diagonals of a grid's squares: all in one direction, alternating, or all in the other direction.
 bool other_diagonal(int pattern, int i, int j) { return pattern == 2 || (pattern == 1 && (i + j) % 2 == 0); }
 
 RandomSoup make_tetrahedron(Random& random) {
@@ -48,7 +48,7 @@ RandomSoup make_octahedron(Random&) {
           {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
-/// A triangle and its back, told apart by a vertex in the middle of each.
+/// A triangle and its back; a vertex in the middle of each distinguishes them.
 RandomSoup make_doubled_triangle(Random& random) {
   const std::array<Vec3, 4> tips{Vec3(0.5, std::sqrt(0.75), 0), Vec3(random.real(0, 1), random.real(0.1, 1), 0),
                                  Vec3(0, 1, 0), Vec3(0.5, power_of_ten(random, -4, -1), 0)};
@@ -59,7 +59,7 @@ RandomSoup make_doubled_triangle(Random& random) {
   return soup;
 }
 
-/// With squares or triangles round it, and open, closed by polygons, closed by fans, or closed on one side only.
+/// A tube of squares or triangles; open, closed by polygons, closed by fans, or closed at one end only.
 RandomSoup make_prism(Random& random) {
   RandomSoup soup{"prism", {}, {}};
   const int n = 3 + random.below(8), cap = random.below(4);
@@ -171,7 +171,7 @@ RandomSoup make_needles(Random& random) { return make_double_cone(random, power_
 
 RandomSoup make_disc(Random& random) { return make_double_cone(random, 1, power_of_ten(random, -6, 0), "disc"); }
 
-/// Faces without area, or nearly so: the ring's points lie on one line, and so does, perhaps, everything.
+/// Faces with no or almost no area: the points of the ring are collinear, and sometimes all points are.
 RandomSoup make_collinear(Random& random) {
   RandomSoup soup = make_double_cone(random, 1, 1, "collinear points");
   const bool all = random.below(3) == 0;
@@ -182,7 +182,7 @@ RandomSoup make_collinear(Random& random) {
   return soup;
 }
 
-/// Any corners of any points: edges of many faces, faces twice, corners twice, vertices in no face.
+/// Random corners: edges of many faces, duplicate faces, duplicate corners, vertices in no face.
 RandomSoup make_random_indices(Random& random) {
   RandomSoup soup{"random indices", {}, {}};
   const int n = 3 + random.below(20), faces = 1 + random.below(25), kind = random.below(3);
@@ -207,7 +207,7 @@ RandomSoup make_shape(Random& random) {
   return kShapes[static_cast<std::size_t>(random.below(static_cast<int>(kShapes.size())))](random);
 }
 
-/// Adds a second shape to the first, apart from it or in the same place.
+/// Adds a second shape, apart from the first or overlapping it.
 void add_another(RandomSoup& soup, Random& random) {
   const RandomSoup other = make_shape(random);
   const int first = static_cast<int>(soup.positions.size());
@@ -220,7 +220,7 @@ void add_another(RandomSoup& soup, Random& random) {
   soup.name += " and " + other.name;
 }
 
-/// What files do to shapes: faces twice, turned round or missing.
+/// Typical defects of files: duplicate, reversed or missing faces.
 void damage(RandomSoup& soup, Random& random) {
   if (soup.polygons.empty()) return;
   for (int i = random.below(3); i >= 0; --i) {

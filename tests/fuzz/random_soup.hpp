@@ -9,9 +9,9 @@
 
 namespace gvd::test {
 
-/// Polygons that a file might hold, good ones and bad ones.
+/// Polygons as a file might contain them, valid or not.
 struct RandomSoup {
-  std::string name;  ///< of the shape and of what was done to it, for messages
+  std::string name;  ///< the shape and its changes, for messages
   std::vector<Vec3> positions;
   std::vector<std::vector<int>> polygons;
 };
@@ -19,7 +19,7 @@ struct RandomSoup {
 /// One of a dozen shapes, sometimes several at once, sometimes squashed, turned, scaled or moved far away.
 RandomSoup make_random_soup(Random& random);
 
-/// The soup as the text of an OBJ file, every digit kept.
+/// The soup as the text of an OBJ file, with all digits.
 std::string write_obj(const RandomSoup& soup);
 
 }  // namespace gvd::test

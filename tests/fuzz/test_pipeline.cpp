@@ -25,19 +25,19 @@ using test::Random;
 
 namespace {
 
-/// Seeds of the ordinary test: a few seconds, and under sanitizers a minute or two. Others, by hand, still find one
-/// mesh in 500 with a finding, nearly all with generators within 1e-9 of each other.
+/// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers. Among other seeds, one
+/// mesh in 500 still has a finding, nearly always with generators within 1e-9 of each other.
 constexpr unsigned kFirstSeed = 401, kSeeds = 300;
 
-/// A step on these small meshes reports progress a few times at most (once in 16,384 windows); one that has not ended
-/// after so many reports never will. Counted, not timed: the verdict must not depend on the machine.
-constexpr int kMostReports = 60;
+/// A step on these small meshes reports progress a few times at most (once in 16,384 windows). One with more reports
+/// than this does not terminate. A limit on time would depend on the machine.
+constexpr int kMaxReports = 60;
 
-/// Of a remesh or a relaxation, which report for several diagrams as if they were one step.
-constexpr int kMostReportsOfMany = 40 * kMostReports;
+/// The same for a remesh or a relaxation, where one step consists of several diagrams.
+constexpr int kMaxReportsOfMany = 40 * kMaxReports;
 
-/// One field a generator is asked for every crossing: only as long as that is cheap.
-constexpr std::size_t kMostFields = 12;
+/// Distances are compared for at most this many generators: each one needs an exact field, evaluated at every crossing.
+constexpr std::size_t kMaxFields = 12;
 
 struct Counts {
   int meshes = 0, refused = 0, diagrams = 0, coincident = 0, remeshes = 0, without_remesh = 0, relaxed = 0;
@@ -47,11 +47,11 @@ struct Counts {
 constexpr std::array kMethods{Method::exact, Method::gbgvd, Method{Solver::windows, Tracer::growth},
                               Method{Solver::fast_marching, Tracer::envelope}};
 
-/// Cancels a step that does not end.
-Progress limited(int most = kMostReports) {
-  return [reports = 0, most](std::string_view, double fraction) mutable {
+/// Cancels a step that does not terminate.
+Progress limited(int maximum = kMaxReports) {
+  return [reports = 0, maximum](std::string_view, double fraction) mutable {
     reports = fraction == 0 ? 0 : reports + 1;
-    return reports <= most;
+    return reports <= maximum;
   };
 }
 
@@ -82,7 +82,7 @@ class FuzzCase {
   }
 
   const Findings& findings() const { return findings_; }
-  /// What it was, to be put into a file and looked at.
+  /// The mesh and the generators, to be put into a file.
   std::string describe() const {
     std::string text = "# " + name_ + "\n" + obj_ + "# generators on the repaired mesh:\n";
     for (const SurfacePoint& p : points_) {
@@ -110,7 +110,7 @@ class FuzzCase {
     }
   }
 
-  /// False where the generators coincide: then all methods must say so, and no more is to be done.
+  /// False if generators coincide. Then every method must say so, and nothing else can be tested.
   bool run_method(const Mesh& mesh, DiagramOptions options) {
     Diagram diagram, again;
     const bool done = attempt("diagram", [&] {
@@ -131,11 +131,11 @@ class FuzzCase {
     if (!test::same_diagram(diagram, again)) add(step, {"two runs differ"});
     if (!findings_.empty()) return true;
     if (!attempt(step, [&] { add(step, test::examine_segmentation(mesh, diagram)); })) add(step, {last_error_});
-    // Marched distances belong to no surface: arcs bent by them may cross, and pieces overlap.
+    // Marched distances are not the metric of any surface: refined arcs may cross, and pieces overlap.
     const bool is_marched = options.method.solver == Solver::fast_marching && options.method.tracer == Tracer::envelope;
     if (!is_marched && !are_welded_ && !attempt(step, [&] { add(step, test::examine_cut(mesh, diagram)); }))
       add(step, {last_error_});
-    if (options.method != Method::exact || points_.size() > kMostFields || are_close_) return true;
+    if (options.method != Method::exact || points_.size() > kMaxFields || are_close_) return true;
     if (!attempt(step, [&] { add(step, test::examine_distances(mesh, diagram)); })) add(step, {last_error_});
     return true;
   }
@@ -143,7 +143,7 @@ class FuzzCase {
   void run_remesh(const Mesh& mesh, const DiagramOptions& diagram) {
     RemeshOptions options;
     options.diagram = diagram;
-    options.diagram.progress = limited(kMostReportsOfMany);
+    options.diagram.progress = limited(kMaxReportsOfMany);
     options.max_added = 20;
     RemeshResult result;
     if (attempt("remesh", [&] { result = remesh(mesh, points_, options); })) {
@@ -158,7 +158,7 @@ class FuzzCase {
   void run_relaxation(const Mesh& mesh, const DiagramOptions& diagram) {
     LloydOptions options;
     options.diagram = diagram;
-    options.progress = limited(kMostReportsOfMany);
+    options.progress = limited(kMaxReportsOfMany);
     options.max_iterations = 2;
     LloydResult result;
     if (!attempt("relaxation", [&] { result = relax_generators(mesh, points_, options); })) {
@@ -197,18 +197,18 @@ class FuzzCase {
   Counts& counts_;
   std::string name_, obj_, last_error_;
   std::vector<SurfacePoint> points_;
-  bool are_close_ = false;   // and distances are not compared: see kClose
-  bool are_welded_ = false;  // and pieces are not cut: see kWelded
+  bool are_close_ = false;   // distances are not compared: see kClose
+  bool are_welded_ = false;  // faces are not cut: see kWelded
   Findings findings_;
 };
 
-/// Returns how many seeds had findings; each one is printed with its mesh. `tell`: names each seed before it is run, so
-/// that one knows where it crashed.
-int run_seeds(unsigned first, unsigned count, bool tell) {
+/// Returns the number of seeds with findings, and prints each with its mesh. `verbose`: prints each seed before its run,
+/// to identify one that crashes.
+int run_seeds(unsigned first, unsigned count, bool verbose) {
   Counts counts;
   int failed = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
-    if (tell) std::cerr << "seed " << seed << '\n';
+    if (verbose) std::cerr << "seed " << seed << '\n';
     FuzzCase fuzz(seed, counts);
     fuzz.run();
     if (fuzz.findings().empty()) continue;
