@@ -14,48 +14,48 @@ namespace gvd {
 enum class Sampling {
   farthest,         ///< `count` points, each as far as possible from all before it
   random,           ///< `count` points, independent and uniform by area
-  poisson,          ///< `count` points, random and yet evenly apart (blue noise)
-  covering_radius,  ///< as many farthest points as leave no point of the surface farther than `radius` from all of them
+  poisson,          ///< `count` points, random but evenly spaced (blue noise)
+  covering_radius,  ///< farthest points until no point of the surface is farther than `radius` from the nearest one
 };
 
 struct SamplingOptions {
   Sampling kind = Sampling::farthest;
-  std::int32_t count = 1;       ///< >= 1; not looked at by covering_radius
-  std::uint64_t seed = 0;       ///< any; the same seed gives the same points on every platform
-  double radius = 0;            ///< mesh units, > 0; only looked at by covering_radius
-  Front front = Front::circle;  ///< of the distances
+  std::int32_t count = 1;       ///< >= 1; ignored for covering_radius
+  std::uint64_t seed = 0;       ///< the same seed gives the same points on every platform
+  double radius = 0;            ///< mesh units, > 0; only for covering_radius
+  Front front = Front::circle;  ///< of the marches that compute distances
   Progress progress;            ///< may be empty
 };
 
 /// Spreads generators over `mesh`.
 ///
-/// farthest and covering_radius choose vertices. The mesh is taken as if edges were split at their midpoints, longest
-/// first, while they are so long that a generator fits in between (twice the spacing that `count` points have on an
-/// average; a quarter of `radius`), or while there are fewer vertices than `count`: then points on edges and in faces
-/// come out too. The first point of each component is drawn by the seed. random and poisson lie inside faces.
+/// farthest and covering_radius choose vertices. Long edges of the mesh are split at their midpoints first, in a copy,
+/// so that points on edges and in faces can be chosen as well. farthest splits edges longer than twice the even spacing
+/// of `count` points, and more if there are fewer than `count` vertices; covering_radius splits edges longer than
+/// radius / 4. The seed chooses the first point of each component. random and poisson choose points inside faces.
 ///
 /// Properties: (1) exactly `count` points, no two of them coincident; (2) the same options give the same points;
-/// (3) farthest: components in the order of their first face get one point each, then every point is the farthest
-/// vertex
-///   from all before it, the least vertex id among equals; so each component has a point if `count` is at least their
-///   number; covering_radius: the same with the farthest corner of the face that may reach farthest;
+/// (3) farthest: the components get one point each in the order of their first face, then every point is the vertex
+///   farthest from all before it, the one with the least id among equals; so each component has a point if `count` is
+///   at least their number; covering_radius: the same, but with the farthest corner of the face with the largest
+///   distance bound;
 /// (4) covering_radius: no point of any face is farther than `radius` from its nearest generator, by the distances of
 ///   `front`.
 ///
-/// Throws Error{invalid_option} where count < 1 or the radius is not a finite number > 0; Error{precondition} where the
-/// mesh has no room (random and poisson need an area that is finite and > 0, and all need `count` places that rounding
-/// can tell apart, and no more than kMaxSamplingVertices vertices added, which for a covering means a radius of some
-/// 0.0015 times the square root of the area, or more); Error{interrupted} where the progress callback cancels.
+/// Throws Error{invalid_option} if count < 1 or the radius is not a finite number > 0; Error{interrupted} if the
+/// progress callback cancels; Error{precondition} if the mesh does not allow such points: random and poisson need a
+/// finite area > 0; `count` points must be distinct within rounding; and splitting may add at most kMaxSamplingVertices
+/// vertices, which for a covering means a radius of at least some 0.0015 times the square root of the area.
 ///
-/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); poisson a march
-/// to the neighbours from each of 5 count candidates, O(n log n) in all. Memory: O(n).
+/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); poisson a local
+/// march from each of 5 count candidates, O(n log n) in all. Memory: O(n).
 ///
 /// Source: farthest: Eldar et al., The farthest point strategy for progressive image sampling, 1997, with geodesic
 /// distances as in Peyre and Cohen, Geodesic remeshing using front propagation, 2006. poisson: Yuksel, Sample
 /// elimination for generating Poisson disk sample sets, 2015.
 std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOptions& options);
 
-/// Most vertices that splitting edges for a sampling may add: some 3 GB.
+/// The largest number of vertices that splitting edges may add; they take some 3 GB.
 inline constexpr std::int32_t kMaxSamplingVertices = 1 << 23;
 
 }  // namespace gvd

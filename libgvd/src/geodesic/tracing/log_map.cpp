@@ -31,7 +31,7 @@ UpdateTriangle triangle_on(const Mesh& mesh, HalfedgeId h) {
   return make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
 }
 
-/// Polar step to the corner opposite to the base of t. A distance that is unknown is infinite, and at most one is.
+/// Polar step to the corner opposite to the base of t. An unknown distance is infinite; at most one of the two is.
 PolarStep step_from_known(const UpdateTriangle& t, double distance_a, double distance_b) {
   if (distance_a < kInfinity && distance_b < kInfinity) return step_to_corner(t, distance_a, distance_b);
   const auto kind = distance_a < kInfinity ? PolarStep::Kind::along_a : PolarStep::Kind::along_b;
