@@ -24,10 +24,10 @@ TEST_CASE("label components: faces without a label belong to none") {
 }
 
 TEST_CASE("label components: a common vertex does not connect faces") {
-  // Two squares of two faces each; faces 0 and 3 touch at no edge.
+  // Two squares of two faces each; faces 0 and 2 share a vertex, and no edge.
   const Mesh mesh = test::make_grid(2, 1);
   REQUIRE(mesh.face_count() == 4);
-  const LabelComponents split = find_label_components(mesh, make_labels({7, 2, 2, 7}));
+  const LabelComponents split = find_label_components(mesh, make_labels({7, 2, 7, 2}));
   int sevens = 0;
   for (const auto& c : split.components) sevens += c.label == GeneratorId(7);
   CHECK(sevens == 2);
