@@ -187,20 +187,6 @@ TEST_CASE("remesh: two runs give the same bytes") {
   }
 }
 
-TEST_CASE("remesh: its steps are announced, diagram and refinement in turn and the certificate last") {
-  const Mesh mesh = test::make_sphere(2);
-  RemeshOptions options;
-  std::vector<RemeshStep> steps;
-  options.on_step = [&](RemeshStep step) { steps.push_back(step); };
-  const RemeshResult result = remesh(mesh, test::random_generators(mesh, 2, 0), options);
-  REQUIRE(result.rounds > 1);
-  REQUIRE(steps.size() == 2 * static_cast<std::size_t>(result.rounds) + 1);
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    CHECK(steps[i] == (i % 2 == 0 ? RemeshStep::diagram : RemeshStep::refinement));
-  }
-  CHECK(steps.back() == RemeshStep::certificate);
-}
-
 TEST_CASE("remesh: progress can cancel") {
   const Mesh mesh = test::make_sphere(2);
   RemeshOptions options;
