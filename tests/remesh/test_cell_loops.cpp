@@ -52,12 +52,12 @@ TEST_CASE("cell loops: of two loops of a torus the shorter one is found") {
 }
 
 TEST_CASE("cell loops: far from the generator the loop gets three points of its own") {
-  // A long tube: the cell's border is at one end, its generator there, and the other end is open.
+  // A wide tube with a thin neck at its far end: the shortest way round, there and back included, is at the neck.
   const Mesh tube = [] {
     const Mesh ring = test::make_ring(12, 40);
     std::vector<Vec3> positions = ring.positions();
     for (Vec3& p : positions) {
-      const double width = p.z() < 0.4 ? 1 : 0.2;  // a thin neck far from the generator
+      const double width = p.z() < 0.4 ? 4 : 0.2;
       p = Vec3(width * p.x(), width * p.y(), 10 * p.z());
     }
     std::vector<std::array<VertexId, 3>> faces;
@@ -66,7 +66,7 @@ TEST_CASE("cell loops: far from the generator the loop gets three points of its 
   }();
   const auto points = find_loop(tube, {vertex_point(tube, VertexId(0))});
   REQUIRE(points.size() == 3);
-  for (const SurfacePoint& p : points) CHECK(position(tube, p).z() > 3.9);
+  for (const SurfacePoint& p : points) CHECK(position(tube, p).z() > 3.8);  // at the neck, or where it begins
 }
 
 TEST_CASE("cell loops: exactly the cells that are no discs have one, on every family") {
