@@ -53,7 +53,7 @@ void check_build(const Options& options) {
   }
 }
 
-/// Refuses a target that can't be written before the run, not at its end.
+/// Refuses, before the run starts, a target that can't be written.
 void check_target(const std::string& option, const std::string& path) {
   std::error_code ignored;
   const fs::path target(path);

@@ -21,16 +21,16 @@ struct CommandInfo {
 /// A command: the shared options, its own options, and the way from main() to an exit code.
 ///
 ///     bool cut = false;
-///     gvd::app::Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply",
-///     "obj"}}); command.line().add_flag({"--cut", "", "Split faces along the bisectors"}, cut); return
-///     command.run(argc, argv, [&](gvd::app::Run& run) { segment(run, cut); });
+///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply", "obj"}});
+///     command.line().add_flag({"--cut", "", "Split faces along the bisectors"}, cut);
+///     return command.run(argc, argv, [&](Run& run) { segment(run, cut); });
 class Command {
  public:
   explicit Command(CommandInfo info);
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
-  /// For the command's own options. A check of several of them belongs into `body`, as Error{invalid_option}.
+  /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
   CommandLine& line() { return line_; }
 
   /// Parses, runs `body` and returns the exit code: 0 where it returns; 2 to 6 and 130 for a gvd::Error of each code,

@@ -16,7 +16,7 @@ constexpr Range<std::int32_t> kThreads{1, 4096, "a whole number from 1 to 4096"}
 constexpr const char *kInput = "Input", *kComputing = "Computing", *kOutput = "Output";
 constexpr const char* kGenerators = "Generators (exactly one of -n, --generators, --vertices, --radius)";
 
-/// Names that stand for themselves.
+/// Choices whose value is their name.
 Choices<std::string> self_named(const std::vector<std::string>& names) {
   Choices<std::string> choices;
   for (const std::string& name : names) choices.emplace_back(name, name);
@@ -58,7 +58,7 @@ void register_sampling(CommandLine& line, GeneratorOptions& generators) {
   add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators}, generators.seed, kAnyWhole);
 }
 
-/// Options that list generators, and those about such lists.
+/// Options that list generators, and those for positions and coincident generators in a list.
 void register_lists(CommandLine& line, GeneratorOptions& generators) {
   add_text(
       line,

@@ -42,11 +42,11 @@ class RunReport {
   std::vector<ReportedGenerator>& generators() { return generators_; }
 
   void set_input(const MeshSummary& mesh, const DefectReport& defects);
-  /// The figures of a diagram. What was measured of an earlier one is dropped. Cost: O(cells).
+  /// The figures of a diagram. Replaces those of an earlier one and its error measure. Cost: O(cells).
   void set_diagram(const Diagram& diagram);
   /// The error of the diagram that was set.
   void set_error_measure(const ErrorMeasure& error);
-  /// Wall time of a step, in milliseconds. Of two times under one name the later one counts.
+  /// Wall time of a step, in milliseconds. A second time under the same name replaces the first.
   void set_time(std::string_view step, double milliseconds);
   /// Largest resident memory of the process.
   void set_peak_memory(std::int64_t bytes);
@@ -58,7 +58,7 @@ class RunReport {
 
  private:
   std::unique_ptr<nlohmann::ordered_json> document_;  ///< all members in their order; `generators` is left null
-  std::vector<ReportedGenerator> generators_;         ///< apart, since a run may have very many
+  std::vector<ReportedGenerator> generators_;         ///< not in the document: a run may have very many
 };
 
 }  // namespace gvd::app

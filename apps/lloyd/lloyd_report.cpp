@@ -23,7 +23,7 @@ const char* describe(LloydStop stop) {
   return "";
 }
 
-/// One array for each figure of the iterations; the energies begin with that of the start.
+/// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
   Json energies = Json::array({result.initial_energy});
   Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();

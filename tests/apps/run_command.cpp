@@ -37,7 +37,7 @@ class Arguments {
   std::vector<char*> pointers_;
 };
 
-/// Reads what the child says until it ends.
+/// Reads the output of the child until it ends.
 CommandResult collect(pid_t child, int stream) {
   CommandResult result;
   char buffer[4096];
@@ -55,7 +55,7 @@ CommandResult collect(pid_t child, int stream) {
 
 CommandResult run_command(const std::string& name, const std::string& arguments) {
   const ScratchFolder scratch;
-  // The braces let the line's own redirections win over these.
+  // In braces, so that redirections of the line itself go first.
   const std::string line = "{ '" + binary(name).string() + "' " + arguments + "\n} >'" + scratch / "out" + "' 2>'" +
                            scratch / "err" + "' </dev/null";
   const int status = std::system(line.c_str());
@@ -87,7 +87,7 @@ CommandResult run_interrupted(const std::string& name, const std::vector<std::st
   }
   close(input[0]);
   close(errors[1]);
-  // Time to start and to wait for its input; it can't end before the signal, since its input stays open.
+  // Time to start and to wait for input. It can't end before the signal: its input stays open.
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   kill(child, signal);
   const CommandResult result = collect(child, errors[0]);

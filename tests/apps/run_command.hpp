@@ -6,14 +6,14 @@
 
 namespace gvd::test {
 
-/// What a command did.
+/// The outcome of a command.
 struct CommandResult {
   int exit_code = -1;  ///< -1 where a signal ended it
   std::string out;
   std::string err;
 };
 
-/// Runs a built command through the shell: `gvd-segment`, and the rest of the line with redirections and all.
+/// Runs a built command, such as `gvd-segment`, through the shell. `arguments` may hold redirections.
 /// Standard output and error are collected where the line does not redirect them.
 CommandResult run_command(const std::string& name, const std::string& arguments);
 
@@ -23,7 +23,7 @@ CommandResult run_on_terminal(const std::string& name, const std::vector<std::st
 /// Runs a built command that waits for standard input, and sends it `signal` while it waits. Collects standard error.
 CommandResult run_interrupted(const std::string& name, const std::vector<std::string>& arguments, int signal);
 
-/// Those of the three commands that this build has.
+/// The commands, of the three, that this build has.
 std::vector<std::string> built_commands();
 
 /// A fresh folder that is removed with this object.
@@ -33,7 +33,7 @@ class ScratchFolder {
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-  /// A path inside, quoted for no shell: it holds no blanks.
+  /// A path inside. It holds no blanks, so that a shell needs no quotes.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
  private:

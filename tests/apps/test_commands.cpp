@@ -1,4 +1,4 @@
-// What holds for every command: files, options, exit codes, streams.
+// Properties of every command: files, options, exit codes, streams.
 
 #include <algorithm>
 #include <csignal>
@@ -79,7 +79,7 @@ TEST_CASE("commands: the report names the method and what belongs to it") {
     CHECK(paper["options"]["chord_tolerance"].is_null());
     CHECK(paper["options"]["front"] == "circle");
     CHECK(planar["options"]["front"] == "planar");
-    // The options reach the diagram: four different ones.
+    // Four different diagrams: each option has its effect.
     CHECK(exact["diagram"]["length"] != fine["diagram"]["length"]);
     CHECK(exact["diagram"]["length"] != paper["diagram"]["length"]);
     CHECK(paper["diagram"]["length"] != planar["diagram"]["length"]);
@@ -123,7 +123,7 @@ TEST_CASE("commands: a bad option is a usage error") {
   }
 }
 
-TEST_CASE("commands: a bad file is one true line") {
+TEST_CASE("commands: a bad file is refused in one line that names it") {
   const ScratchFolder scratch;
   const auto file = [&](const std::string& name, const std::string& text) {
     write_text(scratch / name, text);
@@ -150,7 +150,7 @@ TEST_CASE("commands: a bad file is one true line") {
   }
 }
 
-TEST_CASE("commands: a bad list of generators is one true line") {
+TEST_CASE("commands: a bad list of generators is refused in one line") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("torus.ply");
   const auto refused = [&](const std::string& text, int code, const std::string& part) {
@@ -200,7 +200,7 @@ TEST_CASE("commands: a mesh that the format can't hold is refused before the wor
   write_text(scratch / "vast.off", "OFF 3 1 0\n0 0 0\n1e39 0 0\n0 1e39 0\n3 0 1 2\n");
   for (const std::string& name : built_commands()) {
     for (const char* format : {"stl", "glb"}) {
-      // Verbose runs name every step that they took: only those of reading.
+      // A verbose run names each step: there are only those of reading.
       const std::string arguments = scratch / "vast.off" + " -n 3 -v -o " + scratch / "a." + format;
       const CommandResult result = run_command(name, arguments);
       CHECK(result.exit_code == 6);

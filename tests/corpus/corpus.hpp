@@ -5,8 +5,8 @@
 
 namespace gvd::test {
 
-/// Meshes to try everything on, by name: those of the folder that GVD_CORPUS names; or those of Debian's package
-/// libcgal-demo, which the test before this one unpacks; or, with a word, the few of the project's own data folder.
+/// The meshes of the corpus, sorted by name: those of the folder that GVD_CORPUS names, or else those of Debian's
+/// package libcgal-demo, which an earlier test unpacks, or else, with a warning, the few of the project's data folder.
 std::vector<std::filesystem::path> corpus();
 
 }  // namespace gvd::test

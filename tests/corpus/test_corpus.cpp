@@ -51,7 +51,7 @@ struct Runs {
 
 /// Exact diagrams with their check, the Euler count among its properties, on one mesh; seeds from `first` on.
 void run_seeds(const Mesh& mesh, unsigned first, unsigned count, Runs& runs) {
-  // Each mesh has seeds of its own, or all would get the same few numbers of generators.
+  // Each mesh has seeds of its own: with common seeds all meshes would get the same few numbers of generators.
   first += 100'000 * static_cast<unsigned>(runs.meshes++);
   for (unsigned seed = first; seed < first + count; ++seed) {
     test::Random random(seed);
@@ -79,7 +79,7 @@ void run_corpus(unsigned first, unsigned count, int most_faces) {
                            runs.generators, runs.largest, runs.meshes);
 }
 
-/// Places where meshes with symmetries have ties: every vertex, the middle of every edge, the centre of every face, and
+/// Points where meshes with symmetries have ties: every vertex, the middle of every edge, the centre of every face, and
 /// three points round each centre; of these, one in `step`.
 std::vector<std::vector<SurfacePoint>> symmetric_generators(const Mesh& mesh, int step) {
   std::vector<SurfacePoint> vertices, middles, centres, thirds;

@@ -16,11 +16,11 @@ struct Call {
   std::string command;
   std::string options;
   std::string output;
-  std::vector<int> refusals;  ///< exit codes of meshes that the command can honestly not handle
+  std::vector<int> refusals;  ///< exit codes that are allowed for meshes that the command can't handle
 };
 
 std::vector<Call> calls() {
-  // A remesh guarantees a proper mesh, which slivers and parts of a few faces do not always have room for.
+  // gvd-remesh guarantees a proper mesh. Slivers and components of a few faces do not always have one.
   return {{"gvd-segment", "-n 30", "regions.ply", {3, 4}},
           {"gvd-segment", "-n 30 --cut", "pieces.ply", {3, 4}},
           {"gvd-lloyd", "-n 12 --iterations 5", "relaxed.txt", {3, 4}},

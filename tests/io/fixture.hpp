@@ -10,12 +10,12 @@
 
 namespace gvd::test {
 
-/// A flat grid with labels and a diagram made by hand: every feature that a writer meets (faces and vertices that
-/// nothing reaches, ends on the boundary, a closed bisector, coordinates with all their digits), no true Voronoi
-/// diagram.
+/// A flat grid with labels and a diagram made by hand, which is no Voronoi diagram. It has every feature that a writer
+/// must handle: faces and vertices that no generator reaches, ends on the boundary, a closed bisector, and coordinates
+/// with 17 digits.
 struct Labelled {
   Labelled();
-  /// Everything that is known.
+  /// With all arrays and the diagram.
   LabelledMesh view() const;
 
   Mesh mesh;
@@ -24,7 +24,7 @@ struct Labelled {
   Diagram diagram;
 };
 
-/// A folder of its own, removed with its content at the end.
+/// A new folder, removed with its content at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -42,10 +42,10 @@ class TemporaryFolder {
 std::string read_bytes(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, const std::string& bytes);
 
-/// What `write_mesh` puts into a stream.
+/// The bytes that `write_mesh` writes.
 std::string to_bytes(const LabelledMesh& mesh, OutputFormat format);
 
-/// The little-endian number at `offset`, which moves behind it.
+/// The little-endian number at `offset`; moves `offset` behind it.
 template <class T>
 T take(const std::string& bytes, std::size_t& offset);
 

@@ -25,7 +25,7 @@ struct GeneratorEntry {
   Kind kind = Kind::vertex;
   std::int64_t index = 0;  ///< 0-based, >= 0
   std::array<double, 3> values{};
-  std::int32_t line = 0;  ///< 1-based, of the file; 0 where there is none
+  std::int32_t line = 0;  ///< 1-based line of the file; 0 without a file
 };
 
 struct GeneratorList {
@@ -71,8 +71,9 @@ struct ResolvedGenerators {
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 
-/// For each point the index of the first one that it coincides with, itself included: the same canonical surface point,
-/// or two closer than that in faces that share a vertex (so that two sheets which touch stay apart).
+/// For each point the index of the first point that coincides with it, which may be itself. Two points coincide where
+/// they are closer than the coincidence distance of the mesh and lie in faces that share a vertex: points of two sheets
+/// that touch do not.
 /// Cost: O(n log n).
 std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 

@@ -10,7 +10,7 @@
 namespace gvd::test {
 namespace {
 
-/// The code of the error that refuses the scene; one that no check uses where the scene is taken.
+/// The code of the error that refuses the scene; `interrupted`, which no check uses, where none does.
 ErrorCode code_of(const ViewScene& scene) {
   try {
     io::check_view_scene(scene);

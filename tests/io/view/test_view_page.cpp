@@ -34,7 +34,7 @@ std::string with_title(const std::string& title) {
   return make_view_page(scene, options);
 }
 
-/// The error that refuses the scene; one of a code that make_view_page never uses where it is taken.
+/// The error that refuses the scene; `interrupted`, which make_view_page never throws, where none does.
 Error refusal(const ViewScene& scene) {
   try {
     make_view_page(scene);

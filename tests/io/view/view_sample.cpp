@@ -60,7 +60,7 @@ struct Sampler {
     }
   }
 
-  /// Where the labels of the halfedge's ends balance, from its start; inside (0, 1).
+  /// Parameter from the start of the halfedge, in (0, 1), at which the distances of both labels are equal.
   double balance(HalfedgeId h) const {
     const VertexId u = mesh.from(h), v = mesh.to(h);
     const double at_u = distance(u, label(v)) - distance(u, label(u)),

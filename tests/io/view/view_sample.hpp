@@ -7,9 +7,9 @@
 
 namespace gvd::test {
 
-/// A diagram-like subdivision of a sphere, made without any algorithm of the library: vertices take the nearest of `m`
-/// vertices along great circles, two-coloured faces are cut where the distances balance, three-coloured ones at their
-/// centre. It is closed: its Euler count holds wherever each cell is connected.
+/// A subdivision of a sphere like a diagram, made without any algorithm of the library. Each vertex has the label of
+/// the nearest of `m` vertices along great circles. Faces with two labels are cut where the distances are equal, faces
+/// with three at their centre. Its Euler count holds where each cell is connected.
 Diagram make_sphere_sample(const Mesh& sphere, int m);
 
 }  // namespace gvd::test

@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A GLB taken apart by the letter of the specification.
+/// A GLB, parsed as the specification says.
 struct Glb {
   explicit Glb(const std::string& bytes) {
     std::size_t offset = 0;

@@ -1,4 +1,4 @@
-// What is written is read again by OpenMesh's readers, which know nothing of our writers.
+// Written files are read back by OpenMesh, an independent reader.
 #if defined(__GNUC__) && !defined(__clang__)
 // OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated, at the end of this
 // file.
@@ -50,7 +50,7 @@ std::array<Vec3, 3> corners(const Peer& peer, int f) {
   return result;
 }
 
-/// The largest difference of a coordinate where the corners may begin anywhere in the same cycle.
+/// The largest difference of a coordinate, over the three rotations of the corners.
 double difference(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   double least = 1e300;
   for (std::size_t shift = 0; shift < 3; ++shift) {
@@ -61,7 +61,7 @@ double difference(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   return least;
 }
 
-/// `order[i]` is the face of `mesh` that stands at place i of the file.
+/// `order[i]` is the face of `mesh` that the file has as face i.
 void check_same(const Mesh& mesh, const Peer& peer, const std::vector<FaceId>& order, double tolerance) {
   REQUIRE(peer.n_faces() == order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -131,7 +131,7 @@ TEST_CASE("OpenMesh finds the regions' colours in OFF and in an OBJ's materials"
       const OpenMesh::Vec3uc c = OpenMesh::color_cast<OpenMesh::Vec3uc>(peer.color(f));
       for (int label = -1; label < 3; ++label) {
         const Rgb color = label_color(GeneratorId(label));
-        // The .mtl has four digits, and OpenMesh cuts where it should round.
+        // The .mtl has four digits, and OpenMesh truncates them.
         const auto close = [](int a, int b) { return std::abs(a - b) <= 1; };
         seen[static_cast<std::size_t>(label + 1)] +=
             close(c[0], color.red) && close(c[1], color.green) && close(c[2], color.blue);

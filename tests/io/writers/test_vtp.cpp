@@ -129,7 +129,7 @@ TEST_CASE("points and distances of a VTP are doubles, bit for bit") {
   for (std::size_t i = 0; i < 72; ++i) {
     CHECK(corners[i] == labelled.mesh.vertices(FaceId(static_cast<int>(i / 3)))[i % 3].value());
   }
-  // The branch point lies in face 7 = (v1, v7, v6)... whichever they are, between their distances.
+  // The branch point lies in face 7: its distance is between those of its corners.
   double expected = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     expected += (i == 2 ? 0.5 : 0.25) * labelled.diagram.vertex_distance[labelled.mesh.vertices(FaceId(7))[i]];
