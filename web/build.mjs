@@ -24,7 +24,7 @@ const notice = `/*!\nThis page contains three.js ${version}, https://threejs.org
 const script = notice + (await bundle('src/main.js'));
 const style = await bundle('src/style.css');
 
-// What would end the element early, or be taken for a place of the data.
+// Strings that would end the element early, or be mistaken for the mark of the data.
 for (const mark of ['</script', '<!--']) {
   if (script.includes(mark)) throw new Error(`the bundle contains ${mark}`);
 }

@@ -22,7 +22,7 @@ const browser = await chromium.launch({
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-// Two frames later everything that was asked for is drawn.
+// Waits two frames, after which everything requested is drawn.
 const settle = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
@@ -54,7 +54,8 @@ async function arrange(page, { scene, turn = {}, zoom = 0, pan, show = {}, hover
 
 async function screenshot(picture) {
   const [width, height] = picture.size;
-  const page = await browser.newPage({ viewport: { width, height }, deviceScaleFactor: kWidth / Math.min(width, kWidth), reducedMotion: 'reduce' });
+  const deviceScaleFactor = kWidth / Math.min(width, kWidth);
+  const page = await browser.newPage({ viewport: { width, height }, deviceScaleFactor, reducedMotion: 'reduce' });
   await page.goto(pathToFileURL(resolve(page_folder, `${picture.page}.html`)).href);
   await page.waitForSelector('html[data-ready]', { timeout: 60000 });
   await arrange(page, picture);

@@ -2,8 +2,8 @@
 //
 //   name        the file, without .webp
 //   page        the page that scripts/make_pictures.sh writes, without .html
-//   size        of the window in CSS pixels; the picture is scaled to about kWidth. Marks have a fixed size in CSS pixels,
-//               so a larger window makes them smaller. Up to 720 wide the page has no panel beside the surface
+//   size        of the window in CSS pixels. The picture is about kWidth wide. Marks have a fixed size in CSS
+//               pixels, so a larger window makes them smaller. Up to 720 wide, no panel is beside the surface
 //   scene       the text of a scene's button
 //   turn        number of presses of arrow keys; zoom: of the key +
 //   pan         a right-drag, `from` and `to` in CSS pixels; hover: where the pointer rests
@@ -14,14 +14,20 @@ export const kWidth = 800;
 
 const kSmall = [400, 320];
 const kLarge = [600, 480];
-const kClose = { size: kSmall, zoom: 19, pan: { from: [240, 163], to: [200, 160] }, show: { wireframe: true, generators: false } };
+const kClose = {
+  size: kSmall,
+  zoom: 19,
+  pan: { from: [240, 163], to: [200, 160] },
+  show: { wireframe: true, generators: false },
+};
 const kNoBranchPoints = { branch_points: false };
+const kDistances = { regions: false, lines: true, shading: true, branch_points: false };
 
 export const kPictures = [
   { name: 'segments', page: 'segments', size: kSmall, zoom: 2 },
   { name: 'samples', page: 'samples', size: kLarge, zoom: 2, show: kNoBranchPoints },
   { name: 'coarse', page: 'coarse', size: kLarge, zoom: 2, show: { generators: false } },
-  { name: 'distances', page: 'segments', size: kSmall, zoom: 2, show: { regions: false, lines: true, shading: true, ...kNoBranchPoints } },
+  { name: 'distances', page: 'segments', size: kSmall, zoom: 2, show: kDistances },
   { name: 'bisectors', page: 'segments', ...kClose },
   { name: 'cut', page: 'cut', ...kClose },
   { name: 'farthest', page: 'farthest', size: kSmall, zoom: 2, show: kNoBranchPoints },

@@ -7,7 +7,8 @@ export const kTextureWidth = 256;
 export const kUnlabelled = new Color('#c9d1d8');
 export const kUnreachedFill = [160, 160, 160];
 
-// Added generators are red: no region is as bright, and their lightness tells them from the given ones without hue.
+// Added generators are red, brighter than any region. Their lightness differs from that of given generators too, so
+// they differ without hue.
 export const kThemes = {
   light: {
     page: '#f3f4f2',
@@ -27,7 +28,7 @@ export const kThemes = {
   },
 };
 
-// Large lit areas need calmer colours than files do: the label's own, mixed with this much of a light grey.
+// Share of a light grey in the colours of regions: large lit areas need calmer colours than files.
 const kCalm = 0.42;
 const kCalmGrey = 205;
 
@@ -37,7 +38,7 @@ export function read_fills(entry) {
   return Array.from({ length: channels.length / 3 }, (_, g) => channels.slice(3 * g, 3 * g + 3));
 }
 
-// Texture that the surface's shader reads a code's colour from: unreached, cut (never read), then the labels.
+// The colours by code, as a texture for the surface's shader: unreached, cut (never read), then the labels.
 export function fill_texture(fills) {
   const rows = Math.ceil((fills.length + 2) / kTextureWidth);
   const texels = new Uint8Array(4 * kTextureWidth * rows);

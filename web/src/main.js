@@ -23,7 +23,7 @@ const kToggles = [
 const narrow_screen = matchMedia('(max-width: 720px)');
 const kPerScene = ['wireframe', 'smooth'];  // the others keep their state when the scene changes
 
-// The smallest sphere round the centre of the page's frame: it holds every scene.
+// The smallest sphere around the origin of the page's coordinates that holds every scene.
 function bounding_sphere(manifest) {
   let squared = 0;
   for (const entry of manifest.scenes) {
@@ -33,7 +33,8 @@ function bounding_sphere(manifest) {
   return new Sphere(new Vector3(), Math.sqrt(squared) || 1);
 }
 
-// Pixels at the right of the picture that the panel covers; on a narrow screen it lies over the picture.
+// Pixels at the right of the picture that the panel covers; 0 on a narrow screen, where the panel lies over the
+// picture.
 function covered_width() {
   return narrow_screen.matches ? 0 : innerWidth - document.querySelector('aside').offsetLeft;
 }
@@ -102,7 +103,7 @@ class Viewer {
     this.pick();
   }
 
-  // At most once a frame: pointers may report far more often.
+  // At most once a frame, because pointers may report much more often.
   pick() {
     if (this.picking) return;
     this.picking = true;

@@ -70,8 +70,8 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-// One material for the outside of the surface and one for its inside, which is darker; they share their uniforms. The
-// inside steps back, or it would shine through the outside's rim at silhouettes.
+// One material for the outside of the surface and a darker one for its inside; they share their uniforms. The inside is
+// drawn slightly farther from the eye. Otherwise it would be visible at silhouettes, through the rim of the outside.
 export function make_surface_materials() {
   const common = { vertexShader: kSurfaceVertex, fragmentShader: kSurfaceFragment };
   const outside = new ShaderMaterial({
@@ -130,10 +130,9 @@ export function make_pick_material() {
   });
 }
 
-// Pixels that marks are drawn nearer to the eye than they lie, lest the surface that they lie in swallow them where
-// it slopes away: a mark that reaches r pixels to each side is whole up to a slope of pull / r. What is further behind
-// than that stays hidden, other than with a polygon offset: that grows with the slope and shows the far side at
-// silhouettes.
+// How much nearer to the eye marks are drawn, in pixels. Without it, a sloping surface would hide a part of each mark
+// on it. A mark of radius r pixels is visible as a whole up to a slope of pull / r. Marks farther behind the surface
+// stay hidden. A polygon offset would grow with the slope and show marks of the far side at silhouettes.
 const kPull = /* glsl */ `
 uniform float viewport_height;
 void pull(float pixels) {

@@ -1,6 +1,6 @@
 // Normals at the corners of the faces.
 
-// Corners share a normal across an edge that bends by less than this: curved parts look smooth and edges sharp.
+// Corners share a normal across an edge with a smaller angle than this: curved regions look smooth, creases sharp.
 const kCreaseCosine = Math.cos((40 * Math.PI) / 180);
 
 // Per face: the normal, of length twice its area.
@@ -28,8 +28,8 @@ function corners_of_vertices(vertex_count, faces) {
   return { start, corner };
 }
 
-// Per corner of each face a unit normal: the mean, weighted by area, of the faces at its vertex that bend little from
-// its own.
+// A unit normal for each corner of each face: the area-weighted mean over the faces at its vertex whose normals are
+// close to the face's own.
 export function corner_normals(positions, faces) {
   const vectors = face_vectors(positions, faces);
   const lengths = new Float32Array(faces.length / 3);

@@ -23,7 +23,7 @@ function fill_rows(body, rows) {
   );
 }
 
-// A switch between the scenes, where there are several. `choose` gets the scene's index.
+// The buttons that choose a scene, if there are several. Calls `choose` with the scene's index.
 export function make_scene_switch(scenes, choose) {
   const box = by_id('scenes');
   box.hidden = scenes.length < 2;
@@ -34,8 +34,8 @@ export function make_scene_switch(scenes, choose) {
   });
 }
 
-// One checkbox for each [key, text]. `change` gets the key and whether it is on. Returns by key the row, its input and
-// the place for how many there are.
+// One checkbox for each [key, text]. Calls `change` with the key and whether it is on. Returns by key the row, its
+// input and the element for the number of dots.
 export function make_toggles(entries, change) {
   const inputs = {};
   for (const [key, text] of entries) {
@@ -54,7 +54,7 @@ export function show_figures(figures) {
   fill_rows(by_id('figures').querySelector('tbody'), figures);
 }
 
-// As many neighbours as fit, and the number of the others.
+// The first neighbours, and the number of the others.
 function list_neighbours(neighbours) {
   const kShown = 12;
   if (neighbours.length === 0) return 'none';

@@ -1,4 +1,4 @@
-// What lies under the pointer, drawn by the graphics card into a single pixel: the cost does not grow with the page.
+// Finds what is under the pointer. The graphics card draws a single pixel, so the window's size does not matter.
 import { NearestFilter, RGBAIntegerFormat, Scene, UnsignedIntType, WebGLRenderTarget } from 'three';
 import { make_pick_material } from './materials.js';
 
@@ -17,7 +17,7 @@ export class Picker {
     });
   }
 
-  // The surface at a point of the canvas, in pixels of the page: {code, distance}, or null beside it.
+  // The surface at a point of the canvas, in CSS pixels: {code, distance}, or null where there is no surface.
   pick(surface, x, y) {
     const { renderer, camera } = this.stage;
     const parent = surface.parent;

@@ -4,7 +4,7 @@ import { fill_texture, read_fills } from './colours.js';
 import { make_bisectors, make_dots, make_wireframe } from './marks.js';
 import { make_surface } from './surface.js';
 
-// A round number that divides `range` into about `parts` steps.
+// A round number (1, 2, 5 or 10 times a power of ten) that divides `range` into about `parts` steps.
 function round_step(range, parts) {
   const rough = range / parts, power = 10 ** Math.floor(Math.log10(rough));
   return power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
@@ -40,7 +40,7 @@ export class Picture {
     return Boolean(this.marks[key]);
   }
 
-  // How many dots a switch shows; empty where it shows something else.
+  // The number of dots that a switch shows; empty if it shows something else.
   count(key) {
     const mark = this.marks[key];
     return mark?.isPoints ? String(mark.geometry.getAttribute('position').count) : '';

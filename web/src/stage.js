@@ -36,7 +36,7 @@ export class Stage {
     this.controls.addEventListener('start', () => this.request_draw());
   }
 
-  // Places the camera so that the bounding sphere fits the narrower side of what no panel covers.
+  // Places the camera so that the bounding sphere fits into the area that no panel covers.
   show_all() {
     const half = (kFieldOfView * Math.PI) / 360;
     const narrow = Math.min(half, Math.atan((Math.tan(half) * (this.width - this.margin())) / this.height));
@@ -62,7 +62,7 @@ export class Stage {
     this.request_draw();
   }
 
-  // Draws into the window (x, y, width, height) of the picture, the whole by default; its middle is left of the margin.
+  // Restricts drawing to a rectangle of the picture, by default the whole. Its middle is that of the uncovered area.
   look_at_window(x = 0, y = 0, width = this.width, height = this.height) {
     this.camera.setViewOffset(this.width, this.height, x + this.margin() / 2, y, width, height);
   }
@@ -118,7 +118,7 @@ export class Stage {
     });
   }
 
-  // The nearest and farthest depth hug the bounding sphere: depth precision is what keeps lines apart from the surface.
+  // Depths range over the bounding sphere only: lines stay apart from the surface only if depths are precise.
   fit_depth() {
     const distance = this.camera.position.distanceTo(this.bounds.center), radius = this.bounds.radius;
     this.camera.near = Math.max(distance - 1.05 * radius, 0.002 * radius);

@@ -1,5 +1,5 @@
 // Opens a page of the viewer in a browser and uses it: node viewer.test.mjs PAGE.html [FOLDER for pictures].
-// Exits with 77 and a word where there is no browser. CHROMIUM names another one than /usr/bin/chromium.
+// Exits with 77 and a message if there is no browser. CHROMIUM names another one than /usr/bin/chromium.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { existsSync } from 'node:fs';
@@ -25,7 +25,7 @@ const browser = await chromium.launch({
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-// A freshly opened page that collects what must not happen: errors, and requests for anything but itself.
+// A freshly opened page that collects what must not happen: errors, and requests for other addresses.
 async function open(options = {}) {
   const usual = { viewport: { width: 1000, height: 700 }, reducedMotion: 'reduce' };
   const context = await browser.newContext({ ...usual, ...options });
@@ -40,7 +40,7 @@ async function open(options = {}) {
   return page;
 }
 
-// Two frames later everything that was asked for is drawn.
+// Waits two frames, after which everything requested is drawn.
 const settle = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
