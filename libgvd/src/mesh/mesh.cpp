@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 #include "mesh/visit_edges.hpp"
 
 namespace gvd {
@@ -100,14 +101,9 @@ void Mesh::find_vertex_halfedges() {
   }
   for (std::int32_t i = 0; i < vertex_count(); ++i) {
     const VertexId v(i);
-    const HalfedgeId start = vertex_halfedge_[v];
-    if (!start.valid()) refuse("vertex " + std::to_string(i) + " belongs to no face", i);
+    if (!vertex_halfedge_[v].valid()) refuse("vertex " + std::to_string(i) + " belongs to no face", i);
     std::int32_t visited = 0;
-    HalfedgeId h = start;
-    do {
-      ++visited;
-      h = twin_[previous(h)];
-    } while (h.valid() && h != start);
+    for_each_outgoing(*this, v, [&](HalfedgeId) { ++visited; });
     if (visited != degree[v.index()]) {
       refuse("vertex " + std::to_string(i) + " joins several fans of faces", i);
     }

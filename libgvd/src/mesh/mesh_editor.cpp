@@ -1,5 +1,7 @@
 #include "mesh/mesh_editor.hpp"
 
+#include "mesh/vertex_ring.hpp"
+
 namespace gvd {
 
 FaceId MeshEditor::add_face() {
@@ -35,8 +37,8 @@ void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
 
 void MeshEditor::anchor(VertexId v, HalfedgeId h) {
   const HalfedgeId start = h;
-  for (HalfedgeId twin = mesh_.twin(h); twin.valid(); twin = mesh_.twin(h)) {
-    h = Mesh::next(twin);
+  for (HalfedgeId before = previous_outgoing(mesh_, h); before.valid(); before = previous_outgoing(mesh_, h)) {
+    h = before;
     if (h == start) break;
   }
   mesh_.vertex_halfedge_[v] = h;

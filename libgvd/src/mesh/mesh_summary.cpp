@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -15,7 +17,7 @@ std::int32_t count_boundary_loops(const Mesh& mesh) {
     ++loops;
     while (!visited[h.index()]) {
       visited[h.index()] = 1;
-      h = mesh.halfedge(mesh.to(h));  // at a boundary vertex: the boundary halfedge that leaves it
+      h = next_on_boundary(mesh, h);
     }
   }
   return loops;

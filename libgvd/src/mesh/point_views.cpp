@@ -2,33 +2,33 @@
 
 #include <algorithm>
 
+#include "mesh/vertex_ring.hpp"
+
 namespace gvd {
 namespace {
 
-SurfacePoint at_start(HalfedgeId h) { return edge_point(h, 0); }
-
 std::vector<SurfacePoint> views_of_vertex(const Mesh& mesh, VertexId v) {
   std::vector<SurfacePoint> views;
-  const HalfedgeId start = mesh.halfedge(v);
-  HalfedgeId h = start;
-  do {
-    views.push_back(at_start(h));
-    h = mesh.twin(Mesh::previous(h));
-  } while (h.valid() && h != start);
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) { views.push_back(edge_point(h, 0)); });
   return views;
 }
 
 std::vector<SurfacePoint> views_of_edge_point(const Mesh& mesh, const SurfacePoint& point) {
-  const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
-  if (!twin.valid()) return {point};
-  SurfacePoint other{Mesh::face(twin), {0, 0, 0}};
-  const auto weight = [&](HalfedgeId at) { return point.bary[static_cast<std::size_t>(Mesh::corner(at))]; };
-  other.bary[static_cast<std::size_t>(Mesh::corner(twin))] = weight(Mesh::next(h));
-  other.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = weight(h);
-  return {point, other};
+  const auto across = find_view_across(mesh, point);
+  return across ? std::vector<SurfacePoint>{point, *across} : std::vector<SurfacePoint>{point};
 }
 
 }  // namespace
+
+std::optional<SurfacePoint> find_view_across(const Mesh& mesh, const SurfacePoint& point) {
+  const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
+  if (!twin.valid()) return std::nullopt;
+  SurfacePoint across{Mesh::face(twin), {0, 0, 0}};
+  const auto weight = [&](HalfedgeId at) { return point.bary[static_cast<std::size_t>(Mesh::corner(at))]; };
+  across.bary[static_cast<std::size_t>(Mesh::corner(twin))] = weight(Mesh::next(h));
+  across.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = weight(h);
+  return across;
+}
 
 std::vector<SurfacePoint> find_views(const Mesh& mesh, const SurfacePoint& point) {
   std::vector<SurfacePoint> views{point};

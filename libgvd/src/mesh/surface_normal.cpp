@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesh/vertex_ring.hpp"
+
 namespace gvd {
 namespace {
 
@@ -24,12 +26,7 @@ double angle_at(const Mesh& mesh, HalfedgeId h) {
 
 Vec3 vertex_normal(const Mesh& mesh, VertexId v) {
   Vec3 sum = Vec3::Zero();
-  const HalfedgeId start = mesh.halfedge(v);
-  HalfedgeId h = start;
-  do {
-    sum += angle_at(mesh, h) * face_normal(mesh, Mesh::face(h));
-    h = mesh.twin(Mesh::previous(h));
-  } while (h.valid() && h != start);
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) { sum += angle_at(mesh, h) * face_normal(mesh, Mesh::face(h)); });
   return normalized_or_zero(sum);
 }
 

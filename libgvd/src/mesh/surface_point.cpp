@@ -6,6 +6,7 @@
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
+#include "mesh/point_views.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -108,15 +109,8 @@ SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
       return {Mesh::face(best), unit(static_cast<std::size_t>(Mesh::corner(best)))};
     }
     case SurfacePoint::Kind::edge: {
-      const HalfedgeId h = halfedge(point);
-      const HalfedgeId twin = mesh.twin(h);
-      if (!twin.valid() || h < twin) return point;
-      const double from = point.bary[static_cast<std::size_t>(Mesh::corner(h))];
-      const double to = point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
-      SurfacePoint other{Mesh::face(twin), {0, 0, 0}};
-      other.bary[static_cast<std::size_t>(Mesh::corner(twin))] = to;
-      other.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = from;
-      return other;
+      const auto across = find_view_across(mesh, point);
+      return across && across->face < point.face ? *across : point;
     }
     case SurfacePoint::Kind::face:
       break;

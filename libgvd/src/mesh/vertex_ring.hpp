@@ -4,18 +4,34 @@
 
 namespace gvd {
 
-/// Calls visit(halfedge) for every halfedge that leaves v, once round v.
+// The only place that knows how to go round a vertex. Two kinds of meshes have rings of their own, because they are no
+// `Mesh`: the window propagation (geodesic/windows/vertex_fan.hpp), whose faces lie together for the cache's sake, and
+// the repair of soups, whose vertices may have several fans (mesh/repair/repair_nonmanifold_vertices.cpp).
+
+/// From a halfedge that leaves a vertex to the one of the next face counter-clockwise; invalid at the boundary.
+inline HalfedgeId next_outgoing(const Mesh& mesh, HalfedgeId outgoing) { return mesh.twin(Mesh::previous(outgoing)); }
+
+/// The same clockwise.
+inline HalfedgeId previous_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
+  const HalfedgeId twin = mesh.twin(outgoing);
+  return twin.valid() ? Mesh::next(twin) : twin;
+}
+
+/// From a halfedge on the boundary to the one that follows it along the boundary loop.
+inline HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) { return mesh.halfedge(mesh.to(h)); }
+
+/// Calls visit(halfedge) for every halfedge that leaves v, once, counter-clockwise from `mesh.halfedge(v)`.
 template <class Visit>
 void for_each_outgoing(const Mesh& mesh, VertexId v, Visit visit) {
   const HalfedgeId start = mesh.halfedge(v);
   HalfedgeId h = start;
   do {
     visit(h);
-    h = mesh.twin(Mesh::previous(h));
+    h = next_outgoing(mesh, h);
   } while (h.valid() && h != start);
 }
 
-/// Calls visit(neighbour, halfedge) for every edge at v; the halfedge lies on that edge, in one of v's faces.
+/// Calls visit(neighbour, halfedge) for every edge at v, once. The halfedge lies on that edge, in one of v's faces.
 template <class Visit>
 void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
   for_each_outgoing(mesh, v, [&](HalfedgeId h) {
@@ -25,7 +41,7 @@ void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
   });
 }
 
-/// Whether test(neighbour) holds for a vertex that an edge joins to v; looks no further than the first one.
+/// Whether test(neighbour) holds for a vertex that an edge joins to v. Stops at the first one.
 template <class Test>
 bool any_neighbour(const Mesh& mesh, VertexId v, Test test) {
   const HalfedgeId start = mesh.halfedge(v);
