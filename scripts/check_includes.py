@@ -18,8 +18,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLOORS = [
     ["libgvd/src/base"],
     ["libgvd/src/mesh"],
-    ["libgvd/src/mesh/repair"],
     ["libgvd/src/mesh/reading"],
+    ["libgvd/src/mesh/repair"],
     ["libgvd/src/geodesic/field"],
     ["libgvd/src/geodesic/marching"],
     ["libgvd/src/geodesic/tracing", "libgvd/src/geodesic/sampling"],
@@ -41,6 +41,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 PUBLIC = {
     "libgvd/src/base": "vec ids error progress",
     "libgvd/src/mesh": "mesh surface_point surface_normal closest_point quality openmesh",
+    "libgvd/src/mesh/reading": "mesh_format read_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic/field": "front",
     "libgvd/src/geodesic/tracing": "geodesic_tracing log_map",

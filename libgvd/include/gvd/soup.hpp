@@ -1,60 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/vec.hpp"
+#include "gvd/read_soup.hpp"
 
 namespace gvd {
-
-enum class MeshFormat { obj, ply, off, stl };
-
-/// "obj", "ply", "off" or "stl".
-std::string_view name_of(MeshFormat format);
-
-/// The format of a file name's extension or of a bare name such as "ply", upper or lower case; none where it is
-/// another.
-std::optional<MeshFormat> format_from_extension(std::string_view name);
-
-/// The format of a file. Its content decides where it can't be mistaken (the first line of a PLY or OFF, an STL's
-/// length or first word); otherwise the extension of `name` does; otherwise the first statements of an OBJ.
-/// None where nothing fits. Cost: O(1), but for leading comments.
-std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
-
-/// Polygons as a file gives them: nothing is known about how they fit together.
-struct PolygonSoup {
-  std::vector<Vec3> positions;               ///< mesh units
-  std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
-  std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
-  bool unwelded = false;                     ///< every polygon has vertices of its own (STL)
-  std::vector<std::string> notes;            ///< what the reader left out, a line each
-
-  std::size_t polygon_count() const { return first_corner.size() - 1; }
-  std::span<const std::int32_t> polygon(std::size_t p) const {
-    return {corners.data() + first_corner[p], first_corner[p + 1] - first_corner[p]};
-  }
-};
-
-/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF) or STL (ascii and binary).
-///
-/// `format` overrides the detection. Numbers are read the same in any locale. Vertices and polygons keep their order.
-/// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
-/// (4) memory is bounded by a multiple of the file's size, whatever its header promises.
-/// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
-/// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
-/// Cost: O(bytes).
-PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
-
-/// The same from bytes in memory; `name` stands for the file in messages.
-PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
 
 /// What `build_mesh` does about a defect.
 enum class DefectPolicy {

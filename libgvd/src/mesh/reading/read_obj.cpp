@@ -1,9 +1,10 @@
-// Wavefront OBJ: the statements `v` and `f`; every other one is passed over.
+#include "mesh/reading/read_obj.hpp"
+
 #include <fmt/format.h>
 
-#include "mesh/reading/read_formats.hpp"
+#include "base/counted.hpp"
+#include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_text.hpp"
-#include "mesh/repair/repair_soup.hpp"
 
 namespace gvd {
 namespace {
@@ -72,7 +73,7 @@ class ObjParser {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
       soup_.corners.push_back(vertex_index(token));
     }
-    close_polygon(soup_);
+    soup_.close_polygon();
   }
 
   // `v`, `v/vt`, `v//vn` or `v/vt/vn`, 1-based, or negative and counted back from the last vertex.

@@ -1,10 +1,9 @@
-// Geomview's OFF in text: each vertex and each face begins a line, with or without colours, normals and texture
-// coordinates behind it.
+#include "mesh/reading/read_off.hpp"
+
 #include <fmt/format.h>
 
-#include "mesh/reading/read_formats.hpp"
+#include "base/counted.hpp"
 #include "mesh/reading/read_text.hpp"
-#include "mesh/repair/repair_soup.hpp"
 
 namespace gvd {
 namespace {
@@ -84,7 +83,7 @@ class OffParser {
       }
       soup_.corners.push_back(static_cast<std::int32_t>(v));
     }
-    close_polygon(soup_);
+    soup_.close_polygon();
   }
 
   [[noreturn]] void refuse_end(std::string_view what, std::int64_t next, std::int64_t promised) const {
@@ -105,6 +104,12 @@ class OffParser {
 };
 
 }  // namespace
+
+bool is_off_keyword(std::string_view word) {
+  if (!word.ends_with("OFF")) return false;
+  word.remove_suffix(3);
+  return word.find_first_not_of("STCN4n") == std::string_view::npos;
+}
 
 PolygonSoup parse_off(std::string_view bytes, std::string_view name) { return OffParser(bytes, name).parse(); }
 

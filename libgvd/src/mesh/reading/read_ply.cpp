@@ -1,4 +1,5 @@
-// PLY: the elements `vertex` and `face`; others, and other properties, are read over.
+#include "mesh/reading/read_ply.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
-#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_ply_header.hpp"
 #include "mesh/reading/read_text.hpp"
 
@@ -216,7 +217,7 @@ class BodyParser {
         for (std::int64_t c = 0; c < size; ++c) soup_.corners.push_back(read_index(property, i));
         return true;
       });
-      close_polygon(soup_);
+      soup_.close_polygon();
     }
   }
 

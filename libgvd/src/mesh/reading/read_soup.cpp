@@ -1,3 +1,5 @@
+#include "gvd/read_soup.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
@@ -5,8 +7,11 @@
 #include <system_error>
 
 #include "gvd/error.hpp"
-#include "gvd/soup.hpp"
-#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/check_counts.hpp"
+#include "mesh/reading/read_obj.hpp"
+#include "mesh/reading/read_off.hpp"
+#include "mesh/reading/read_ply.hpp"
+#include "mesh/reading/read_stl.hpp"
 
 namespace gvd {
 namespace {
@@ -58,14 +63,6 @@ PolygonSoup parse_format(std::string_view bytes, MeshFormat format, std::string_
 }
 
 }  // namespace
-
-void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_view name) {
-  constexpr auto kMost = static_cast<std::uint64_t>(kMostVertices);
-  if (vertices <= kMost && polygons <= kMost) return;
-  throw Error(ErrorCode::precondition,
-              fmt::format("{}: {} vertices and {} faces are more than 32-bit ids can count ({}), simplify the mesh",
-                          name, vertices, polygons, kMost));
-}
 
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (bytes.empty()) refuse(name, "the file is empty");

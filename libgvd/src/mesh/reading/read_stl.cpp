@@ -1,4 +1,5 @@
-// STL, binary and text: triangles with vertices of their own.
+#include "mesh/reading/read_stl.hpp"
+
 #include <fmt/format.h>
 
 #include <bit>
@@ -6,11 +7,21 @@
 #include <cstring>
 
 #include "gvd/error.hpp"
-#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_text.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr std::size_t kStlHeader = 84;    // 80 bytes of text and the triangle count
+constexpr std::size_t kStlTriangle = 50;  // a normal, three vertices, two bytes of attributes
+
+/// The count in a binary STL's header. The file must hold kStlHeader bytes.
+std::uint32_t stl_triangle_count(std::string_view bytes) {
+  std::uint32_t count = 0;
+  for (int i = 3; i >= 0; --i) count = count << 8 | static_cast<unsigned char>(bytes[static_cast<std::size_t>(80 + i)]);
+  return count;
+}
 
 float little_endian_float(const char* bytes) {
   std::uint32_t bits = 0;
@@ -57,7 +68,7 @@ PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
       soup.corners.push_back(static_cast<std::int32_t>(soup.positions.size()));
       soup.positions.push_back(binary_position(bytes, offset, name, static_cast<std::int64_t>(t)));
     }
-    close_polygon(soup);
+    soup.close_polygon();
   }
   if (bytes.size() > wanted) {
     soup.notes.push_back(fmt::format("{} bytes after the last triangle are left out", bytes.size() - wanted));
@@ -128,7 +139,7 @@ class TextStlParser {
     const std::size_t size = soup_.corners.size() - soup_.first_corner.back();
     const auto facet = static_cast<std::int64_t>(soup_.polygon_count());
     if (size != 3) text_.refuse(fmt::format("facet {} has {} vertices, and should have 3", facet, size), facet);
-    close_polygon(soup_);
+    soup_.close_polygon();
   }
 
   TextReader text_;
@@ -147,6 +158,12 @@ bool is_text(std::string_view bytes) {
 }
 
 }  // namespace
+
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < kStlHeader) return false;
+  const std::uint64_t count = stl_triangle_count(bytes);
+  return count > 0 && bytes.size() == kStlHeader + kStlTriangle * count;
+}
 
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name) {
   if (is_binary_stl(bytes) || !is_text(bytes)) return parse_binary(bytes, name);

@@ -5,7 +5,20 @@
 #include <array>
 #include <tuple>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
+#include "gvd/soup.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/examine_soup.hpp"
+#include "mesh/repair/pair_halfedges.hpp"
+#include "mesh/repair/repair_components.hpp"
+#include "mesh/repair/repair_degenerate_faces.hpp"
+#include "mesh/repair/repair_duplicate_faces.hpp"
+#include "mesh/repair/repair_nonmanifold_edges.hpp"
+#include "mesh/repair/repair_nonmanifold_vertices.hpp"
+#include "mesh/repair/repair_orientation.hpp"
+#include "mesh/repair/repair_touching_edges.hpp"
+#include "mesh/repair/repair_welding.hpp"
+#include "mesh/repair/triangulate_soup.hpp"
 
 namespace gvd {
 namespace {
@@ -13,10 +26,6 @@ namespace {
 /// A triangle whose height is at or below this part of its longest side counts as one without area. Ten times the
 /// rounding of a position that lies on the side.
 constexpr double kFlatTriangle = 1e-15;
-
-constexpr std::array<std::string_view, 9> kKindNames = {
-    "unwelded_vertices", "zero_length_edges",    "degenerate_faces", "duplicate_faces",   "inconsistent_orientation",
-    "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices",  "dropped_components"};
 
 std::vector<char> find_used_vertices(const WorkFaces& work) {
   std::vector<char> used(work.positions.size(), 0);
@@ -114,28 +123,6 @@ void add_remarks(CheckedMesh& checked) {
 
 }  // namespace
 
-std::string_view name_of(DefectKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
-
-std::string counted(std::int64_t count, const std::string& singular, const std::string& plural) {
-  return fmt::format("{} {}", count, count == 1 ? singular : plural);
-}
-
-std::int64_t DefectReport::count(DefectKind kind) const {
-  for (const Defect& defect : defects) {
-    if (defect.kind == kind) return defect.count;
-  }
-  return 0;
-}
-
-void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
-                    const std::string& action) {
-  if (count == 0) return;
-  if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
-  const std::string message = what + ": " + action;
-  report_.defects.push_back({kind, count, first, message});
-  report_.messages.push_back(message);
-}
-
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   examine_soup(soup);
   DefectLog log(policy);
@@ -144,9 +131,9 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   WorkPolygons polygons = remove_degenerate_faces(soup, weld, log);
   remove_duplicate_faces(polygons, soup.positions.size(), log);
   WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions);
-  EdgeTable crowded = pair_halfedges(work, soup.positions.size());
-  const std::vector<char> one_sided = orient_faces(work, crowded, log);
-  const std::vector<char> on_cut_edge = cut_edges(work, crowded, soup.positions, one_sided, log);
+  EdgeTable nonmanifold_edges = pair_halfedges(work, soup.positions.size());
+  const std::vector<char> one_sided = orient_faces(work, nonmanifold_edges, log);
+  const std::vector<char> on_cut_edge = cut_edges(work, nonmanifold_edges, soup.positions, one_sided, log);
   keep_largest_component(work, soup.positions, one_sided, log);
   cut_vertices(work, soup.positions, on_cut_edge, log);
   split_touching_edges(work, log);

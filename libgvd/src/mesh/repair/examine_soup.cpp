@@ -1,8 +1,10 @@
+#include "mesh/repair/examine_soup.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "mesh/repair/defect_log.hpp"
 
 namespace gvd {
 namespace {

@@ -1,9 +1,10 @@
-// Drops all components but the one with the largest area.
+#include "mesh/repair/repair_components.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {

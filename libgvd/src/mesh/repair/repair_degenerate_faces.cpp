@@ -1,7 +1,8 @@
-// Drops polygons that enclose nothing: fewer than three corners are left once repeated ones are taken out.
+#include "mesh/repair/repair_degenerate_faces.hpp"
+
 #include <fmt/format.h>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {

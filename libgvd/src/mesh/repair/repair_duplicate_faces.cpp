@@ -1,4 +1,5 @@
-// Drops polygons with the corners of an earlier one, in either direction.
+#include "mesh/repair/repair_duplicate_faces.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <span>
 #include <tuple>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {

@@ -1,4 +1,5 @@
-// Edges of three or more faces: neighbours round the edge stay together where the surface's inside is between them.
+#include "mesh/repair/repair_nonmanifold_edges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <span>
 #include <tuple>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {
@@ -59,17 +60,17 @@ void pair_inside(WorkFaces& work, const std::vector<Spoke>& spokes) {
 
 }  // namespace
 
-std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& crowded, const std::vector<Vec3>& positions,
+std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& nonmanifold_edges, const std::vector<Vec3>& positions,
                             const std::vector<char>& one_sided, DefectLog& log) {
   std::vector<char> on_cut_edge(positions.size(), 0);
   std::int64_t count = 0;
   std::int32_t first = -1;  // the halfedge of the smallest face
   std::size_t first_size = 0;
   std::vector<std::int32_t> current;
-  for (const EdgeGroup& edge : crowded.edges) {
+  for (const EdgeGroup& edge : nonmanifold_edges.edges) {
     ++count;
     current.clear();
-    for (std::size_t i = edge.begin; i < edge.end; ++i) current.push_back(crowded.halfedges[i]);
+    for (std::size_t i = edge.begin; i < edge.end; ++i) current.push_back(nonmanifold_edges.halfedges[i]);
     const std::int32_t least = *std::min_element(current.begin(), current.end());
     if (first < 0 || least < first) std::tie(first, first_size) = std::pair(least, current.size());
     for (const std::int32_t v : {work.from(least), work.to(least)}) on_cut_edge[static_cast<std::size_t>(v)] = 1;

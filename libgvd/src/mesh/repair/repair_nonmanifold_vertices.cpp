@@ -1,9 +1,10 @@
-// Gives every fan of faces round a vertex a vertex of its own.
+#include "mesh/repair/repair_nonmanifold_vertices.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {

@@ -1,9 +1,10 @@
-// Turns the faces of each component the same way round.
+#include "mesh/repair/repair_orientation.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "base/counted.hpp"
 
 namespace gvd {
 namespace {
@@ -62,7 +63,7 @@ void refuse_one_sided(const WorkFaces& work, const Component& component) {
 
 }  // namespace
 
-std::vector<char> orient_faces(WorkFaces& work, EdgeTable& crowded, DefectLog& log) {
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
   std::vector<signed char> side(work.faces.size(), -1);
   std::vector<char> one_sided(work.faces.size(), 0);
   std::vector<char> to_flip(work.faces.size(), 0);
@@ -89,7 +90,7 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& crowded, DefectLog& l
     count += work.origin[f] != last;  // several triangles of one polygon count once
     last = work.origin[f];
   }
-  for (std::int32_t& h : crowded.halfedges) {
+  for (std::int32_t& h : nonmanifold_edges.halfedges) {
     if (to_flip[static_cast<std::size_t>(h / 3)]) h = 3 * (h / 3) + 2 - h % 3;
   }
   log.add(DefectKind::inconsistent_orientation, count, first,

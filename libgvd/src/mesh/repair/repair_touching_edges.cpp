@@ -1,15 +1,10 @@
-// Cut edges whose pieces still have both ends in common: all pieces but the first get an inner vertex of their own.
-//
-// Where a body touches itself along an edge and its faces go on round both ends of that edge, each end has one fan and
-// stays one vertex, and a mesh that knows edges by their two vertices would take the pieces for one edge. Splitting
-// them changes no point of the surface.
+#include "mesh/repair/repair_touching_edges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <vector>
-
-#include "mesh/repair/repair_soup.hpp"
 
 namespace gvd {
 namespace {

@@ -1,12 +1,13 @@
-// Welds vertices at one position: all of them in an STL, elsewhere those that a polygon edge joins.
+#include "mesh/repair/repair_welding.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
+#include "base/counted.hpp"
 #include "base/union_find.hpp"
-#include "mesh/repair/repair_soup.hpp"
 
 namespace gvd {
 namespace {

@@ -1,10 +1,11 @@
-// Cuts polygons into triangles: quads by their better diagonal, larger ones by clipping ears.
+#include "mesh/repair/triangulate_soup.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_set>
 
-#include "mesh/repair/repair_soup.hpp"
+#include "mesh/repair/defect_log.hpp"
 #include "mesh/repair/triangulate_soup_polygon.hpp"
 
 namespace gvd {

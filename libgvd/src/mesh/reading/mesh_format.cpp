@@ -1,11 +1,12 @@
-// Tells the format of a file by its content and its name.
+#include "gvd/mesh_format.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <string>
 
-#include "gvd/soup.hpp"
-#include "mesh/reading/read_formats.hpp"
+#include "mesh/reading/read_off.hpp"
+#include "mesh/reading/read_stl.hpp"
 #include "mesh/reading/read_text.hpp"
 
 namespace gvd {
@@ -36,18 +37,6 @@ bool is_obj_statement(std::string_view word) {
 }
 
 }  // namespace
-
-bool is_off_keyword(std::string_view word) {
-  if (!word.ends_with("OFF")) return false;
-  word.remove_suffix(3);
-  return word.find_first_not_of("STCN4n") == std::string_view::npos;
-}
-
-bool is_binary_stl(std::string_view bytes) {
-  if (bytes.size() < kStlHeader) return false;
-  const std::uint64_t count = stl_triangle_count(bytes);
-  return count > 0 && bytes.size() == kStlHeader + kStlTriangle * count;
-}
 
 std::string_view name_of(MeshFormat format) { return kNames[static_cast<std::size_t>(format)]; }
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gvd/mesh_format.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Polygons as a file gives them: nothing is known about how they fit together.
+struct PolygonSoup {
+  std::vector<Vec3> positions;               ///< mesh units
+  std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
+  std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
+  bool unwelded = false;                     ///< every polygon has vertices of its own (STL)
+  std::vector<std::string> notes;            ///< what the reader left out, a line each
+
+  /// Makes a polygon of the corners that were appended last.
+  void close_polygon() { first_corner.push_back(corners.size()); }
+  std::size_t polygon_count() const { return first_corner.size() - 1; }
+  std::span<const std::int32_t> polygon(std::size_t p) const {
+    return {corners.data() + first_corner[p], first_corner[p + 1] - first_corner[p]};
+  }
+};
+
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF) or STL (ascii and binary).
+///
+/// `format` overrides the detection. Numbers are read the same in any locale. Vertices and polygons keep their order.
+/// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
+/// (4) memory is bounded by a multiple of the file's size, whatever its header promises.
+/// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
+/// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
+/// Cost: O(bytes).
+PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
+
+}  // namespace gvd
