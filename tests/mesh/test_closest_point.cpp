@@ -1,49 +1,74 @@
-#include <random>
+#include <cmath>
+#include <limits>
 
 #include "gvd/closest_point.hpp"
-#include "gvd/surface_point.hpp"
+#include "gvd/error.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 
-namespace {
-
-double uniform(std::mt19937& random) { return double(random()) / double(std::mt19937::max()); }
-
-SurfacePoint random_point(const Mesh& mesh, std::mt19937& random) {
-  const FaceId face(static_cast<std::int64_t>(random() % static_cast<unsigned>(mesh.face_count())));
-  const double u = uniform(random), v = uniform(random) * (1 - u);
-  return make_surface_point(face, random() % 4 == 0 ? std::array{u, 1 - u, 0.0} : std::array{u, v, 1 - u - v});
+TEST_CASE("closest point on a face: above its inside, beside an edge, beyond a corner") {
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  const ClosestPoint inside = closest_point_on_face(mesh, FaceId(0), {1, 1, 3});
+  CHECK(inside.distance == Approx(3));
+  CHECK(inside.point.kind() == SurfacePoint::Kind::face);
+  CHECK((position(mesh, inside.point) - Vec3(1, 1, 0)).norm() < 1e-14);
+  const ClosestPoint edge = closest_point_on_face(mesh, FaceId(0), {1, -2, 0});
+  CHECK(edge.distance == Approx(2));
+  CHECK(edge.point == edge_point(Mesh::halfedge(FaceId(0), 0), 0.25));
+  const ClosestPoint corner = closest_point_on_face(mesh, FaceId(0), {-3, -4, 0});
+  CHECK(corner.distance == Approx(5));
+  CHECK(corner.point == vertex_point(mesh, VertexId(0)));
 }
 
-}  // namespace
+TEST_CASE("closest point on a face without area: on its longest edge") {
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
+  const ClosestPoint found = closest_point_on_face(mesh, FaceId(0), {3, 2, 0});
+  CHECK(found.distance == Approx(2));
+  CHECK((position(mesh, found.point) - Vec3(3, 0, 0)).norm() < 1e-14);
+}
 
-TEST_CASE("the closest point is that of the best face") {
-  std::mt19937 random(11);
+TEST_CASE("closest point: as a search through all faces, near the surface and far from it") {
   for (const auto& [name, mesh] : test::small_family()) {
-    CAPTURE(name);
+    INFO(name);
     const ClosestPointTree tree(mesh);
-    for (int i = 0; i < 60; ++i) {
-      const Vec3 query(4 * uniform(random) - 2, 4 * uniform(random) - 2, 2 * uniform(random) - 1);
-      ClosestPoint best = closest_point_on_face(mesh, FaceId(0), query);
-      for (int f = 1; f < mesh.face_count(); ++f) {
-        const ClosestPoint found = closest_point_on_face(mesh, FaceId(f), query);
-        if (found.distance < best.distance) best = found;
+    test::Random random(6);
+    for (int round = 0; round < 100; ++round) {
+      const double size = std::pow(10, random.real(-2, 1));
+      const Vec3 query = mesh.position(VertexId(random.below(mesh.vertex_count()))) +
+                         size * Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+      double least = std::numeric_limits<double>::infinity();
+      for (int f = 0; f < mesh.face_count(); ++f) {
+        least = std::min(least, closest_point_on_face(mesh, FaceId(f), query).distance);
       }
       const ClosestPoint found = tree.query(query);
-      CHECK(found.distance == best.distance);
-      CHECK(found.point.face == best.point.face);
-      CHECK(found.distance == Approx((position(mesh, found.point) - query).norm()).margin(1e-9));
+      REQUIRE(found.distance == Approx(least).epsilon(1e-12));
+      REQUIRE((position(mesh, found.point) - query).norm() == Approx(least).epsilon(1e-9).margin(1e-14));
     }
-    const SurfacePoint on = random_point(mesh, random);
-    CHECK(tree.query(position(mesh, on)).distance < 1e-12);
   }
 }
 
-TEST_CASE("the closest point of a face without area lies on its edges") {
-  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
-  const ClosestPoint found = closest_point_on_face(mesh, FaceId(0), {2, 1, 0});
-  CHECK(found.distance == Approx(1));
-  CHECK((position(mesh, found.point) - Vec3(2, 0, 0)).norm() < 1e-12);
+TEST_CASE("closest point: a point of the surface is found where it is; at a vertex the smallest face wins") {
+  const Mesh mesh = test::make_bumpy_sphere(2, 3);
+  const ClosestPointTree tree(mesh);
+  for (const SurfacePoint& p : test::random_generators(mesh, 60, 2)) {
+    const ClosestPoint found = tree.query(position(mesh, p));
+    REQUIRE(found.distance < 1e-14);
+    REQUIRE((position(mesh, found.point) - position(mesh, p)).norm() < 1e-14);
+    if (p.kind() != SurfacePoint::Kind::vertex) continue;
+    const std::vector<FaceId> faces = faces_around(mesh, p);
+    REQUIRE(found.point.face == *std::min_element(faces.begin(), faces.end()));
+  }
+}
+
+TEST_CASE("closest point: a query without a finite distance is refused") {
+  const Mesh mesh = test::make_tetrahedron();
+  const ClosestPointTree tree(mesh);
+  CHECK_THROWS_AS(tree.query({std::nan(""), 0, 0}), Error);
+  CHECK_THROWS_AS(tree.query({1e200, 1e200, 0}), Error);
+  CHECK_THROWS_AS(tree.query({std::numeric_limits<double>::infinity(), 0, 0}), Error);
 }

@@ -1,0 +1,55 @@
+#include <string>
+
+#include "gvd/error.hpp"
+#include "mesh/reading/read_ply_header.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+
+namespace {
+
+const std::string kVertex = "element vertex 3\nproperty float x\nproperty float y\nproperty double z\n";
+const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\n";
+
+std::string header(const std::string& format, const std::string& elements) {
+  return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n";
+}
+
+}  // namespace
+
+TEST_CASE("PLY header: elements and properties in their order, and where the data begin") {
+  const std::string text = header("binary_big_endian", "comment made by hand\n" + kVertex + kFace);
+  const PlyHeader parsed = parse_ply_header(text + "data", "file");
+  CHECK(parsed.encoding == PlyEncoding::big_endian);
+  CHECK(parsed.bytes == text.size());
+  CHECK(parsed.lines == 10);
+  REQUIRE(parsed.elements.size() == 2);
+  const PlyElement& vertex = parsed.elements[0];
+  CHECK(vertex.name == "vertex");
+  CHECK(vertex.count == 3);
+  CHECK(vertex.find("z") == 2);
+  CHECK(vertex.find("w") == -1);
+  CHECK(vertex.properties[2].type == PlyType::float64);
+  CHECK_FALSE(vertex.properties[2].count_type);
+  CHECK(parsed.elements[1].properties[0].count_type == PlyType::uint8);
+}
+
+TEST_CASE("PLY header: sizes of the types, and which are integers") {
+  CHECK(size_of(PlyType::int8) == 1);
+  CHECK(size_of(PlyType::uint16) == 2);
+  CHECK(size_of(PlyType::float32) == 4);
+  CHECK(size_of(PlyType::float64) == 8);
+  CHECK(is_integer(PlyType::uint32));
+  CHECK_FALSE(is_integer(PlyType::float32));
+}
+
+TEST_CASE("PLY header: what is missing or given twice is refused") {
+  CHECK_NOTHROW(parse_ply_header(header("ascii", kVertex + kFace), "file"));
+  for (const std::string& bad :
+       {std::string("obj\n"), std::string("ply\n"), header("text", kVertex + kFace), header("ascii", kVertex),
+        header("ascii", kFace), header("ascii", kVertex + kFace + kFace), "ply\n" + kVertex + kFace + "end_header\n",
+        header("ascii", "property float x\n"), header("ascii", "element vertex -1\n")}) {
+    INFO(bad);
+    CHECK_THROWS_AS(parse_ply_header(bad, "file"), Error);
+  }
+}
