@@ -15,7 +15,7 @@ TEST_CASE("Q and the least angle of known triangles") {
   CHECK(compute_min_angle(o, x, y) == Approx(45));
 }
 
-TEST_CASE("a triangle without area has Q 0 and angle 0, never a value that is no number") {
+TEST_CASE("a triangle without area has Q 0 and angle 0, never NaN") {
   const Vec3 o(0, 0, 0), x(1, 0, 0), far(3, 0, 0);
   CHECK(compute_q(o, x, far) == 0);
   CHECK(compute_min_angle(o, x, far) == 0);
@@ -49,7 +49,7 @@ TEST_CASE("an angle of 30 degrees is not below 30 degrees") {
   CHECK(compute_triangle_quality(below).percent_below_30 == 100);
 }
 
-TEST_CASE("every family's figures are in their ranges, and slivers count") {
+TEST_CASE("the figures of every family are in their ranges, and slivers lower them") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const TriangleQuality quality = compute_triangle_quality(mesh);

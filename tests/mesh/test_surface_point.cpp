@@ -8,7 +8,7 @@
 
 using namespace gvd;
 
-TEST_CASE("the faces around a point are those that can name it, on every family") {
+TEST_CASE("the faces around a point are those that contain all corners it depends on, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     for (const SurfacePoint& p : test::random_generators(mesh, 60, 5)) {

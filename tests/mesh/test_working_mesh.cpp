@@ -101,7 +101,7 @@ TEST_CASE("coincident generators are refused with both names, whichever faces th
   refused({vertex_point(mesh, mesh.from(h)), edge_point(h, 0.0)});
 }
 
-TEST_CASE("a lone triangle and a pillow of two faces take generators on every edge") {
+TEST_CASE("a single triangle and a pillow of two faces accept generators on every edge") {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
   const Mesh lone(corners, {ids(0, 1, 2)}), pillow(corners, {ids(0, 1, 2), ids(1, 0, 2)});
@@ -122,7 +122,7 @@ TEST_CASE("a lone triangle and a pillow of two faces take generators on every ed
   }
 }
 
-TEST_CASE("a generator on an edge that a corner without an angle lies on takes that corner") {
+TEST_CASE("in a face without area, a generator on an edge where the opposite corner lies takes that corner") {
   // Corner 2 lies in the middle of the edge 0 1.
   const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
   const Mesh mesh({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {ids(0, 1, 3), ids(1, 0, 2)});
@@ -138,7 +138,7 @@ TEST_CASE("a generator on an edge that a corner without an angle lies on takes t
                     Catch::Matchers::Contains("generators 0 and 1 coincide"));
 }
 
-TEST_CASE("far from the origin generators coincide where their positions are the same but for rounding") {
+TEST_CASE("far from the origin generators coincide if their positions differ by rounding only") {
   const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
   const Mesh mesh({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6, 1, 0}}, {ids(0, 1, 2)});
   const auto at = [](double t) { return make_surface_point(FaceId(0), {t, 0.5 - t, 0.5}); };
@@ -147,7 +147,7 @@ TEST_CASE("far from the origin generators coincide where their positions are the
   CHECK_NOTHROW(WorkingMesh(mesh, {at(0.25), at(0.25 + 1e-8)}));
 }
 
-TEST_CASE("generators in one place of space, on the two faces of a pillow, do not coincide") {
+TEST_CASE("generators at one position on the two faces of a pillow do not coincide") {
   const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
   const Mesh pillow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {ids(0, 1, 2), ids(1, 0, 2)});
   for (const double rest : {1.0 / 3, 1e-3}) {

@@ -11,10 +11,10 @@ namespace gvd {
 
 struct ClosestPoint {
   SurfacePoint point;
-  double distance = 0;  ///< straight, to the query, in mesh units
+  double distance = 0;  ///< Euclidean, to the query, in mesh units
 };
 
-/// The point of face f that is closest to `query`. Degenerate faces are ordinary. Cost: O(1).
+/// The point of face f that is closest to `query`. The face may have no area. Cost: O(1).
 ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query);
 
 /// Finds the closest point of a mesh: a tree of bounding boxes, split at the median of the longest axis.
@@ -26,7 +26,7 @@ class ClosestPointTree {
  public:
   explicit ClosestPointTree(const Mesh& mesh);
 
-  /// Throws Error{precondition} where a coordinate of `query` is so large that no distance is finite.
+  /// Throws Error{precondition} where `query` is so large, or not finite, that no distance is finite.
   ClosestPoint query(const Vec3& query) const;
 
  private:

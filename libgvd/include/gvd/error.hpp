@@ -6,11 +6,11 @@
 
 namespace gvd {
 
-/// Why an operation was refused. The closed set of reasons; the commands map each one to an exit code.
+/// Why an operation was refused. The set is closed: the commands map each code to an exit code.
 enum class ErrorCode {
   invalid_option,     ///< an option or argument is out of its range (exit code 2)
   unreadable_input,   ///< a file is missing, is no mesh, or is damaged (exit code 3)
-  precondition,       ///< the input is read, and breaks a stated precondition (exit code 4)
+  precondition,       ///< the input can be read but breaks a stated precondition (exit code 4)
   no_valid_result,    ///< no valid result exists, or a stated guarantee is not met (exit code 5)
   unwritable_output,  ///< a file could not be written (exit code 6)
   interrupted,        ///< the caller's progress callback asked to stop (exit code 130)

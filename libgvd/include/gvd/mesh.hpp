@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// The measures of a face, together for the cache's sake.
+/// Lengths and area of a face, stored together because they are read together.
 struct FaceShape {
   std::array<double, 3> length{};  ///< of the halfedges of corners 0, 1 and 2, mesh units
   double twice_area = 0;           ///< square mesh units
@@ -24,7 +24,7 @@ struct FaceShape {
 /// Properties: (1) every face has three different vertices; (2) every edge has one or two faces, which
 /// run through it in opposite directions; (3) the faces round a vertex form one fan, closed or open;
 /// (4) no vertex is without a face; (5) every coordinate is finite; (6) every edge has a positive length.
-/// A mesh that does not hold them can't be built. For arbitrary input see `build_mesh` in soup.hpp.
+/// A mesh that breaks one of them can't be built. For arbitrary input see `build_mesh` in soup.hpp.
 class Mesh {
  public:
   Mesh() = default;
@@ -59,8 +59,8 @@ class Mesh {
 
   /// The edge's first halfedge; the edge's own direction is this one's.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
-  /// A halfedge that leaves v. At a boundary vertex it is the one whose predecessor round the vertex is
-  /// missing, so that `h = twin(previous(h))` until it is invalid visits every face of v.
+  /// A halfedge that leaves v. At a boundary vertex it is the boundary halfedge, so that `h = twin(previous(h))`,
+  /// repeated until it is invalid, visits every face of v.
   HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v]; }
 
   bool is_boundary(EdgeId e) const { return !twin(halfedge(e)).valid(); }
@@ -76,11 +76,11 @@ class Mesh {
   double mean_edge_length() const { return mean_edge_length_; }
   /// Diagonal of the axis-aligned bounding box, in mesh units.
   double bbox_diagonal() const { return bbox_diagonal_; }
-  /// The largest absolute value of a coordinate, in mesh units: what positions are rounded to is a part of it.
+  /// The largest absolute value of a coordinate, in mesh units. The rounding error of positions is proportional to it.
   double largest_coordinate() const { return largest_coordinate_; }
 
  private:
-  friend class MeshEditor;  // splits and flips in the library's own working copy
+  friend class MeshEditor;  // splits faces and edges and flips edges of the library's own working copy
 
   void link_twins();
   void number_edges();

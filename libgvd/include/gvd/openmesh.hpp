@@ -9,7 +9,7 @@
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 
-// Header only, so that libgvd itself does not link OpenMesh: who includes this links OpenMeshCore.
+// Header only, so that libgvd itself does not link OpenMesh. A program that includes this header links OpenMeshCore.
 
 namespace gvd {
 
@@ -22,8 +22,8 @@ using OpenMeshTriMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
 /// The mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
 ///
-/// `TriMesh` is any triangle mesh of OpenMesh's whose points are made of three numbers; those with fewer digits than a
-/// double round. Throws Error{precondition} where OpenMesh refuses a face, which it does for no valid mesh. Cost: O(n).
+/// `TriMesh` is any triangle mesh of OpenMesh with points of three numbers. Numbers of less precision than a double are
+/// rounded. Throws Error{precondition} where OpenMesh refuses a face, which it does for no valid mesh. Cost: O(n).
 template <class TriMesh = OpenMeshTriMesh>
 TriMesh to_openmesh(const Mesh& mesh) {
   using Point = typename TriMesh::Point;

@@ -5,12 +5,12 @@
 
 namespace gvd {
 
-/// Called now and then by long work, always from the thread that started it, whatever other threads share it: the
-/// step's name and the part of it that is done, in [0, 1]. Returning false cancels: the work throws Error{interrupted}
-/// and leaves no trace.
+/// A callback that long operations call now and then, with the name of the step and the fraction of it that is done, in
+/// [0, 1]. It is called only by the thread that started the operation. If it returns false, the operation is cancelled:
+/// it throws Error{interrupted} and changes nothing.
 using Progress = std::function<bool(std::string_view step, double fraction)>;
 
-/// Calls `progress` where there is one, and throws Error{interrupted} where it returns false.
+/// Calls `progress` unless it is empty, and throws Error{interrupted} if it returns false.
 void report_progress(const Progress& progress, std::string_view step, double fraction);
 
 }  // namespace gvd

@@ -8,7 +8,7 @@ namespace gvd {
 struct TriangleQuality {
   double q_min = 0;              ///< least Q, in [0, 1]
   double q_average = 0;          ///< mean Q over the triangles, in [0, 1]
-  double angle_min = 0;          ///< least angle of all, degrees in [0, 60]
+  double angle_min = 0;          ///< least angle of all triangles, degrees in [0, 60]
   double angle_min_average = 0;  ///< mean over the triangles of their least angle, degrees in [0, 60]
   double percent_below_30 = 0;   ///< triangles with an angle below 30 degrees, percent in [0, 100]
 };
@@ -24,7 +24,8 @@ double compute_q(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Least angle of the triangle a b c, degrees in [0, 60]; 0 for a triangle without area. Cost: O(1).
 double compute_min_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The figures above over all faces, in the order of their ids; all zero for a mesh without faces. Cost: O(n).
+/// The figures of TriangleQuality over all faces, summed in the order of their ids; all zero for a mesh without faces.
+/// Cost: O(n).
 TriangleQuality compute_triangle_quality(const Mesh& mesh);
 
 }  // namespace gvd

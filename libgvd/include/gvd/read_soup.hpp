@@ -14,13 +14,13 @@
 
 namespace gvd {
 
-/// Polygons as a file gives them: nothing is known about how they fit together.
+/// Polygons as a file gives them. How they are connected is not known.
 struct PolygonSoup {
   std::vector<Vec3> positions;               ///< mesh units
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
   std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
-  bool unwelded = false;                     ///< every polygon has vertices of its own (STL)
-  std::vector<std::string> notes;            ///< what the reader left out, a line each
+  bool unwelded = false;                     ///< whether every polygon has vertices of its own (STL)
+  std::vector<std::string> notes;            ///< what the reader left out, one line each
 
   /// Makes a polygon of the corners that were appended last.
   void close_polygon() { first_corner.push_back(corners.size()); }
@@ -32,9 +32,9 @@ struct PolygonSoup {
 
 /// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF) or STL (ascii and binary).
 ///
-/// `format` overrides the detection. Numbers are read the same in any locale. Vertices and polygons keep their order.
+/// `format` overrides the detection. Numbers do not depend on the locale. Vertices and polygons keep their order.
 /// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
-/// (4) memory is bounded by a multiple of the file's size, whatever its header promises.
+/// (4) memory is bounded by a multiple of the file's size, whatever counts its header gives.
 /// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
 /// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
 /// Cost: O(bytes).

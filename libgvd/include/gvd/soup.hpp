@@ -14,23 +14,23 @@ namespace gvd {
 /// What `build_mesh` does about a defect.
 enum class DefectPolicy {
   error,    ///< refuses any defect
-  repair,   ///< repairs what loses nothing, refuses the rest
-  largest,  ///< repairs, then keeps only the component with the largest area (of equals the first)
+  repair,   ///< repairs defects where that loses no part of the surface, refuses the others
+  largest,  ///< repairs, then keeps only the component with the largest area (the first of equal ones)
 };
 
 enum class DefectKind {
   unwelded_vertices,         ///< an STL's corners: welded where their coordinates are equal (-0 equals 0)
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
-  degenerate_faces,          ///< fewer than three corners are left once repeated ones are taken out: removed
+  degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
   inconsistent_orientation,  ///< flipped, so that each component follows the majority of its faces
   nonmanifold_edges,         ///< three or more faces: cut apart
-  nonmanifold_vertices,      ///< several fans of faces at a vertex that is on no such edge: cut apart
+  nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart
   unused_vertices,           ///< in no face: removed
-  dropped_components,        ///< all but the largest, where the policy asks for it: no defect of the file
+  dropped_components,        ///< all but the largest, under DefectPolicy::largest: no defect of the file
 };
 
-/// The kind in words for reports: "nonmanifold_edges".
+/// The kind's name in reports, such as "nonmanifold_edges".
 std::string_view name_of(DefectKind kind);
 
 struct Defect {
@@ -40,19 +40,19 @@ struct Defect {
   std::string message;      ///< one line: what, how many, where first, and what was done
 };
 
-/// What was wrong with a soup. Everything in it has been repaired.
+/// The defects that a soup had. All of them have been repaired.
 struct DefectReport {
   std::vector<Defect> defects;           ///< each kind at most once, those with a count above 0 only
   std::int64_t zero_area_faces = 0;      ///< triangles of three different points on one line: legal, kept
   std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
-  std::int64_t split_edges = 0;          ///< non-manifold edges that only a new midpoint could cut
-  std::vector<std::string> messages;     ///< for the user, one line each: notes of the reader and all of the above
+  std::int64_t split_edges = 0;          ///< non-manifold edges that could be cut only with a new midpoint
+  std::vector<std::string> messages;     ///< for the user, one line each: the reader's notes and all of the above
 
-  /// 0 where there is none of that kind.
+  /// Number of defects of one kind.
   std::int64_t count(DefectKind kind) const;
 };
 
-/// A mesh and where its elements come from.
+/// A mesh, and the elements of the soup that its elements come from.
 struct CheckedMesh {
   Mesh mesh;
   DefectReport defects;
@@ -65,21 +65,21 @@ struct CheckedMesh {
 ///
 /// Properties: (1) a soup of triangles without a defect becomes the mesh with the same vertices, faces and corners in
 /// the same order; (2) otherwise vertices and faces keep their order, and copies of cut vertices follow at the end; (3)
-/// no repair moves a vertex or takes away area: the points of the surface stay the same under `repair`; (4) a convex or
-/// concave polygon is cut into triangles of its own orientation, without new vertices, and where it can be along
-/// diagonals that are no edges yet.
+/// no repair moves a vertex or removes area: under `repair` the surface consists of the same points; (4) a polygon,
+/// convex or concave, is cut into triangles of its own orientation, without new vertices, and where possible along
+/// diagonals that are not edges yet.
 ///
-/// At an edge of three or more faces, neighbours round the edge stay together where the surface's inside is between
-/// them; the others are cut apart. So bodies that touch in an edge stay closed, and a fin comes off. Faces of zero area
-/// whose corners differ stay: to remove them would tear the surface.
+/// At an edge of three or more faces, two neighbours round the edge stay connected where the inside of the surface lies
+/// between them; the others are cut apart. So bodies that touch along an edge stay closed, and a fin is cut off. Faces
+/// of zero area with three different corners are kept, because without them the surface would have a hole.
 ///
-/// Throws Error{precondition} that names the first offending element, 0-based in the soup: under `error` any defect;
-/// under the others what no repair makes right: a component with one side only (a Moebius strip; under `largest` only
-/// where it is the largest), a polygon that crosses itself, coordinates beyond kLargestCoordinate or a mesh smaller
-/// than kSmallestExtent, nothing left. Cost: O(n log n) time for n corners, O(n) memory.
+/// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error` that is any
+/// defect. Under the others it is what can't be repaired: a component with one side only (a Moebius strip; under
+/// `largest` only if it is the largest), a polygon that crosses itself, a coordinate beyond kLargestCoordinate, a mesh
+/// smaller than kSmallestExtent, or no face left. Cost: O(n log n) time for n corners, O(n) memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair);
 
-/// Squared areas, products of four lengths, must neither overflow nor vanish in a double (1e308, 1e-308).
+/// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).
 inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units
 inline constexpr double kSmallestExtent = 1e-75;    ///< of the largest side of the bounding box, in mesh units
 

@@ -6,8 +6,8 @@
 
 namespace gvd {
 
-/// Unit normal of the surface at a point: that of the face at a point inside it, the mean of two at a point on an edge,
-/// the mean weighted by angles at a vertex. Zero where faces without area leave none. Cost: O(valence).
+/// Unit normal of the surface at a point: inside a face its normal, on an edge the mean of its two faces, at a vertex
+/// the mean of its faces weighted by their angles. Zero where all these faces have no area. Cost: O(valence).
 Vec3 surface_normal(const Mesh& mesh, const SurfacePoint& point);
 
 }  // namespace gvd

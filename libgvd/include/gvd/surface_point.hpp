@@ -24,8 +24,8 @@ struct SurfacePoint {
   bool operator==(const SurfacePoint&) const = default;
 };
 
-/// A barycentric coordinate at or below this is taken for 0. Dimensionless: a fraction of the triangle's height.
-/// Ten thousand units in the last place: far above the rounding of the coordinates, far below any length that matters.
+/// A barycentric coordinate at or below this becomes 0. Dimensionless: a fraction of the triangle's height. It is ten
+/// thousand units in the last place of 1: far above the rounding of the coordinates, far below any length that matters.
 inline constexpr double kBarycentricSnap = 1e-12;
 
 /// The point of face f with these coordinates, scaled to sum 1; those at or below kBarycentricSnap become exactly 0.
@@ -39,9 +39,9 @@ SurfacePoint vertex_point(const Mesh& mesh, VertexId v);
 /// The point (1 - t) from(h) + t to(h), in h's face. t in [0, 1].
 SurfacePoint edge_point(HalfedgeId h, double t);
 
-/// Two surface points count as one below this part of the bounding box's diagonal. Dimensionless: the rounding of a
-/// position is some 1e-15 of the box, and no distance on the mesh can be told from zero at a thousand times that. Far
-/// from the origin 1e-15 of the largest coordinate is more, and takes its place.
+/// Surface points closer than this part of the bounding box's diagonal coincide. Dimensionless. The rounding error of a
+/// position is about 1e-15 of the box, and this is a thousand times as much. Far from the origin the rounding error is
+/// larger: see `coincidence`.
 inline constexpr double kCoincidence = 1e-12;
 
 /// Position in mesh units.
@@ -56,7 +56,8 @@ HalfedgeId halfedge(const SurfacePoint& point);
 /// Whether the point lies on the mesh's boundary.
 bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point);
 
-/// The faces that contain the point: one, two on an edge inside the mesh, all round a vertex. Cost: O(their number).
+/// The faces that contain the point: one inside a face, two on an inner edge, all faces of a vertex. Cost: O(their
+/// number).
 std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point);
 
 /// The same point seen from the face with the smallest id that contains it: equal surface points compare equal.

@@ -6,10 +6,11 @@
 
 namespace gvd {
 
-/// The largest of many keys that only ever fall: a heap that learns of a fall when the item comes to its top.
+/// A heap that gives the largest of many keys, where keys may only decrease. A key is updated when its item reaches the
+/// top.
 ///
-/// An item's key in the heap is an upper bound, so the first top whose key is true is the largest of all. Among equal
-/// keys the least id comes first. Cost: O(log n) for each outdated key that comes up.
+/// The key in the heap is an upper bound of the true one, so the first top item whose key is up to date is the largest
+/// of all. Among equal keys the smallest id comes first. Cost: O(log n) for each outdated key that reaches the top.
 class LazyMaxHeap {
  public:
   struct Item {
@@ -18,7 +19,7 @@ class LazyMaxHeap {
     bool operator<(const Item& other) const { return key < other.key || (key == other.key && id > other.id); }
   };
 
-  /// Holds the ids [0, count). `key(id)` gives the true key.
+  /// Inserts the ids 0 .. count - 1. `key(id)` is the current key of an item.
   template <class Key>
   LazyMaxHeap(std::int32_t count, Key key) {
     items_.reserve(static_cast<std::size_t>(count));

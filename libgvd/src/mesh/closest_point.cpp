@@ -12,8 +12,8 @@ namespace gvd {
 namespace {
 
 constexpr std::int32_t kLeafFaces = 4;
-/// A box is skipped where it is farther than the best face by this part of the distance: far above the rounding of the
-/// two distances (some ten units in the last place), so that no closer face is ever skipped. Dimensionless.
+/// A box is skipped if it is farther than the best face by more than this part of the distance. Dimensionless. Far
+/// above the rounding of the two distances (about ten units in the last place), so that no closer face is ever skipped.
 constexpr double kPruneSlack = 1e-12;
 
 struct Candidate {
@@ -35,7 +35,7 @@ Candidate closest_on_edge(const std::array<Vec3, 3>& corners, std::size_t from, 
   return candidate;
 }
 
-/// The foot of the perpendicular, where it lies inside; infinitely far otherwise.
+/// The foot of the perpendicular if it lies inside the triangle; otherwise a candidate at infinite distance.
 Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) {
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double square = normal.squaredNorm();
@@ -130,7 +130,8 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   best.distance = std::numeric_limits<double>::infinity();
   if (query.allFinite() && !nodes_.empty()) visit(0, query, best);
   if (!best.point.face.valid()) {
-    throw Error(ErrorCode::precondition, "a point is too far from the surface for its distance to be a number");
+    throw Error(ErrorCode::precondition,
+                "a point is too far from the surface for a finite distance; check its coordinates");
   }
   return best;
 }

@@ -7,11 +7,12 @@
 
 namespace gvd {
 
-/// A position is rounded by up to half of this part of its largest coordinate (2^-53), and the difference of two by
-/// four and a half times as much: points so near to each other can't be told apart far from the origin.
+/// Positions closer than this part of the largest coordinate can't be told apart. Dimensionless. One position is
+/// rounded by up to 2^-53 of its largest coordinate, and the distance of two by up to nine times as much.
 inline constexpr double kPositionRounding = 1e-15;
 
-/// Generators closer than this coincide, mesh units.
+/// Generators closer than this coincide, in mesh units: a part of the bounding box's diagonal, or, far from the origin,
+/// the rounding error of positions.
 inline double coincidence(const Mesh& mesh) {
   return std::max(kCoincidence * mesh.bbox_diagonal(), kPositionRounding * mesh.largest_coordinate());
 }

@@ -137,7 +137,7 @@ void Mesh::measure() {
   largest_coordinate_ = std::max(high.maxCoeff(), -low.minCoeff());
 }
 
-// stableNorm: the squares of very large or very small coordinates neither overflow nor vanish.
+// stableNorm scales first, so that the squares of very large or very small coordinates neither overflow nor underflow.
 void Mesh::measure_face(FaceId f) {
   const auto& [a, b, c] = vertices(f);
   const Vec3 ab = position(b) - position(a), bc = position(c) - position(b), ca = position(a) - position(c);

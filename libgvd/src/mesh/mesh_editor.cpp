@@ -25,7 +25,7 @@ void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) {
   mesh_.measure_face(f);
 }
 
-void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
+void MeshEditor::link(HalfedgeId h, HalfedgeId t, EdgeId e) {
   mesh_.twin_[h] = t;
   mesh_.halfedge_edge_[h] = e;
   mesh_.edge_halfedge_[e] = h;
@@ -35,7 +35,7 @@ void MeshEditor::glue(HalfedgeId h, HalfedgeId t, EdgeId e) {
   }
 }
 
-void MeshEditor::anchor(VertexId v, HalfedgeId h) {
+void MeshEditor::set_halfedge(VertexId v, HalfedgeId h) {
   const HalfedgeId start = h;
   for (HalfedgeId before = previous_outgoing(mesh_, h); before.valid(); before = previous_outgoing(mesh_, h)) {
     h = before;
@@ -54,16 +54,16 @@ VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {
   set_face(f, a, b, v);
   set_face(g, b, c, v);
   set_face(k, c, a, v);
-  glue(Mesh::halfedge(g, 0), twin_bc, edge_bc);
-  glue(Mesh::halfedge(k, 0), twin_ca, edge_ca);
+  link(Mesh::halfedge(g, 0), twin_bc, edge_bc);
+  link(Mesh::halfedge(k, 0), twin_ca, edge_ca);
   const std::array<EdgeId, 3> spokes{add_edge(), add_edge(), add_edge()};
-  glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), spokes[0]);
-  glue(Mesh::halfedge(g, 1), Mesh::halfedge(k, 2), spokes[1]);
-  glue(Mesh::halfedge(k, 1), Mesh::halfedge(f, 2), spokes[2]);
-  anchor(v, Mesh::halfedge(f, 2));
-  anchor(a, ab);
-  anchor(b, Mesh::halfedge(g, 0));
-  anchor(c, Mesh::halfedge(k, 0));
+  link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), spokes[0]);
+  link(Mesh::halfedge(g, 1), Mesh::halfedge(k, 2), spokes[1]);
+  link(Mesh::halfedge(k, 1), Mesh::halfedge(f, 2), spokes[2]);
+  set_halfedge(v, Mesh::halfedge(f, 2));
+  set_halfedge(a, ab);
+  set_halfedge(b, Mesh::halfedge(g, 0));
+  set_halfedge(c, Mesh::halfedge(k, 0));
   return v;
 }
 
@@ -82,10 +82,10 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
     const FaceId g = add_face();
     set_face(f, p, v, r);
     set_face(g, v, q, r);
-    glue(Mesh::halfedge(f, 2), twin_rp, edge_rp);
-    glue(Mesh::halfedge(g, 1), twin_qr, edge_qr);
+    link(Mesh::halfedge(f, 2), twin_rp, edge_rp);
+    link(Mesh::halfedge(g, 1), twin_qr, edge_qr);
     const EdgeId edge_vr = add_edge();
-    glue(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
+    link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
     return std::pair(Mesh::halfedge(f, 0), Mesh::halfedge(g, 0));
   };
   const VertexId c = mesh_.opposite(h);
@@ -93,13 +93,13 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
   const auto [av, vb] = split_side(h, a, b);
   HalfedgeId va, bv;
   if (t.valid()) std::tie(bv, va) = split_side(t, b, a);
-  glue(av, va, edge_av);
-  glue(vb, bv, edge_vb);
-  anchor(v, vb);
-  anchor(a, av);
-  anchor(b, Mesh::next(vb));
-  anchor(c, Mesh::previous(av));
-  if (d.valid()) anchor(d, Mesh::previous(bv));
+  link(av, va, edge_av);
+  link(vb, bv, edge_vb);
+  set_halfedge(v, vb);
+  set_halfedge(a, av);
+  set_halfedge(b, Mesh::next(vb));
+  set_halfedge(c, Mesh::previous(av));
+  if (d.valid()) set_halfedge(d, Mesh::previous(bv));
   return v;
 }
 
@@ -117,15 +117,15 @@ void MeshEditor::flip_edge(HalfedgeId h) {
   const EdgeId diagonal = mesh_.edge(h);
   set_face(f, d, b, c);
   set_face(g, c, a, d);
-  glue(Mesh::halfedge(f, 0), side_db.twin, side_db.edge);
-  glue(Mesh::halfedge(f, 1), side_bc.twin, side_bc.edge);
-  glue(Mesh::halfedge(g, 0), side_ca.twin, side_ca.edge);
-  glue(Mesh::halfedge(g, 1), side_ad.twin, side_ad.edge);
-  glue(Mesh::halfedge(f, 2), Mesh::halfedge(g, 2), diagonal);
-  anchor(a, Mesh::halfedge(g, 1));
-  anchor(b, Mesh::halfedge(f, 1));
-  anchor(c, Mesh::halfedge(g, 0));
-  anchor(d, Mesh::halfedge(f, 0));
+  link(Mesh::halfedge(f, 0), side_db.twin, side_db.edge);
+  link(Mesh::halfedge(f, 1), side_bc.twin, side_bc.edge);
+  link(Mesh::halfedge(g, 0), side_ca.twin, side_ca.edge);
+  link(Mesh::halfedge(g, 1), side_ad.twin, side_ad.edge);
+  link(Mesh::halfedge(f, 2), Mesh::halfedge(g, 2), diagonal);
+  set_halfedge(a, Mesh::halfedge(g, 1));
+  set_halfedge(b, Mesh::halfedge(f, 1));
+  set_halfedge(c, Mesh::halfedge(g, 0));
+  set_halfedge(d, Mesh::halfedge(f, 0));
 }
 
 }  // namespace gvd

@@ -4,20 +4,21 @@
 
 namespace gvd {
 
-/// Splits faces and edges and flips edges of a mesh in place: the only code that changes a built mesh.
+/// Splits faces and edges and flips edges of a mesh in place. The only code that changes a built mesh.
 ///
-/// Ids of untouched faces, edges and vertices stay. New faces, edges and vertices are appended; a split face or edge
-/// keeps its id for one of its parts. Every operation costs O(1).
+/// Faces, edges and vertices that an operation does not touch keep their ids. New ones are appended. A face or edge
+/// that is split keeps its id for one of its parts. Every operation costs O(1), and O(valence) at boundary vertices.
 class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Puts a vertex at `position` inside f = (a, b, c): f becomes (a, b, v); (b, c, v) and (c, a, v) are appended in
-  /// this order.
+  /// Inserts a vertex v at `position` into f = (a, b, c): f becomes (a, b, v), and (b, c, v) and (c, a, v) are appended
+  /// in this order.
   VertexId split_face(FaceId f, const Vec3& position);
 
-  /// Puts a vertex on the edge of h, from a to b. h's face (a, b, c), rotated to begin at a, becomes (a, v, c), and
-  /// (v, b, c) is appended; the twin's face (b, a, d) becomes (b, v, d), and (v, a, d) is appended after it.
+  /// Inserts a vertex v at `position` into the edge of h, which runs from a to b. h's face (a, b, c), rotated to begin
+  /// at a, becomes (a, v, c), and (v, b, c) is appended; the twin's face (b, a, d) becomes (b, v, d), and (v, a, d) is
+  /// appended after it.
   VertexId split_edge(HalfedgeId h, const Vec3& position);
 
   /// Replaces the diagonal a-b of the quadrilateral a, d, b, c by d-c, where h runs from a to b in (a, b, c) and its
@@ -29,10 +30,10 @@ class MeshEditor {
   EdgeId add_edge();
   VertexId add_vertex(const Vec3& position);
   void set_face(FaceId f, VertexId a, VertexId b, VertexId c);
-  /// Makes h and t (may be invalid) the two sides of edge e.
-  void glue(HalfedgeId h, HalfedgeId t, EdgeId e);
-  /// Points the vertex at halfedge h, or, on the boundary, at the one whose predecessor round the vertex is missing.
-  void anchor(VertexId v, HalfedgeId h);
+  /// Makes h and t the two halfedges of edge e. On the boundary t is invalid.
+  void link(HalfedgeId h, HalfedgeId t, EdgeId e);
+  /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it.
+  void set_halfedge(VertexId v, HalfedgeId h);
 
   Mesh& mesh_;
 };

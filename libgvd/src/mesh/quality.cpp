@@ -7,8 +7,8 @@
 namespace gvd {
 namespace {
 
-/// An angle counts as below 30 degrees when it misses them by more than this. In degrees: the angles of a mesh whose
-/// coordinates hold 12 digits miss by about 1e-10, and a regular mesh must not be counted by its rounding.
+/// An angle counts as below 30 degrees if it is smaller by more than this. In degrees. With coordinates of 12 digits an
+/// angle of 30 degrees is off by about 1e-10, and the triangles of a regular mesh must not count.
 constexpr double kAngleSlack = 1e-9;
 
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -12,7 +12,8 @@
 namespace gvd {
 namespace {
 
-/// How far given coordinates may miss: below 0 (rounding of a projection), and in their sum (six printed digits).
+/// How far given coordinates may lie below 0 (rounding of a projection), and how far their sum may differ from 1 (six
+/// printed digits). Dimensionless.
 constexpr double kNegativeSlack = 1e-9;
 constexpr double kSumSlack = 1e-6;
 

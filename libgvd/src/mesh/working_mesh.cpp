@@ -15,15 +15,15 @@
 namespace gvd {
 namespace {
 
-/// A new point with a barycentric coordinate below this in its triangle splits the edge instead: the triangle that a
-/// face split would leave there would have an angle of about this many radians.
+/// A new point with a barycentric coordinate below this in its triangle splits the edge instead of the face. A split of
+/// the face would leave a triangle with an angle of about this many radians.
 constexpr double kOnEdge = 1e-9;
 
-/// A flip must gain more than this, relative to the fourth power of the edge lengths, so that rounding can't flip
-/// forever.
+/// A flip must gain more than this, relative to the product of four edge lengths, so that rounding can't cause endless
+/// flips. Dimensionless.
 constexpr double kFlipGain = 1e-10;
 
-/// Progress is reported once in so many generators that are inserted.
+/// Number of inserted generators between two reports of progress.
 constexpr std::size_t kProgressStride = 1 << 6;
 
 /// Twice the signed area of a, b, c in the affine plane of the first two barycentric coordinates. `affine_point` takes
@@ -60,7 +60,7 @@ struct EdgeInsertion {
   GeneratorId generator;
 };
 
-/// The generators on edges, edge by edge, and on each from the beginning of its first halfedge to the end.
+/// The generators on edges, sorted by edge, and on each edge from the beginning of its first halfedge to the end.
 std::vector<EdgeInsertion> sort_along_edges(const Mesh& input, const std::vector<GeneratorId>& ids,
                                             const std::vector<SurfacePoint>& generators) {
   std::vector<EdgeInsertion> insertions;
@@ -166,7 +166,7 @@ Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
 
 void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
                                   const Progress& progress) {
-  HalfedgeId current, rest;  // the input's halfedge at work, and the part of it that is not split yet
+  HalfedgeId current, rest;  // the input's halfedge at work, and the copy's for the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
   for (const auto& [h, t, g] : sort_along_edges(*input_, ids, generators)) {
@@ -177,7 +177,7 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
       done = 0;
     }
     const Vec3 p = position(*input_, edge_point(h, t));
-    // The input's own corners too: where other edges were split first, they are opposite to `rest` no more.
+    // The input's corners are tested too: after splits of other edges they need not be opposite to `rest` any more.
     const VertexId corner = vertex_at(copy_, p, rest), v = corner.valid() ? corner : vertex_at(*input_, p, h);
     if (v.valid()) {
       claim(v, g);
@@ -197,9 +197,8 @@ void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std
   make_delaunay(touched);
 }
 
-/// The corner, of the faces on both sides of h, that lies at the point p of its edge; invalid where none does. In a
-/// face without area the corner opposite to an edge can lie on it: to split the edge there would give an edge without
-/// length.
+/// The corner of the two faces at h that coincides with the point p of its edge; invalid where none does. In a face
+/// without area the corner opposite to an edge can lie on the edge: a split there would leave an edge of length 0.
 VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const {
   const HalfedgeId twin = mesh.twin(h);
   const VertexId beyond = twin.valid() ? mesh.opposite(twin) : mesh.from(h);
@@ -209,8 +208,8 @@ VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) c
   return VertexId();
 }
 
-/// The copy's halfedge that stands for the input's halfedge h, none of whose edge is split yet: splits of other edges
-/// may have put it into another child of its face.
+/// The copy's halfedge for the input's halfedge h, whose own edge is not split yet. Splits of other edges may have
+/// moved it to another child of its face.
 HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
   const VertexId from = input_->from(h), to = input_->to(h);
   HalfedgeId found = h;
@@ -244,7 +243,7 @@ std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const V
 void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<GeneratorId>& ids,
                                  const std::vector<SurfacePoint>& generators, const Progress& progress) {
   std::vector<FaceId> children{parent_face};
-  // Children that earlier edge splits appended: reachable across edges inside the parent.
+  // Earlier splits of edges may have appended children: they are found across the edges inside the parent.
   for (std::size_t i = 0; i < children.size(); ++i) {
     for (int corner = 0; corner < 3; ++corner) {
       const HalfedgeId twin = copy_.twin(Mesh::halfedge(children[i], corner));
@@ -292,7 +291,7 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
   children.insert(children.end(), {appended, last});
 }
 
-// Lawson's flips, inside parents only: the edges of the input stay, so the surface does.
+// Lawson's edge flips, inside parents only. The edges of the input stay, so the surface does not change.
 void WorkingMesh::make_delaunay(const std::vector<FaceId>& children) {
   std::vector<HalfedgeId> stack;
   for (const FaceId f : children) {
@@ -321,7 +320,7 @@ bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
   if (signed_area(d, b, c) <= 0 || signed_area(c, a, d) <= 0) return false;
   const auto at = [&](const Bary& bary) { return position(*input_, {parent_face, bary}); };
   const Vec3 ca = at(a) - at(c), cb = at(b) - at(c), da = at(a) - at(d), db = at(b) - at(d);
-  // sin(angle c + angle d) < 0, times the four lengths: the two angles opposite the edge exceed pi.
+  // The edge is not Delaunay if the two opposite angles sum to more than pi: sin(c + d) < 0, times four lengths.
   const double gain = -(ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb));
   if (gain <= kFlipGain * ca.norm() * cb.norm() * da.norm() * db.norm()) return false;
   MeshEditor(copy_).flip_edge(h);

@@ -12,14 +12,13 @@ namespace gvd {
 
 /// A copy of a mesh in which every generator is a vertex.
 ///
-/// Generators inside a face or on an edge split it; the surface itself does not change. Then every generator owns a
-/// vertex, no cell can hide inside a face, and the labels that run round a face's boundary tell all about its inside.
-/// Where all generators lie on vertices, the copy is the input itself and nothing is allocated.
+/// Generators inside a face or on an edge split it. The surface itself does not change. So every generator has a
+/// vertex, no cell lies entirely inside a face, and the labels on the boundary of a face determine the cells inside it.
+/// Where all generators lie on vertices, the input itself is used and no mesh is copied.
 class WorkingMesh {
  public:
   /// Throws Error{precondition} where a generator's face does not exist or two generators coincide (both are named).
-  /// Reports the step "working mesh". Cost: O(n) to copy; k generators in one face cost O(k^2) in the worst case, O(k)
-  /// on an average.
+  /// Reports the step "working mesh". Cost: O(n) for the copy; k generators in one face cost O(k^2) at worst.
   WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress = {});
 
   const Mesh& mesh() const { return split_ ? copy_ : *input_; }
@@ -58,12 +57,12 @@ class WorkingMesh {
   bool split_ = false;
   Mesh copy_;
   IdVector<FaceId, FaceId> parent_;
-  IdVector<FaceId, std::int32_t> child_slot_;  // -1: the face is whole
+  IdVector<FaceId, std::int32_t> child_slot_;  // into child_corners_; -1 for a face that is not split
   std::vector<Corners> child_corners_;
   IdVector<GeneratorId, VertexId> generator_vertex_;
   IdVector<VertexId, GeneratorId> vertex_generator_;
   double coincidence_ = 0;    // mesh units
-  std::size_t inserted_ = 0;  // generators so far, but for those on vertices
+  std::size_t inserted_ = 0;  // generators inserted so far, without those on vertices
 };
 
 }  // namespace gvd

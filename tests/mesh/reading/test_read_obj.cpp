@@ -20,7 +20,7 @@ TEST_CASE("OBJ: corners with texture and normal, negative indices, quads") {
   }
 }
 
-TEST_CASE("OBJ: line ends, continued lines, comments, statements that are passed over") {
+TEST_CASE("OBJ: line ends, continued lines, comments, statements that are skipped") {
   const std::vector<std::int32_t> triangle{0, 1, 2};
   CHECK(parse("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n").corners == triangle);
   CHECK(parse("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3").corners == triangle);

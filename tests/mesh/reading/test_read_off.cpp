@@ -9,7 +9,7 @@ PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat:
 
 }  // namespace
 
-TEST_CASE("OFF: a tetrahedron, however its header looks") {
+TEST_CASE("OFF: a tetrahedron, with every form of the header") {
   require_tetrahedron(parse(kOff));
   const std::string body = kOff.substr(kOff.find("0 0 0"));
   for (const std::string header :
@@ -20,14 +20,14 @@ TEST_CASE("OFF: a tetrahedron, however its header looks") {
   }
 }
 
-TEST_CASE("OFF: colours of vertices and faces are read over") {
+TEST_CASE("OFF: colours of vertices and faces are skipped") {
   const PolygonSoup soup =
       parse("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n\n# between\n0 1 0 1 1 1 1\n3 0 1 2 0.5 1 1");
   CHECK(soup.positions[2] == Vec3(0, 1, 0));
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
 }
 
-TEST_CASE("OFF: a vertex or a face may go on in the next lines") {
+TEST_CASE("OFF: a vertex or a face may continue on the next lines") {
   const PolygonSoup soup =
       parse("OFF\n4 2 0\n0 0\n0\n1 0 0 255 0 0 255\n1\n# between\n\n1 # y\n0\n0 1 0\n4 0 1\n 2 3 # last\n3\n0\n1\n2");
   CHECK(soup.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
@@ -44,13 +44,13 @@ TEST_CASE("OFF: bad bytes are refused with their line") {
   const auto refused = [](const std::string& bytes, const std::string& part) {
     require_refused(bytes, MeshFormat::off, part);
   };
-  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "file:5: vertex 2 has too few numbers, or goes on to line 6");
+  refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n", "file:5: vertex 2 has too few numbers, or continues on line 6");
   refused("OFF\n3 1 0\n0.0 0 0\n1 0 0\n0 1\n", "ends after line 5, and coordinate z is missing");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "file:6: face 0 refers to vertex 3, and there are 3");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "file:6: face 0 refers to vertex -1");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "ends after line 6, and a corner of the face is missing");
   refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2 1 0\n",
-          "file:6: face 0 has too few numbers, or goes on to line 7");
+          "file:6: face 0 has too few numbers, or continues on line 7");
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "file:6: face 0 has -3 corners");
   refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after line 6, and face 1 of 2 is missing");
   refused("OFF\n3 1 0\n0.0 0 0\n10.0 0 0\n", "ends after line 4, and vertex 2 of 3 is missing");
@@ -61,7 +61,7 @@ TEST_CASE("OFF: bad bytes are refused with their line") {
   refused("OFF\n", "the counts of vertices and faces are missing");
   refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "3 vertices and no face");
   refused("OFF BINARY\n", "binary OFF");
-  refused("4OFF\n1 1 0\n", "outside three dimensions");
+  refused("4OFF\n1 1 0\n", "not three-dimensional");
   refused("ply\n", "file:1: the first line of an OFF file should be OFF, and is 'ply'");
   refused("# only\n", "holds no OFF header");
   require_refused("OFF\n1 1 0\nnan 0 0\n1 0\n", MeshFormat::off, "file:3: coordinate x of vertex 0",

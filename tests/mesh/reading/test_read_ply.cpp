@@ -37,7 +37,7 @@ TEST_CASE("PLY: line ends of the header") {
   }
 }
 
-TEST_CASE("PLY: other elements, properties and lists are read over") {
+TEST_CASE("PLY: other elements, properties and lists are skipped") {
   const std::string bytes =
       "ply\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty list uint8 float32 numbers\nproperty int id\n"
       "element vertex 3\nproperty uchar red\nproperty double z\nproperty list uchar int tags\nproperty float64 y\n"
@@ -50,7 +50,7 @@ TEST_CASE("PLY: other elements, properties and lists are read over") {
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
 }
 
-TEST_CASE("PLY: an element may go on in the next lines") {
+TEST_CASE("PLY: an element may continue on the next lines") {
   std::string wrapped = kPly;
   for (std::size_t at = kPly.find("end_header\n") + 11; at < wrapped.size(); ++at) {
     if (wrapped[at] == ' ') wrapped[at] = '\n';
@@ -60,10 +60,10 @@ TEST_CASE("PLY: an element may go on in the next lines") {
   require_tetrahedron(parse(replaced(kPly, "3 0 3 1", "3 0\r\n3 1")));
   require_refused(replaced(wrapped, "3\n0\n3\n1", "3\n0\n9\n1"), MeshFormat::ply, "face 1 refers to vertex 9");
   require_refused(wrapped.substr(0, wrapped.size() - 2), MeshFormat::ply,
-                  "announces 3 entries, and there is room for 2");
+                  "should have 3 entries, and the file has room for 2");
 }
 
-TEST_CASE("PLY: lists in binary files are read over") {
+TEST_CASE("PLY: lists in binary files are skipped") {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty list ushort double extra\nproperty float x\n"
       "property float y\nproperty float z\nelement face 1\nproperty list int ushort vertex_indices\nend_header\n";
@@ -100,19 +100,19 @@ TEST_CASE("PLY: bad headers are refused with their line") {
   require_refused("ply\nformat ascii 1.0\n", MeshFormat::ply, "ends after line 2, and end_header is missing");
 }
 
-TEST_CASE("PLY: bad data are refused with their place") {
+TEST_CASE("PLY: bad data are refused with their line") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     require_refused(replaced(kPly, from, to), MeshFormat::ply, part);
   };
-  refused("1 0 1\n", "1 0\n", "file:13: vertex 2 has too few numbers, or goes on to line 14");
+  refused("1 0 1\n", "1 0\n", "file:13: vertex 2 has too few numbers, or continues on line 14");
   refused("1 0 1\n", "1 0 1 1\n", "file:13: vertex 2 has '1' too many");
   refused("1 0 1\n", "1 zero 1\n", "file:13: y is 'zero', and should be a number");
   refused("3 0 3 1", "3 0 4 1", "file:16: face 1 refers to vertex 4, and there are 4");
   refused("3 0 3 1", "3 0 -1 1", "file:16: face 1 refers to vertex -1");
   refused("3 0 3 1", "3 0 1.5 1", "file:16: face 1 refers to vertex 1.5");
-  refused("3 0 3 1", "-3 0 3 1", "file:16: the list 'vertex_indices' announces -3 entries");
+  refused("3 0 3 1", "-3 0 3 1", "file:16: the list 'vertex_indices' should have -3 entries");
   refused("3 0 3 1", "4000000000 0 3 1",
-          "file:16: the list 'vertex_indices' announces 4000000000 entries, and there is room");
+          "file:16: the list 'vertex_indices' should have 4000000000 entries, and the file has room");
   refused("face 4", "face 5", "the file ends after line 18, and face 4 of 5 is missing");
   refused("face 4", "face 4000000000", "promises 4000000000 of element 'face'");
   refused("face 4", "face 0", "no face");

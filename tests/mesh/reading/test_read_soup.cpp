@@ -71,7 +71,7 @@ struct CommaNumbers : std::numpunct<char> {
 
 }  // namespace
 
-TEST_CASE("the format is told by content before the extension") {
+TEST_CASE("the format is detected by content first, then by extension") {
   for (const auto& [format, bytes] : samples()) {
     for (const std::string name : {"a.obj", "a.OFF", "a.ply", "a.stl", "a", "a.b/c", "a.txt"}) {
       INFO(name << " " << name_of(format));
@@ -87,12 +87,13 @@ TEST_CASE("the format is told by content before the extension") {
   CHECK_FALSE(format_from_extension("step").has_value());
 }
 
-TEST_CASE("files are read whatever their extension says, or refused in true words") {
+TEST_CASE("files are read whatever their extension, and refused with the reason") {
   for (const auto& [format, bytes] : samples()) require_tetrahedron(read_soup(TemporaryFile("a.off", bytes).path()));
   const TemporaryFile file("a.off", kPly);
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
-  require_file_refused(TemporaryFile("a.txt", "hello\n").path(), "this is no OBJ, PLY, OFF or STL file");
+  require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
+                       "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file");
   require_file_refused(TemporaryFile("a.off", "hello\n").path(), "should be OFF, and is 'hello'");
   require_file_refused(file.folder(), "directory");
   require_file_refused(file.folder() / "missing.off", "there is no such file");

@@ -23,7 +23,7 @@ TEST_CASE("STL: a tetrahedron, text and binary, welded to four vertices") {
   }
 }
 
-TEST_CASE("STL: a binary file may start with solid and carry bytes behind") {
+TEST_CASE("STL: a binary file may start with solid and have extra bytes at the end") {
   std::string bytes = binary_stl();
   bytes.replace(0, 5, "solid");
   require_tetrahedron(parse_soup(bytes, MeshFormat::stl, "file"));
@@ -39,7 +39,7 @@ TEST_CASE("STL: upper case, several solids, no name") {
   require_tetrahedron(parse_soup("\n solid\nendsolid\n" + kStl, MeshFormat::stl, "file"));
 }
 
-TEST_CASE("STL: bad bytes are refused with their place") {
+TEST_CASE("STL: bad bytes are refused with their line or byte") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     require_refused(replaced(kStl, from, to), MeshFormat::stl, part);
   };

@@ -128,7 +128,7 @@ TEST_CASE("unwelded: equal coordinates are one vertex, and -0 is 0") {
   CHECK(checked.mesh_vertex[3] == checked.mesh_vertex[2]);
 }
 
-TEST_CASE("zero-length edge: its ends are welded and the surface stays closed up") {
+TEST_CASE("zero-length edge: its ends are welded, and the surface stays closed") {
   // Two triangles joined by a collapsed quad: the edge 1-4 has length 0.
   const PolygonSoup soup =
       make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 4, 2}, {4, 3, 2}});
@@ -162,7 +162,7 @@ TEST_CASE("three points on a line are legal and counted") {
   CHECK(checked.defects.zero_area_faces == 1);
 }
 
-TEST_CASE("duplicate faces go, in either direction") {
+TEST_CASE("duplicate faces are removed, in either direction") {
   CHECK(require_repaired(points_soup(4, {{0, 1, 2}, {0, 3, 1}, {1, 2, 0}}), DefectKind::duplicate_faces, 1, 2)
             .mesh.face_count() == 2);
   CHECK(
@@ -172,7 +172,7 @@ TEST_CASE("duplicate faces go, in either direction") {
         1);
 }
 
-TEST_CASE("two faces back to back are a closed surface and stay") {
+TEST_CASE("two faces back to back are a closed surface and are kept") {
   const CheckedMesh checked = build_mesh(points_soup(3, {{0, 1, 2}, {0, 2, 1}}), DefectPolicy::error);
   CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 2);
   const CheckedMesh quads =
@@ -192,7 +192,7 @@ TEST_CASE("orientation: the minority of each component is flipped") {
   CHECK(two.mesh.vertices(FaceId(0)) == std::array{VertexId(0), VertexId(1), VertexId(2)});
 }
 
-TEST_CASE("a surface with one side is refused, unless it is dropped") {
+TEST_CASE("a surface with one side is refused, unless its component is dropped") {
   PolygonSoup soup = make_band(9, true);
   require_refused(soup, "the component of face 0 has only one side", 0);
   require_refused(soup, "the largest component, that of face 0, has only one side", 0, DefectPolicy::largest);
@@ -201,7 +201,7 @@ TEST_CASE("a surface with one side is refused, unless it is dropped") {
   CHECK(compute_mesh_summary(build_mesh(make_band(9, false)).mesh).boundary_loops == 2);
 }
 
-TEST_CASE("an edge of three faces: the fin comes off, the closed body stays closed") {
+TEST_CASE("an edge of three faces: the fin is cut off, and the closed body stays closed") {
   PolygonSoup soup = make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, -1, -1}},
                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 1, 4}});
   const CheckedMesh checked = require_repaired(soup, DefectKind::nonmanifold_edges, 1, 0);
@@ -223,7 +223,7 @@ TEST_CASE("a vertex that joins two fans is cut") {
   CHECK(checked.input_vertex[VertexId(5)] == 0);
 }
 
-TEST_CASE("unused vertices are dropped and the maps say so") {
+TEST_CASE("unused vertices are dropped, and the maps from input to mesh show it") {
   const CheckedMesh checked = require_repaired(points_soup(5, {{1, 2, 4}}), DefectKind::unused_vertices, 2, 0);
   CHECK(checked.mesh_vertex == std::vector<VertexId>{VertexId(), VertexId(0), VertexId(1), VertexId(), VertexId(2)});
   CHECK(checked.input_vertex.raw() == std::vector<std::int32_t>{1, 2, 4});
@@ -242,7 +242,7 @@ TEST_CASE("largest: the component with the largest area, of equals the first") {
   CHECK(build_mesh(twins, DefectPolicy::largest).input_polygon[FaceId(0)] == 0);
 }
 
-TEST_CASE("soups that no repair makes right are refused with the first element") {
+TEST_CASE("soups that can't be repaired are refused with the first element") {
   PolygonSoup soup = points_soup(3, {{0, 1, 2}});
   soup.positions[1].x() = NAN;
   require_refused(soup, "vertex 1 has a coordinate that is not finite", 1);

@@ -131,7 +131,7 @@ TEST_CASE("polygons that are not flat") {
   CHECK(hexagon.mesh.face_count() == 4);
 }
 
-TEST_CASE("polygons on a line have no area and stay") {
+TEST_CASE("polygons on a line have no area and are kept") {
   const auto checked = build_mesh(one_polygon({{0, 0, 0}, {1, 1, 0}, {3, 3, 0}, {2, 2, 0}}));
   CHECK(checked.mesh.face_count() == 2);
   CHECK(checked.defects.zero_area_faces == 2);
@@ -147,7 +147,7 @@ TEST_CASE("polygons that cross themselves are refused") {
   require_refused(one_polygon(pentagram), "crosses itself");
 }
 
-TEST_CASE("no diagonal doubles an edge: quads all round a ring of three") {
+TEST_CASE("no diagonal duplicates an edge: three quads in a ring") {
   PolygonSoup soup;
   for (const double z : {0.0, 1.0}) {
     for (const auto& [x, y] : {std::pair(0., 0.), std::pair(1., 0.), std::pair(0., 1.)})

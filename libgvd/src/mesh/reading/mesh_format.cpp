@@ -20,7 +20,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-// The first word of the first line that is neither blank nor a comment. Looks at the first megabyte only.
+// The first word of the first line that is neither blank nor a comment, within the first megabyte.
 std::string first_word(std::string_view bytes) {
   TextReader text(bytes.substr(0, 1 << 20), "", true);
   return text.next_content_line() ? std::string(text.token()) : std::string();

@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-// A face that names a vertex which the file has not given yet: legal where it comes later.
+// A face that refers to a vertex which comes later in the file. That is legal.
 struct ForwardReference {
   std::int64_t polygon, index, line;
 };
@@ -17,7 +17,7 @@ struct ForwardReference {
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, std::string_view name) : text_(bytes, name, true) {
-    // A vertex line has about 30 bytes and a face line about 20 at least; growth takes care of the rest.
+    // A vertex line has at least about 30 bytes, a face line about 20. The vectors grow where this is too little.
     soup_.positions.reserve(bytes.size() / 100);
     soup_.corners.reserve(bytes.size() / 20);
     soup_.first_corner.reserve(bytes.size() / 60);

@@ -16,7 +16,8 @@ class OffParser {
     read_header();
     for (std::int64_t v = 0; v < vertices_; ++v) {
       if (!text_.begin_element()) refuse_end("vertex", v, vertices_);
-      soup_.positions.push_back(text_.position(v));  // what follows on the line is a normal, colour or texture
+      soup_.positions.push_back(
+          text_.position(v));  // the rest of the line is a normal, a colour or a texture coordinate
       text_.end_element("vertex", v);
     }
     for (std::int64_t f = 0; f < faces_; ++f) {
@@ -29,7 +30,7 @@ class OffParser {
   }
 
  private:
-  // The keyword may be missing, and the counts may stand on its line.
+  // The keyword is optional, and the counts may follow on its line.
   void read_header() {
     if (!text_.next_content_line()) text_.refuse_end("and holds no OFF header");
     const std::string_view line = text_.line();
@@ -38,7 +39,7 @@ class OffParser {
       check_keyword(word);
       const std::string_view rest = text_.line();
       const std::string_view next = text_.token();
-      if (next == "BINARY") text_.refuse("binary OFF is not supported, convert the file to text");
+      if (next == "BINARY") text_.refuse("binary OFF is not supported; convert the file to text");
       if (!next.empty()) {
         text_.replace_line(rest);
       } else if (!text_.next_content_line()) {
@@ -58,12 +59,12 @@ class OffParser {
 
   void check_keyword(std::string_view word) const {
     if (word.find_first_of("4n") != std::string_view::npos) {
-      text_.refuse(fmt::format("{} has vertices outside three dimensions, and should be OFF", quoted(word)));
+      text_.refuse(fmt::format("{} has vertices that are not three-dimensional; it should be OFF", quoted(word)));
     }
   }
 
-  // The shortest vertex line, "0 0 0", and the shortest face line, "0", bound what the rest of the file can hold: the
-  // last one may lack its line break.
+  // The shortest lines of a vertex, "0 0 0", and of a face, "0", limit how many the rest of the file can hold. The last
+  // line may lack its line break.
   std::int64_t read_count(std::string_view what, std::size_t shortest_line) {
     const std::int64_t count = text_.integer(what);
     if (count < 0) text_.refuse(fmt::format("{} is {}", what, count));

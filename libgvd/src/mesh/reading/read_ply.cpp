@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-// Hands out the numbers of a text PLY: each element begins a line.
+// Reads the numbers of a text PLY. Each element begins a line.
 class AsciiSource {
  public:
   AsciiSource(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -23,11 +23,11 @@ class AsciiSource {
     text_.skip_line_numbers(header.lines);
   }
 
-  // The shortest element that these properties allow: a digit and a blank each.
+  // The fewest bytes that an element can have: a digit and a blank for each property.
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
   // The last element may lack its line break.
   std::uint64_t remaining() const { return text_.remaining() + 1; }
-  // For the entries of a list: a digit and a blank each, on the same line or later.
+  // Upper bound on the entries of a list: each has a digit and a blank, on this line or later.
   std::uint64_t most_entries() const { return (text_.line().size() + 1 + text_.remaining()) / 2; }
   void begin_element(const PlyElement& element, std::int64_t i) {
     if (element.properties.empty() || text_.begin_element()) return;
@@ -49,7 +49,7 @@ class AsciiSource {
   TextReader text_;
 };
 
-// Hands out the numbers of a binary PLY.
+// Reads the numbers of a binary PLY.
 class BinarySource {
  public:
   BinarySource(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -62,7 +62,7 @@ class BinarySource {
     return bytes;
   }
   std::uint64_t remaining() const { return bytes_.size() - at_; }
-  // For the entries of a list: a byte each at least.
+  // Upper bound on the entries of a list: each has at least one byte.
   std::uint64_t most_entries() const { return remaining(); }
   void begin_element(const PlyElement& element, std::int64_t i) { element_ = &element, index_ = i; }
   void end_element(const PlyElement&, std::int64_t) {}
@@ -135,7 +135,7 @@ class BodyParser {
       if (element.name == "vertex") vertices_ = element.count;
     }
     for (const PlyElement& element : header_.elements) {
-      check_room(element);
+      check_count(element);
       if (element.name == "vertex") {
         read_vertices(element);
       } else if (element.name == "face") {
@@ -148,7 +148,7 @@ class BodyParser {
   }
 
  private:
-  void check_room(const PlyElement& element) const {
+  void check_count(const PlyElement& element) const {
     const std::uint64_t least = Source::least_bytes(element);
     if (least == 0 || static_cast<std::uint64_t>(element.count) <= source_.remaining() / least) return;
     throw Error(ErrorCode::unreadable_input,
@@ -160,7 +160,7 @@ class BodyParser {
     throw Error(code, fmt::format("{}:{}: {}", name_, source_.place(), message), element);
   }
 
-  // Reads element i; properties for which take(index) is false are read over.
+  // Reads element i. take(p) reads property p and returns true; where it returns false, the property is skipped.
   template <class Take>
   void read_element(const PlyElement& element, std::int64_t i, Take take) {
     source_.begin_element(element, i);
@@ -177,7 +177,7 @@ class BodyParser {
     const double count = source_.read(*property.count_type, property);
     if (!(count >= 0) || count != std::floor(count) || count > static_cast<double>(source_.most_entries())) {
       refuse(ErrorCode::unreadable_input,
-             fmt::format("the list '{}' announces {} entries, and there is room for {}", property.name, count,
+             fmt::format("the list '{}' should have {} entries, and the file has room for {}", property.name, count,
                          source_.most_entries()),
              i);
     }

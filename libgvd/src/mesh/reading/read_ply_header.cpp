@@ -37,8 +37,7 @@ std::optional<PlyType> parse_type(std::string_view word) {
 
 class HeaderParser {
  public:
-  // The header's length in bytes decides where binary data begin, so its line ends are taken as the first line has
-  // them.
+  // Binary data begin right after the header, so its length must be exact: all its lines end as the first one does.
   HeaderParser(std::string_view bytes, std::string_view name)
       : text_(header_bytes(bytes), name, false), size_(header_bytes(bytes).size()) {}
 
@@ -146,9 +145,9 @@ class HeaderParser {
     }
     const auto face = find("face");
     if (face == none && find("tristrips") != none) {
-      text_.refuse("triangle strips (element 'tristrips') are not supported, save the mesh with faces");
+      text_.refuse("triangle strips (element 'tristrips') are not supported; save the mesh with faces");
     }
-    if (face == none) text_.refuse("the header has no element 'face': a surface is needed");
+    if (face == none) text_.refuse("the header has no element 'face'; a surface is needed");
     const int list = std::max(face->find("vertex_indices"), face->find("vertex_index"));
     if (list < 0 || !face->properties[static_cast<std::size_t>(list)].count_type) {
       text_.refuse("the element 'face' has no list 'vertex_indices' or 'vertex_index'");

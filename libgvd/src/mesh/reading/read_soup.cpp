@@ -20,15 +20,15 @@ namespace {
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
-// The whole file in one read where its size is known, in pieces where it is a pipe.
+// Reads the file at once if its size is known, and in pieces if it is a pipe.
 std::string read_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse(name, "there is no such file");
-  if (status.type() == std::filesystem::file_type::directory) refuse(name, "this is a directory, and should be a file");
+  if (status.type() == std::filesystem::file_type::directory) refuse(name, "this is a directory; give a file");
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(name, "the file can't be opened, check its permissions");
+  if (!file) refuse(name, "the file can't be opened; check its permissions");
   std::string bytes;
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
@@ -69,12 +69,12 @@ PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_vi
   try {
     PolygonSoup soup = parse_format(bytes, format, name);
     if (soup.polygon_count() == 0) {
-      refuse(name, fmt::format("the file holds {} vertices and no face: a surface is needed", soup.positions.size()));
+      refuse(name, fmt::format("the file has {} vertices and no face; a surface is needed", soup.positions.size()));
     }
     check_counts(soup.positions.size(), soup.polygon_count(), name);
     return soup;
   } catch (const std::bad_alloc&) {
-    refuse(name, "there is not enough memory for this mesh");
+    refuse(name, "there is not enough memory for this mesh; simplify it");
   }
 }
 
@@ -84,10 +84,11 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
     const std::string bytes = read_bytes(path);
     if (bytes.empty()) refuse(name, "the file is empty");
     if (!format) format = detect_format(bytes, name);
-    if (!format) refuse(name, "this is no OBJ, PLY, OFF or STL file, by its name and by its first line");
+    if (!format)
+      refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
     return parse_soup(bytes, *format, name);
   } catch (const std::bad_alloc&) {
-    refuse(name, "there is not enough memory for this file");
+    refuse(name, "there is not enough memory for this file; simplify the mesh");
   }
 }
 

@@ -88,8 +88,7 @@ class TextStlParser {
  public:
   TextStlParser(std::string_view bytes, std::string_view name) : text_(bytes, name, false) { soup_.unwelded = true; }
 
-  // Lines in order: solid (facet (outer loop, vertex x 3, endloop) endfacet)... endsolid, and so on with the next
-  // solid.
+  // The lines of each solid: solid (facet (outer loop, three times vertex, endloop) endfacet)... endsolid.
   PolygonSoup parse() {
     while (text_.next_content_line()) {
       const std::string_view word = text_.token();
@@ -149,7 +148,7 @@ class TextStlParser {
   bool in_loop_ = false;
 };
 
-// Some binary files start with "solid" too. Their header holds bytes that no text has, a zero above all.
+// Some binary files start with "solid" too, but their first 512 bytes contain a zero byte, which no text does.
 bool is_text(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");

@@ -19,8 +19,8 @@ std::string_view without_plus(std::string_view token) {
   return has_plus ? token.substr(1) : token;
 }
 
-// std::from_chars reports overflow and underflow alike. The decimal exponent of the first digit that is not 0 tells
-// them apart: it is above 300 for the one and below -300 for the other.
+// std::from_chars does not tell overflow from underflow. The decimal exponent of the first nonzero digit does: it is
+// above 300 for an overflow and below -300 for an underflow.
 double out_of_range_value(std::string_view token) {
   const double sign = token[0] == '-' ? -1 : 1;
   const std::size_t e = std::min(token.find_first_of("eE"), token.size());
@@ -39,7 +39,7 @@ double out_of_range_value(std::string_view token) {
   return exponent < 0 ? sign * 0.0 : sign * std::numeric_limits<double>::infinity();
 }
 
-// Whether a CR stands alone somewhere: then it ends a line.
+// Whether there is a CR without an LF after it: then it ends a line.
 bool has_lone_return(std::string_view bytes) {
   for (std::size_t at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
     if (at + 1 < bytes.size() && bytes[at + 1] != '\n') return true;
@@ -119,7 +119,7 @@ void TextReader::end_element(std::string_view kind, std::int64_t element) const 
   const auto extra = std::find_if_not(line_.begin(), line_.end(), is_blank);
   if (extra == line_.end() || (comments_ && *extra == '#')) return;
   throw Error(ErrorCode::unreadable_input,
-              fmt::format("{}:{}: {} {} has too few numbers, or goes on to line {} and does not end there", name_,
+              fmt::format("{}:{}: {} {} has too few numbers, or continues on line {} and does not end there", name_,
                           element_line_, kind, element, line_number_),
               element);
 }

@@ -16,43 +16,43 @@ std::optional<double> parse_double(std::string_view token);
 /// A decimal integer with an optional sign; none where the token is anything else or beyond 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
-/// A token from a file as it may stand in a message: in quotes, printable, shortened.
+/// A token from a file for a message: in quotes, with printable characters only, shortened to 32 characters.
 std::string quoted(std::string_view token);
 
-/// Walks through a text line by line and token by token, and knows where it is.
+/// Reads a text line by line and token by token, and keeps the line number for messages.
 class TextReader {
  public:
-  /// Lines end in LF, CR LF or CR. With `comments`, '#' starts one that ends the line.
+  /// Lines end in LF, CR LF or CR. With `comments`, the rest of a line from '#' on is skipped.
   TextReader(std::string_view bytes, std::string_view name, bool comments);
   TextReader(const TextReader&) = delete;
   TextReader& operator=(const TextReader&) = delete;
 
-  /// Moves to the next line, or to the next one with a token; false at the end of the text.
+  /// Moves to the next line, or to the next line with a token. False at the end of the text.
   bool next_line();
   bool next_content_line();
-  /// Moves to the next line with a token, where an element begins whose numbers may go on in the lines after it; false
+  /// Moves to the next line with a token. An element begins there, whose numbers may continue on the next lines. False
   /// at the end of the text.
   bool begin_element();
-  /// An element that went on must end with its line: else a number is missing, and those of the next element were taken
-  /// for it. `kind` and `element` are for messages.
+  /// Refuses an element that continued on another line and does not end with that line: a number is missing, and those
+  /// of the next element were read instead. `kind` and `element` are for messages.
   void end_element(std::string_view kind, std::int64_t element) const;
   /// The next token of the line; empty at its end.
   std::string_view token();
-  /// Numbers the coming lines as if `count` lines came before this text.
+  /// Numbers the next lines as if `count` more lines came before them.
   void skip_line_numbers(std::int64_t count) { line_number_ += count; }
 
-  /// The next token, of the line or of the element that has begun, as a number; refused where it is none or missing.
-  /// `what` names it in the message.
+  /// The next token of the line, or of the element that has begun, as a number. Throws Error{unreadable_input} where it
+  /// is missing or no number. `what` names it in the message.
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
-  /// Three coordinates, each finite. `vertex` is for messages.
+  /// Three coordinates. Throws Error{precondition} where one is not finite. `vertex` is for messages.
   Vec3 position(std::int64_t vertex);
 
   std::string_view line() const { return line_; }
   /// Characters that are not read yet.
   std::size_t remaining() const { return text_.size(); }
   std::int64_t line_number() const { return line_number_; }
-  /// Puts another text in the place of the current line.
+  /// Replaces the rest of the current line by another text, which must outlive its use.
   void replace_line(std::string_view line) { line_ = line; }
 
   /// Throws Error{unreadable_input}: "name:line: message".
@@ -63,7 +63,7 @@ class TextReader {
  private:
   std::string_view next_number(std::string_view what);
 
-  std::string unix_text_;  // a copy with LF for CR, where the text needs one
+  std::string unix_text_;  // a copy with LF for CR, if the text has lines that end in CR
   std::string_view text_;  // what is left after the current line
   std::string_view line_;  // what is left of the current line
   std::string name_;

@@ -1,4 +1,3 @@
-// From a soup to a mesh: every step of the repair in its order.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +22,8 @@
 namespace gvd {
 namespace {
 
-/// A triangle whose height is at or below this part of its longest side counts as one without area. Ten times the
-/// rounding of a position that lies on the side.
+/// A triangle counts as one without area if its height is at most this part of its longest side. Dimensionless. Ten
+/// times the rounding error of a position on the side.
 constexpr double kFlatTriangle = 1e-15;
 
 std::vector<char> find_used_vertices(const WorkFaces& work) {
@@ -35,7 +34,7 @@ std::vector<char> find_used_vertices(const WorkFaces& work) {
   return used;
 }
 
-// Vertices that are in no polygon of the soup; those that repairs left without a face do not count.
+// Vertices in no polygon of the soup. Those that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
   std::vector<char> used(soup.positions.size(), 0);
   for (const std::int32_t v : soup.corners) used[static_cast<std::size_t>(v)] = 1;
@@ -82,7 +81,7 @@ std::int64_t count_zero_area_faces(const Mesh& mesh) {
   return count;
 }
 
-// Vertices on the boundary at the position of another one that was another vertex of the input too.
+// Boundary vertices at the position of another boundary vertex that comes from another vertex of the input.
 std::int64_t count_coincident_vertices(const CheckedMesh& checked) {
   using Entry = std::tuple<double, double, double, std::int32_t>;
   std::vector<Entry> entries;

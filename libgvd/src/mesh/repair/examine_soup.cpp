@@ -18,7 +18,7 @@ void examine_positions(const PolygonSoup& soup) {
     const auto element = static_cast<std::int64_t>(v);
     if (!p.allFinite()) refuse_soup(fmt::format("vertex {} has a coordinate that is not finite", v), element);
     if (p.cwiseAbs().maxCoeff() > kLargestCoordinate) {
-      refuse_soup(fmt::format("vertex {} has a coordinate beyond {:g}, scale the mesh down", v, kLargestCoordinate),
+      refuse_soup(fmt::format("vertex {} has a coordinate beyond {:g}; scale the mesh down", v, kLargestCoordinate),
                   element);
     }
     low = low.cwiseMin(p);
@@ -27,7 +27,7 @@ void examine_positions(const PolygonSoup& soup) {
   const double extent = (high - low).maxCoeff();
   if (extent == 0) refuse_soup("all vertices are at one position, that of vertex 0: there is no surface", 0);
   if (extent < kSmallestExtent) {
-    refuse_soup(fmt::format("the whole mesh is smaller than {:g}, scale it up", kSmallestExtent), 0);
+    refuse_soup(fmt::format("the whole mesh is smaller than {:g}; scale it up", kSmallestExtent), 0);
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 struct Component {
   std::int32_t first_face;
-  double area = 0;  // twice
+  double twice_area = 0;  // square mesh units
 };
 
 std::vector<Component> find_components(const WorkFaces& work, const std::vector<Vec3>& positions,
@@ -30,9 +30,9 @@ std::vector<Component> find_components(const WorkFaces& work, const std::vector<
       stack.pop_back();
       const auto& [a, b, c] = work.faces[static_cast<std::size_t>(f)];
       const Vec3& origin = positions[static_cast<std::size_t>(a)];
-      components.back().area += (positions[static_cast<std::size_t>(b)] - origin)
-                                    .cross(positions[static_cast<std::size_t>(c)] - origin)
-                                    .stableNorm();
+      components.back().twice_area += (positions[static_cast<std::size_t>(b)] - origin)
+                                          .cross(positions[static_cast<std::size_t>(c)] - origin)
+                                          .stableNorm();
       for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const std::int32_t twin = work.twin[static_cast<std::size_t>(h)];
         if (twin < 0 || component[static_cast<std::size_t>(twin / 3)] >= 0) continue;
@@ -72,8 +72,9 @@ void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions,
   if (log.policy() != DefectPolicy::largest) return;
   std::vector<std::int32_t> component;
   const std::vector<Component> components = find_components(work, positions, component);
-  const auto largest = std::max_element(components.begin(), components.end(),
-                                        [](const Component& a, const Component& b) { return a.area < b.area; });
+  const auto largest =
+      std::max_element(components.begin(), components.end(),
+                       [](const Component& a, const Component& b) { return a.twice_area < b.twice_area; });
   const std::int32_t face = work.origin[static_cast<std::size_t>(largest->first_face)];
   if (one_sided[static_cast<std::size_t>(largest->first_face)]) {
     refuse_soup(

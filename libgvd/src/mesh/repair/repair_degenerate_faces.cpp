@@ -7,8 +7,8 @@
 namespace gvd {
 namespace {
 
-// Appends `v` to the corners from `begin` on. A corner that repeats the one before it goes, and so does a spike: the
-// path a, b, a encloses nothing.
+// Appends `v` to the polygon whose corners start at `begin`. A corner that repeats the one before it is dropped, and so
+// is the spike b in a, b, a, which encloses no area.
 void append_corner(std::vector<std::int32_t>& corners, std::size_t begin, std::int32_t v) {
   const std::size_t size = corners.size() - begin;
   if (size >= 1 && corners.back() == v) return;
@@ -19,7 +19,7 @@ void append_corner(std::vector<std::int32_t>& corners, std::size_t begin, std::i
   corners.push_back(v);
 }
 
-// The same where the end of the polygon meets its beginning.
+// Drops repeated corners and spikes where the end of the polygon meets its beginning.
 void close_ends(std::vector<std::int32_t>& corners, std::size_t begin) {
   std::size_t first = begin;
   bool changed = true;

@@ -12,15 +12,16 @@
 namespace gvd {
 namespace {
 
-// Mixes a vertex into 64 bits (the finalizer of splitmix64). Sums of these do not depend on the corners' order.
-std::uint64_t mix(std::int32_t v) {
+// Hashes a vertex to 64 bits (the finalizer of splitmix64). A sum of hashes does not depend on the order of the
+// corners.
+std::uint64_t hash(std::int32_t v) {
   std::uint64_t x = static_cast<std::uint64_t>(v) + 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
   return x ^ (x >> 31);
 }
 
-// The corners from the smallest one on, towards its smaller neighbour: the same for a polygon and its reverse.
+// The corners from the smallest one in the direction of its smaller neighbour: equal for a polygon and its reverse.
 std::vector<std::int32_t> canonical_corners(std::span<const std::int32_t> polygon) {
   std::vector<std::int32_t> corners(polygon.begin(), polygon.end());
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -36,11 +37,11 @@ struct Keyed {
 
 std::uint64_t key_of(std::span<const std::int32_t> polygon) {
   std::uint64_t key = polygon.size();
-  for (const std::int32_t v : polygon) key += mix(v);
+  for (const std::int32_t v : polygon) key += hash(v);
   return key;
 }
 
-// Calls visit(polygons with one smallest corner, ascending), where there are several.
+// Groups the polygons by their smallest corner. Calls visit(polygons, ascending) for each group of two or more.
 template <class Visit>
 void visit_buckets(const WorkPolygons& polygons, std::size_t vertex_count, const Visit& visit) {
   const auto smallest_corner = [&](std::size_t p) {
@@ -60,7 +61,7 @@ void visit_buckets(const WorkPolygons& polygons, std::size_t vertex_count, const
   }
 }
 
-// Two faces back to back that no other face touches are a closed surface, flat as it is, and stay.
+// Two faces back to back that no other face touches are a flat closed surface. They are kept.
 bool is_pillow(const WorkPolygons& polygons, std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& degree) {
   const auto first = polygons.polygon(static_cast<std::size_t>(a));
   const auto second = polygons.polygon(static_cast<std::size_t>(b));
@@ -71,7 +72,7 @@ bool is_pillow(const WorkPolygons& polygons, std::int32_t a, std::int32_t b, con
   return next != first[1];  // the same direction would make them copies
 }
 
-// Marks the duplicates among polygons with one key, ascending.
+// Marks the duplicates among polygons with the same key, which are given in ascending order.
 void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, const std::vector<std::int32_t>& degree,
                 std::vector<char>& drop) {
   struct Canonical {
@@ -95,7 +96,7 @@ void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, cons
   }
 }
 
-// A one for each polygon that is a duplicate.
+// Per polygon 1 where it is a duplicate.
 std::vector<char> find_duplicates(const WorkPolygons& polygons, std::size_t vertex_count) {
   std::vector<std::int32_t> degree(vertex_count, 0);
   for (const std::int32_t v : polygons.corners) ++degree[static_cast<std::size_t>(v)];

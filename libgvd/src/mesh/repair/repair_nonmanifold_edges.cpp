@@ -12,7 +12,8 @@
 namespace gvd {
 namespace {
 
-// Grows with the angle of (x, y) from 0 to 4. Only divisions: the same on every machine, unlike atan2.
+// Increases with the angle of (x, y), from 0 to 4. It needs only divisions, so it is the same on every machine, unlike
+// atan2.
 double pseudo_angle(double x, double y) {
   const double sum = std::abs(x) + std::abs(y);
   if (sum == 0) return 0;
@@ -46,8 +47,8 @@ std::vector<Spoke> sort_round_edge(const WorkFaces& work, std::span<const std::i
   return spokes;
 }
 
-// The normal of a forward face points to growing angles, that of a backward face to falling ones. So the inside is
-// between a backward face and the forward one that follows it.
+// The normal of a forward face points to increasing angles, that of a backward face to decreasing ones. So the inside
+// lies between a backward face and the forward face that follows it.
 void pair_inside(WorkFaces& work, const std::vector<Spoke>& spokes) {
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     const Spoke& a = spokes[i];

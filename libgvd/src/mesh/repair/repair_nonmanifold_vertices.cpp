@@ -9,7 +9,8 @@
 namespace gvd {
 namespace {
 
-// The corners are named by the halfedge that leaves them.
+// A corner is identified by the halfedge that leaves it. The walk round a vertex is that of vertex_ring.hpp, but for
+// the faces of a soup, whose vertices may have several fans.
 class FanCutter {
  public:
   FanCutter(WorkFaces& work, const std::vector<Vec3>& positions)
@@ -49,7 +50,7 @@ class FanCutter {
     first_ = first_ < 0 ? v : std::min(first_, v);
   }
 
-  // Both ways round from the corner h, until the fan closes or ends.
+  // Goes round from the corner h in both directions, until the fan closes or ends.
   void mark_fan(std::int32_t h, std::int32_t name) {
     std::int32_t corner = h;
     do {
@@ -70,8 +71,8 @@ class FanCutter {
   }
 
   WorkFaces& work_;
-  std::vector<char> is_named_;  // per corner whether it has its vertex; the others keep the input's meanwhile
-  std::vector<char> fans_;      // per input vertex: none, one, or several so far
+  std::vector<char> is_named_;  // per corner whether its vertex is final; until then it is that of the input
+  std::vector<char> fans_;      // per input vertex the number of fans so far: 0, 1, or 2 for several
   std::int64_t vertices_ = 0;
   std::int32_t first_ = -1;
 };

@@ -9,14 +9,15 @@
 namespace gvd {
 namespace {
 
-// Faces that are connected through edges of two faces, in the order in which a walk from the first one meets them.
+// Faces that are connected through edges of two faces, in the order of a breadth-first search from the first one.
 struct Component {
   std::vector<std::int32_t> faces;
-  std::int32_t flipped = 0;    // of `faces`, how many go against the first
-  std::int32_t conflict = -1;  // a face that would have to go both ways
+  std::int32_t flipped = 0;    // number of `faces` with the opposite orientation of the first
+  std::int32_t conflict = -1;  // a face that would need both orientations
 };
 
-// Walks the component of `start`; side[f] becomes 0 where f goes round like `start`, 1 where it goes against it.
+// Finds the component of `start`. Sets side[f] to 0 where f has the orientation of `start`, to 1 where the opposite
+// one.
 Component walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
   Component component;
   component.faces.push_back(start);
@@ -41,7 +42,7 @@ Component walk_component(const WorkFaces& work, std::int32_t start, std::vector<
   return component;
 }
 
-// Swaps the last two corners: the halfedges 0, 1, 2 become 2, 1, 0 the other way round.
+// Reverses a face by swapping its last two corners: its halfedges 0, 1, 2 become 2, 1, 0.
 void flip(WorkFaces& work, std::int32_t f) {
   auto& corners = work.faces[static_cast<std::size_t>(f)];
   std::swap(corners[1], corners[2]);

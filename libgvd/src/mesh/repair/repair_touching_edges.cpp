@@ -15,7 +15,7 @@ class EdgeSplitter {
  public:
   explicit EdgeSplitter(WorkFaces& work) : work_(work), moved_(index(work.halfedge_count()), -1) {}
 
-  // `halfedges`: all of one edge, as the faces were before the first split.
+  // `halfedges`: all of one edge, numbered as before the first split.
   void split(std::vector<std::int32_t> halfedges) {
     for (std::int32_t& h : halfedges) h = now(h);
     const std::int32_t kept = halfedges.front();
@@ -28,7 +28,7 @@ class EdgeSplitter {
   }
 
  private:
-  // Where a halfedge of the original faces is by now.
+  // The current number of a halfedge of the original faces.
   std::int32_t now(std::int32_t h) const {
     while (moved_[index(h)] >= 0) h = moved_[index(h)];
     return h;
@@ -64,7 +64,7 @@ class EdgeSplitter {
     return first;
   }
 
-  // At the middle, or beside it where a corner opposite the edge is there: no edge may have length 0.
+  // At the middle of the edge, or beside it where an opposite corner lies at the middle: no edge may have length 0.
   std::int32_t add_vertex(std::int32_t h, std::int32_t twin) {
     const Vec3 a = at(work_.from(h));
     const Vec3 b = at(work_.to(h));

@@ -21,7 +21,7 @@ std::vector<std::int32_t> identity(std::size_t size) {
   return table;
 }
 
-// Every vertex goes to the first one at its position.
+// Per vertex the first one at its position.
 std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
   struct Entry {
     double x, y, z;
@@ -51,7 +51,7 @@ std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
 }
 
 struct ZeroEdges {
-  std::int64_t count = 0;  // of vertices that were united with another
+  std::int64_t count = 0;  // number of vertices that were welded to another one
   std::int64_t polygon = -1;
   std::int32_t a = -1, b = -1;
 };

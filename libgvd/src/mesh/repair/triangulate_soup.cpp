@@ -11,16 +11,16 @@
 namespace gvd {
 namespace {
 
-/// The second diagonal of a quad is taken only where it is better by more than this part, so that rounding does not
-/// decide between the two of a square. Dimensionless; far above the rounding of a few operations.
+/// The second diagonal of a quadrilateral is taken only if it is better by more than this part, so that rounding does
+/// not decide between those of a square. Dimensionless; far above the rounding of a few operations.
 constexpr double kBetterDiagonal = 1e-6;
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
 }
 
-// The edges of all polygons, and the diagonals as they come. Only asked for membership: no order of it reaches the
-// output.
+// The edges of all polygons, and the diagonals that were added. Only membership is asked, so that the order of the hash
+// set does not reach the output.
 class KnownEdges {
  public:
   explicit KnownEdges(const WorkPolygons& polygons) {
@@ -67,8 +67,8 @@ class Triangulator {
  private:
   const Vec3& at(std::int32_t v) const { return positions_[static_cast<std::size_t>(v)]; }
 
-  // How good the diagonal a-c is: the worse of its two triangles, twice the area by the sum of squared sides; 0 where
-  // one is flat, the two do not face the same way, or the diagonal is an edge already.
+  // Quality of the diagonal a-c: of the worse of its two triangles, twice the area over the sum of the squared sides. 0
+  // where a triangle is flat, the two face different ways, or the diagonal is an edge already.
   double diagonal_quality(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
     const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a));
     const Vec3 normal_d = (at(c) - at(a)).cross(at(d) - at(a));
@@ -98,10 +98,10 @@ class Triangulator {
   [[noreturn]] static void refuse(PolygonShape shape, std::size_t corners, std::int32_t origin) {
     if (shape == PolygonShape::too_complex) {
       refuse_soup(
-          fmt::format("face {} has {} corners in too complex a shape, cut it into smaller ones", origin, corners),
+          fmt::format("face {} has {} corners in too complex a shape; cut it into smaller ones", origin, corners),
           origin);
     }
-    refuse_soup(fmt::format("face {} with its {} corners crosses itself, cut it into triangles", origin, corners),
+    refuse_soup(fmt::format("face {} with its {} corners crosses itself; cut it into triangles", origin, corners),
                 origin);
   }
 
