@@ -1,5 +1,8 @@
 #include "mesh/mesh_editor.hpp"
 
+#include <array>
+#include <tuple>
+
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -67,32 +70,32 @@ VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {
   return v;
 }
 
+std::pair<HalfedgeId, HalfedgeId> MeshEditor::split_side(HalfedgeId side, VertexId v) {
+  const FaceId f = Mesh::face(side);
+  const VertexId p = mesh_.from(side), q = mesh_.to(side), r = mesh_.opposite(side);
+  const HalfedgeId qr = Mesh::next(side), rp = Mesh::previous(side);
+  const HalfedgeId twin_qr = mesh_.twin(qr), twin_rp = mesh_.twin(rp);
+  const EdgeId edge_qr = mesh_.edge(qr), edge_rp = mesh_.edge(rp);
+  const FaceId g = add_face();
+  set_face(f, p, v, r);
+  set_face(g, v, q, r);
+  link(Mesh::halfedge(f, 2), twin_rp, edge_rp);
+  link(Mesh::halfedge(g, 1), twin_qr, edge_qr);
+  const EdgeId edge_vr = add_edge();
+  link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
+  return {Mesh::halfedge(f, 0), Mesh::halfedge(g, 0)};
+}
+
 VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
   const HalfedgeId t = mesh_.twin(h);
   const EdgeId edge_av = mesh_.edge(h);
   const EdgeId edge_vb = add_edge();
   const VertexId a = mesh_.from(h), b = mesh_.to(h), v = add_vertex(position);
-  // Splits the side of `side`, which runs from `p` to `q`, and returns the halfedges p-v and v-q.
-  const auto split_side = [&](HalfedgeId side, VertexId p, VertexId q) {
-    const FaceId f = Mesh::face(side);
-    const VertexId r = mesh_.opposite(side);
-    const HalfedgeId qr = Mesh::next(side), rp = Mesh::previous(side);
-    const HalfedgeId twin_qr = mesh_.twin(qr), twin_rp = mesh_.twin(rp);
-    const EdgeId edge_qr = mesh_.edge(qr), edge_rp = mesh_.edge(rp);
-    const FaceId g = add_face();
-    set_face(f, p, v, r);
-    set_face(g, v, q, r);
-    link(Mesh::halfedge(f, 2), twin_rp, edge_rp);
-    link(Mesh::halfedge(g, 1), twin_qr, edge_qr);
-    const EdgeId edge_vr = add_edge();
-    link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
-    return std::pair(Mesh::halfedge(f, 0), Mesh::halfedge(g, 0));
-  };
   const VertexId c = mesh_.opposite(h);
   const VertexId d = t.valid() ? mesh_.opposite(t) : VertexId();
-  const auto [av, vb] = split_side(h, a, b);
+  const auto [av, vb] = split_side(h, v);
   HalfedgeId va, bv;
-  if (t.valid()) std::tie(bv, va) = split_side(t, b, a);
+  if (t.valid()) std::tie(bv, va) = split_side(t, v);
   link(av, va, edge_av);
   link(vb, bv, edge_vb);
   set_halfedge(v, vb);

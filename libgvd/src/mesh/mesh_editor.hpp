@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -26,6 +28,9 @@ class MeshEditor {
   void flip_edge(HalfedgeId h);
 
  private:
+  /// Splits the face of `side`, which runs from p to q, at the new vertex v of its edge. Returns the halfedges p-v and
+  /// v-q, which have no twins yet.
+  std::pair<HalfedgeId, HalfedgeId> split_side(HalfedgeId side, VertexId v);
   FaceId add_face();
   EdgeId add_edge();
   VertexId add_vertex(const Vec3& position);

@@ -41,40 +41,6 @@ Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
 
 constexpr std::array<Bary, 3> kWhole{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
 
-void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  if (generators.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    if (!generators[i].face.valid() || generators[i].face.value() >= mesh.face_count()) {
-      throw Error(ErrorCode::precondition,
-                  "generator " + std::to_string(i) + " lies in face " + std::to_string(generators[i].face.value()) +
-                      ", and the mesh has " + std::to_string(mesh.face_count()) + " faces",
-                  static_cast<std::int64_t>(i));
-    }
-  }
-}
-
-/// A generator on an edge of the input.
-struct EdgeInsertion {
-  HalfedgeId halfedge;
-  double t;
-  GeneratorId generator;
-};
-
-/// The generators on edges, sorted by edge, and on each edge from the beginning of its first halfedge to the end.
-std::vector<EdgeInsertion> sort_along_edges(const Mesh& input, const std::vector<GeneratorId>& ids,
-                                            const std::vector<SurfacePoint>& generators) {
-  std::vector<EdgeInsertion> insertions;
-  for (const GeneratorId g : ids) {
-    const SurfacePoint point = canonical(input, generators[g.index()]);
-    const HalfedgeId h = gvd::halfedge(point);
-    insertions.push_back({h, point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], g});
-  }
-  std::sort(insertions.begin(), insertions.end(), [](const EdgeInsertion& a, const EdgeInsertion& b) {
-    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
-  });
-  return insertions;
-}
-
 }  // namespace
 
 WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress)
@@ -82,28 +48,13 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
       generator_vertex_(generators.size()),
       vertex_generator_(static_cast<std::size_t>(input.vertex_count())),
       coincidence_(coincidence(input)) {
-  check_generators(input, generators);
-  std::vector<GeneratorId> on_edges;
-  std::map<FaceId, std::vector<GeneratorId>> in_faces;
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
-    switch (generators[i].kind()) {
-      case SurfacePoint::Kind::vertex:
-        claim(gvd::vertex(input, generators[i]), g);
-        break;
-      case SurfacePoint::Kind::edge:
-        on_edges.push_back(g);
-        break;
-      case SurfacePoint::Kind::face:
-        in_faces[generators[i].face].push_back(g);
-        break;
-    }
-  }
-  if (!on_edges.empty() || !in_faces.empty()) {
+  const SortedGenerators sorted = sort_generators(input, generators);
+  for (const auto& [v, g] : sorted.on_vertices) claim(v, g);
+  if (!sorted.on_edges.empty() || !sorted.in_faces.empty()) {
     report_progress(progress, "working mesh", 0);
     copy_input();
-    insert_on_edges(on_edges, generators, progress);
-    for (const auto& [face, ids] : in_faces) insert_in_face(face, ids, generators, progress);
+    insert_on_edges(sorted.on_edges, progress);
+    for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, generators, progress);
   }
   vertex_generator_.resize(static_cast<std::size_t>(mesh().vertex_count()));
 }
@@ -164,12 +115,11 @@ Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
   return result;
 }
 
-void WorkingMesh::insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
-                                  const Progress& progress) {
+void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress) {
   HalfedgeId current, rest;  // the input's halfedge at work, and the copy's for the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
-  for (const auto& [h, t, g] : sort_along_edges(*input_, ids, generators)) {
+  for (const auto& [h, t, g] : generators) {
     report_inserted(progress);
     if (h != current) {
       current = h;

@@ -7,6 +7,7 @@
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
+#include "mesh/sort_generators.hpp"
 
 namespace gvd {
 
@@ -38,8 +39,7 @@ class WorkingMesh {
   using Corners = std::array<Bary, 3>;
 
   void copy_input();
-  void insert_on_edges(const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
-                       const Progress& progress);
+  void insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress);
   void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
                       const Progress& progress);
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);

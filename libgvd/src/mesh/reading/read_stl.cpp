@@ -40,7 +40,8 @@ Vec3 binary_position(std::string_view bytes, std::size_t offset, std::string_vie
   return p;
 }
 
-PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
+/// Throws Error{unreadable_input} where the file is shorter than a binary STL with the count of its header.
+void check_binary_length(std::string_view bytes, std::string_view name) {
   if (bytes.size() < kStlHeader) {
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: {} bytes are too few for an STL file, and it does not start with 'solid'", name,
@@ -56,6 +57,12 @@ PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
                     name, count, wanted, bytes.size()),
         static_cast<std::int64_t>((bytes.size() - kStlHeader) / kStlTriangle));
   }
+}
+
+PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
+  check_binary_length(bytes, name);
+  const std::uint64_t count = stl_triangle_count(bytes);
+  const std::uint64_t wanted = kStlHeader + kStlTriangle * count;
   check_counts(3 * count, count, name);
   PolygonSoup soup;
   soup.unwelded = true;

@@ -41,6 +41,37 @@ void close_ends(std::vector<std::int32_t>& corners, std::size_t begin) {
                 corners.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+struct Counts {
+  std::int64_t dropped = 0;
+  std::int64_t shortened = 0;
+  std::int64_t first = -1;  // polygon of the soup
+};
+
+// Appends polygon p of the soup to `work` unless fewer than three corners are left.
+void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, std::size_t p, WorkPolygons& work,
+                    Counts& counts) {
+  const std::size_t begin = work.corners.size();
+  for (const std::int32_t v : soup.polygon(p)) append_corner(work.corners, begin, weld[static_cast<std::size_t>(v)]);
+  close_ends(work.corners, begin);
+  const std::size_t left = work.corners.size() - begin;
+  const bool is_kept = left >= 3;
+  if (!is_kept || left < soup.polygon(p).size()) {
+    if (counts.first < 0) counts.first = static_cast<std::int64_t>(p);
+    ++(is_kept ? counts.shortened : counts.dropped);
+  }
+  if (is_kept) {
+    work.close(static_cast<std::int32_t>(p));
+  } else {
+    work.corners.resize(begin);
+  }
+}
+
+std::string action_of(const Counts& counts) {
+  if (counts.shortened == 0) return "removed";
+  if (counts.dropped == 0) return "repeated corners taken out";
+  return fmt::format("{} removed, repeated corners taken out of {}", counts.dropped, counts.shortened);
+}
+
 }  // namespace
 
 WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, DefectLog& log) {
@@ -48,35 +79,13 @@ WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<
   work.corners.reserve(soup.corners.size());
   work.first_corner.reserve(soup.first_corner.size());
   work.origin.reserve(soup.polygon_count());
-  std::int64_t dropped = 0;
-  std::int64_t shortened = 0;
-  std::int64_t first = -1;
-  for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
-    const std::size_t begin = work.corners.size();
-    for (const std::int32_t v : soup.polygon(p)) append_corner(work.corners, begin, weld[static_cast<std::size_t>(v)]);
-    close_ends(work.corners, begin);
-    const std::size_t left = work.corners.size() - begin;
-    if (left == soup.polygon(p).size() && left >= 3) {
-      work.close(static_cast<std::int32_t>(p));
-      continue;
-    }
-    if (first < 0) first = static_cast<std::int64_t>(p);
-    if (left >= 3) {
-      ++shortened;
-      work.close(static_cast<std::int32_t>(p));
-    } else {
-      ++dropped;
-      work.corners.resize(begin);
-    }
-  }
-  const std::string action = shortened == 0 ? "removed"
-                             : dropped == 0
-                                 ? "repeated corners taken out"
-                                 : fmt::format("{} removed, repeated corners taken out of {}", dropped, shortened);
-  log.add(DefectKind::degenerate_faces, dropped + shortened, first,
+  Counts counts;
+  for (std::size_t p = 0; p < soup.polygon_count(); ++p) append_polygon(soup, weld, p, work, counts);
+  const std::int64_t count = counts.dropped + counts.shortened;
+  log.add(DefectKind::degenerate_faces, count, counts.first,
           fmt::format("{} degenerate (a corner repeats, or fewer than three), first face {}",
-                      counted(dropped + shortened, "face is", "faces are"), first),
-          action);
+                      counted(count, "face is", "faces are"), counts.first),
+          action_of(counts));
   if (work.count() == 0) refuse_soup("every face is degenerate, first face 0: there is no surface", 0);
   return work;
 }

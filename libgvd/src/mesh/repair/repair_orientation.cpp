@@ -62,25 +62,35 @@ void refuse_one_sided(const WorkFaces& work, const Component& component) {
       origin);
 }
 
-}  // namespace
+struct Orientations {
+  std::vector<char> to_flip;    // per face
+  std::vector<char> one_sided;  // per face whether its component has one side only
+};
 
-std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
+Orientations find_orientations(const WorkFaces& work, DefectPolicy policy) {
+  Orientations result{std::vector<char>(work.faces.size(), 0), std::vector<char>(work.faces.size(), 0)};
   std::vector<signed char> side(work.faces.size(), -1);
-  std::vector<char> one_sided(work.faces.size(), 0);
-  std::vector<char> to_flip(work.faces.size(), 0);
   for (std::size_t start = 0; start < work.faces.size(); ++start) {
     if (side[start] >= 0) continue;
     const Component component = walk_component(work, static_cast<std::int32_t>(start), side);
     if (component.conflict >= 0) {
-      if (log.policy() != DefectPolicy::largest) refuse_one_sided(work, component);
-      for (const std::int32_t f : component.faces) one_sided[static_cast<std::size_t>(f)] = 1;
+      if (policy != DefectPolicy::largest) refuse_one_sided(work, component);
+      for (const std::int32_t f : component.faces) result.one_sided[static_cast<std::size_t>(f)] = 1;
       continue;
     }
     const bool against_first = 2 * static_cast<std::size_t>(component.flipped) > component.faces.size();
     for (const std::int32_t f : component.faces) {
-      to_flip[static_cast<std::size_t>(f)] = (side[static_cast<std::size_t>(f)] == 1) != against_first;
+      result.to_flip[static_cast<std::size_t>(f)] = (side[static_cast<std::size_t>(f)] == 1) != against_first;
     }
   }
+  return result;
+}
+
+}  // namespace
+
+std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
+  Orientations orientations = find_orientations(work, log.policy());
+  const std::vector<char>& to_flip = orientations.to_flip;
   std::int64_t count = 0;
   std::int32_t first = -1;
   std::int32_t last = -1;
@@ -98,7 +108,7 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
           fmt::format("{} against the orientation of most of their component, first face {}",
                       counted(count, "face is", "faces are"), first),
           "flipped");
-  return one_sided;
+  return std::move(orientations.one_sided);
 }
 
 }  // namespace gvd
