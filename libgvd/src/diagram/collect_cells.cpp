@@ -12,8 +12,6 @@
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 /// Chunks of so many faces: some of them are cut, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
 

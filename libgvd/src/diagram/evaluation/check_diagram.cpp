@@ -8,8 +8,6 @@
 namespace gvd {
 namespace {
 
-using Bary = std::array<double, 3>;
-
 /// Areas are sums of up to a million rounded terms: relative tolerance.
 constexpr double kAreaTolerance = 1e-9;
 

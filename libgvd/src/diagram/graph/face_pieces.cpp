@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/barycentric.hpp"
+
 namespace gvd {
 namespace {
-
-using Bary = std::array<double, 3>;
 
 constexpr int kNone = -1;
 

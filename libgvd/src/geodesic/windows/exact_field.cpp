@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/barycentric.hpp"
 #include "geodesic/tracing/locate_in_face.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
 #include "geodesic/windows/collect_sources.hpp"
@@ -32,8 +33,6 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   }
   return options;
 }
-
-using Bary = std::array<double, 3>;
 
 /// A point of a triangle, in its coordinates, and how far from it another one is that was looked for.
 struct NearestInside {
