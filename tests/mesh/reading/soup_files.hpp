@@ -86,7 +86,7 @@ inline void require_refused(std::string_view bytes, MeshFormat format, const std
   }
 }
 
-/// Requires the tetrahedron, welded or not.
+/// Requires that the soup is the tetrahedron, with or without welded vertices.
 inline void require_tetrahedron(const PolygonSoup& soup) {
   REQUIRE(soup.polygon_count() == 4);
   const CheckedMesh checked = build_mesh(soup);

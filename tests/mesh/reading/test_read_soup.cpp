@@ -27,7 +27,7 @@ std::vector<Sample> samples() {
           {MeshFormat::stl, binary_stl()}};
 }
 
-// A file in a folder of its own that goes with it.
+// A file in a folder of its own; the folder is removed with it.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& name, const std::string& bytes)
