@@ -86,6 +86,7 @@ class Mesh {
   void number_edges();
   void find_vertex_halfedges();
   void measure();
+  void measure_bounds();
   void measure_face(FaceId f);
 
   IdVector<VertexId, Vec3> positions_;

@@ -126,7 +126,10 @@ void Mesh::measure() {
     sum += length;
   }
   mean_edge_length_ = edge_count() > 0 ? sum / edge_count() : 0;
-  if (vertex_count() == 0) return;
+  if (vertex_count() > 0) measure_bounds();
+}
+
+void Mesh::measure_bounds() {
   Vec3 low = positions_[VertexId(0)];
   Vec3 high = low;
   for (const Vec3& p : positions_) {

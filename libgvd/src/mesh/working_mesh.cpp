@@ -210,35 +210,45 @@ void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<Generator
   make_delaunay(children);
 }
 
-void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point) {
-  FaceId best;
-  Bary best_local{};
-  double best_min = -std::numeric_limits<double>::infinity();
+WorkingMesh::Location WorkingMesh::locate(const std::vector<FaceId>& children, const Bary& bary) const {
+  Location best;
   for (const FaceId f : children) {
-    const Bary local = local_bary(corners(f), point.bary);
+    const Bary local = local_bary(corners(f), bary);
     const double smallest = *std::min_element(local.begin(), local.end());
-    if (smallest > best_min) std::tie(best, best_local, best_min) = std::tuple(f, local, smallest);
+    if (smallest > best.smallest) best = {f, local, smallest};
   }
+  return best;
+}
+
+void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point) {
+  const auto [child, local, smallest] = locate(children, point.bary);
   const Vec3 p = position(*input_, point);
-  for (const VertexId v : copy_.vertices(best)) {
+  for (const VertexId v : copy_.vertices(child)) {
     if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
   }
-  const int thin = static_cast<int>(std::min_element(best_local.begin(), best_local.end()) - best_local.begin());
-  const HalfedgeId side = Mesh::next(Mesh::halfedge(best, thin));
+  const int thin = static_cast<int>(std::min_element(local.begin(), local.end()) - local.begin());
+  const HalfedgeId side = Mesh::next(Mesh::halfedge(child, thin));
   const HalfedgeId twin = copy_.twin(side);
-  if (best_min < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
+  if (smallest < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
     if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
     const auto changed = split_edge(side, g, p, point.bary, point.bary);
     children.insert(children.end(), {changed[1], changed[3]});
-    return;
+  } else {
+    const auto [second, third] = split_face(child, g, p, point.bary);
+    children.insert(children.end(), {second, third});
   }
-  const Corners c = corners(best);
-  const FaceId appended(copy_.face_count()), last(appended.value() + 1);
-  claim(MeshEditor(copy_).split_face(best, p), g);
-  set_corners(best, point.face, {c[0], c[1], point.bary});
-  set_corners(appended, point.face, {c[1], c[2], point.bary});
-  set_corners(last, point.face, {c[2], c[0], point.bary});
-  children.insert(children.end(), {appended, last});
+}
+
+/// Splits face f for generator g at p, which has the coordinates `bary` in its parent. Returns the two appended faces.
+std::pair<FaceId, FaceId> WorkingMesh::split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary) {
+  const FaceId parent_face = parent(f);
+  const Corners c = corners(f);
+  const FaceId second(copy_.face_count()), third(second.value() + 1);
+  claim(MeshEditor(copy_).split_face(f, p), g);
+  set_corners(f, parent_face, {c[0], c[1], bary});
+  set_corners(second, parent_face, {c[1], c[2], bary});
+  set_corners(third, parent_face, {c[2], c[0], bary});
+  return {second, third};
 }
 
 // Lawson's edge flips, inside parents only. The edges of the input stay, so the surface does not change.

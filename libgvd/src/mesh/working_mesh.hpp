@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/barycentric.hpp"
@@ -42,10 +44,18 @@ class WorkingMesh {
   void insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress);
   void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
                       const Progress& progress);
+  /// A point in one of the children of its face.
+  struct Location {
+    FaceId child;
+    Bary bary{};                                                 // in the child
+    double smallest = -std::numeric_limits<double>::infinity();  // of `bary`: < 0 outside by rounding
+  };
+  Location locate(const std::vector<FaceId>& children, const Bary& bary) const;
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
   VertexId vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const;
   HalfedgeId find_copied(HalfedgeId h) const;
   std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
+  std::pair<FaceId, FaceId> split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary);
   void make_delaunay(const std::vector<FaceId>& children);
   bool flip_if_not_delaunay(HalfedgeId h);
   Corners corners(FaceId f) const;

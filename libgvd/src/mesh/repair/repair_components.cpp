@@ -14,6 +14,13 @@ struct Component {
   double twice_area = 0;  // square mesh units
 };
 
+double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>& positions) {
+  const auto& [a, b, c] = work.faces[static_cast<std::size_t>(f)];
+  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[static_cast<std::size_t>(v)]; };
+  return (at(b) - at(a)).cross(at(c) - at(a)).stableNorm();
+}
+
+// Fills `component`, the number of each face's component.
 std::vector<Component> find_components(const WorkFaces& work, const std::vector<Vec3>& positions,
                                        std::vector<std::int32_t>& component) {
   component.assign(work.faces.size(), -1);
@@ -28,11 +35,7 @@ std::vector<Component> find_components(const WorkFaces& work, const std::vector<
     while (!stack.empty()) {
       const std::int32_t f = stack.back();
       stack.pop_back();
-      const auto& [a, b, c] = work.faces[static_cast<std::size_t>(f)];
-      const Vec3& origin = positions[static_cast<std::size_t>(a)];
-      components.back().twice_area += (positions[static_cast<std::size_t>(b)] - origin)
-                                          .cross(positions[static_cast<std::size_t>(c)] - origin)
-                                          .stableNorm();
+      components.back().twice_area += twice_area(work, f, positions);
       for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const std::int32_t twin = work.twin[static_cast<std::size_t>(h)];
         if (twin < 0 || component[static_cast<std::size_t>(twin / 3)] >= 0) continue;
