@@ -15,13 +15,13 @@ Bary middle(const Bary& p, const Bary& q) { return {0.5 * (p[0] + q[0]), 0.5 * (
 
 /// Signed area of a triangle given in barycentric coordinates, as a fraction of its face's area.
 double area_fraction(const Bary& p, const Bary& q, const Bary& r) {
-  return (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
+  return twice_signed_area(affine_point(p), affine_point(q), affine_point(r));
 }
 
 }  // namespace
 
 double SquaredDistance::at(const std::array<double, 3>& b) const {
-  const double linear = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
+  const double linear = interpolate(b, corner[0], corner[1], corner[2]);
   const double quadratic = b[0] * b[1] * side[0] + b[1] * b[2] * side[1] + b[2] * b[0] * side[2];
   return std::max(0.0, linear - quadratic);
 }

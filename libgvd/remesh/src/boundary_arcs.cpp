@@ -4,6 +4,8 @@
 #include <limits>
 #include <map>
 
+#include "mesh/vertex_ring.hpp"
+
 namespace gvd {
 namespace {
 
@@ -63,8 +65,7 @@ class ArcLister {
         begin = end.at;
       }
       arc->segments.push_back({h, begin, 1});
-      h = Mesh::next(h);
-      while (mesh_.twin(h).valid()) h = Mesh::next(mesh_.twin(h));
+      h = next_on_boundary(mesh_, h);
     }
     if (arcs_.size() > before) {
       arc->segments.insert(arc->segments.end(), head.segments.begin(), head.segments.end());

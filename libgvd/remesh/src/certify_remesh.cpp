@@ -8,6 +8,7 @@
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -28,12 +29,6 @@ struct ComponentTopology {
   std::int32_t boundary_loops = 0;
   bool operator==(const ComponentTopology&) const = default;
 };
-
-HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) {
-  HalfedgeId next = Mesh::next(h);
-  while (mesh.twin(next).valid()) next = Mesh::next(mesh.twin(next));
-  return next;
-}
 
 /// The topology of every component, in the order of compute_face_components.
 std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component) {

@@ -161,14 +161,12 @@ class SubmeshExtractor {
         const HalfedgeId start = Mesh::halfedge(f, corner);
         if (corner_vertex_[corner_index(start)] >= 0) continue;
         const int number = add_vertex(mesh_.position(mesh_.from(start)));
-        for (HalfedgeId h = start; is_added(h) && corner_vertex_[corner_index(h)] < 0;
-             h = mesh_.twin(Mesh::previous(h))) {
+        for (HalfedgeId h = start; is_added(h) && corner_vertex_[corner_index(h)] < 0; h = next_outgoing(mesh_, h)) {
           corner_vertex_[corner_index(h)] = number;
         }
-        HalfedgeId h = mesh_.twin(start);
-        while (is_added(h) && corner_vertex_[corner_index(Mesh::next(h))] < 0) {
-          corner_vertex_[corner_index(Mesh::next(h))] = number;
-          h = mesh_.twin(Mesh::next(h));
+        for (HalfedgeId h = previous_outgoing(mesh_, start); is_added(h) && corner_vertex_[corner_index(h)] < 0;
+             h = previous_outgoing(mesh_, h)) {
+          corner_vertex_[corner_index(h)] = number;
         }
       }
     }

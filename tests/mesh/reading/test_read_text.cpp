@@ -48,9 +48,9 @@ TEST_CASE("parse_integer: signs, and nothing beyond 64 bits") {
 }
 
 TEST_CASE("quoted: printable and shortened") {
-  CHECK(quoted("abc") == "'abc'");
-  CHECK(quoted("a\tb\xff") == "'a?b?'");
-  CHECK(quoted(std::string(40, 'x')) == "'" + std::string(32, 'x') + "...'");
+  CHECK(gvd::quoted("abc") == "'abc'");
+  CHECK(gvd::quoted("a\tb\xff") == "'a?b?'");
+  CHECK(gvd::quoted(std::string(40, 'x')) == "'" + std::string(32, 'x') + "...'");
 }
 
 TEST_CASE("text reader: lines end in LF, CR LF or CR, and are numbered") {

@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "geodesic/field/face_layout.hpp"
+#include "mesh/point_views.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -47,29 +49,20 @@ void TangentFan::add_edge(const Mesh& mesh, const SurfacePoint& point) {
   closed_ = twin.valid();
   total_ = closed_ ? 2 * kPi : kPi;
   if (!closed_) return;
-  const double from = point.bary[static_cast<std::size_t>(corner)];
-  SurfacePoint beyond{Mesh::face(twin), {0, 0, 0}};
-  beyond.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = from;
-  beyond.bary[static_cast<std::size_t>(Mesh::corner(twin))] =
-      point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
-  sectors_.push_back({beyond, kPi, kPi, FaceLayout(mesh, beyond.face).side(Mesh::corner(twin))});
+  sectors_.push_back(
+      {*find_view_across(mesh, point), kPi, kPi, FaceLayout(mesh, Mesh::face(twin)).side(Mesh::corner(twin))});
 }
 
 void TangentFan::add_vertex(const Mesh& mesh, VertexId v) {
-  const HalfedgeId start = mesh.halfedge(v);
-  HalfedgeId h = start;
-  do {
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) {
     const FaceLayout layout(mesh, Mesh::face(h));
     const int corner = Mesh::corner(h);
-    SurfacePoint point{Mesh::face(h), {0, 0, 0}};
-    point.bary[static_cast<std::size_t>(corner)] = 1;
     const Vec2 first = layout.side(corner), last = -layout.side((corner + 2) % 3);
     const double opening = std::atan2(std::abs(cross(first, last)), first.dot(last));
-    sectors_.push_back({point, total_, opening, first});
+    sectors_.push_back({edge_point(h, 0), total_, opening, first});
     total_ += opening;
-    h = mesh.twin(Mesh::previous(h));
-  } while (h.valid() && h != start);
-  closed_ = h.valid();
+  });
+  closed_ = !mesh.is_boundary(v);
   if (!closed_ && total_ <= 2 * kPi) return;
   scale_ = 2 * kPi / total_;
   total_ = 2 * kPi;
