@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "gvd/error.hpp"
 #include "support/brute_force.hpp"
@@ -205,34 +204,6 @@ TEST_CASE("vertices and faces that no generator reaches have no entry") {
   const auto component = compute_face_components(mesh);
   for (int i = 0; i < mesh.face_count(); ++i) {
     REQUIRE(stages.table().reached(FaceId(i)) == (component[FaceId(i)] == component[FaceId(0)]));
-  }
-}
-
-TEST_CASE(
-    "with circle fronts an auxiliary distance is exact on a flat grid where the front enters through the face's other "
-    "edges") {
-  const Mesh mesh = test::make_grid(12, 9);
-  const VertexId from(4 * 13 + 6);
-  for (const Front front : kFronts) {
-    const test::Stages stages(mesh, {vertex_point(mesh, from)}, front);
-    int exact = 0, all = 0;
-    for (int i = 0; i < mesh.face_count(); ++i) {
-      stages.table().for_each(FaceId(i), [&](const TableEntry& entry) {
-        const auto d = stages.table().corner_distances(entry);
-        for (int side = 0; side < 3; ++side) {
-          const HalfedgeId h = Mesh::halfedge(FaceId(i), side);
-          const Vec3 middle = 0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h)));
-          const double straight = (middle - mesh.position(from)).norm();
-          const auto k = static_cast<std::size_t>(side);
-          const double found = auxiliary_distance(make_median_halves(mesh.shape(FaceId(i)), k), d, k, front);
-          REQUIRE(found >= straight - 1e-8);
-          REQUIRE(found <= d[(k + 2) % 3] + std::sqrt(5) / 2 + 1e-12);  // from the opposite corner along the median
-          exact += found <= straight + 1e-8 ? 1 : 0;
-          ++all;
-        }
-      });
-    }
-    if (front == Front::circle) CHECK(exact > all / 2);
   }
 }
 
