@@ -13,8 +13,8 @@ namespace gvd {
 /// coordinates. So bisectors are straight, and a branch point solves a 2 x 2 system.
 ///
 /// With planar fronts the form is the distance, interpolated linearly from the corners. With circle fronts it is the
-/// squared distance: for a point source in the triangle's plane d(p)^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2, and the
-/// last sum is the same for every generator.
+/// squared distance. For a point source in the triangle's plane d(p)^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. The last
+/// sum is the same for every generator.
 /// Source: not in the paper, whose rough bisectors join the midpoints of edges (section 4.2).
 struct DistanceForm {
   GeneratorId generator;

@@ -20,8 +20,9 @@ struct PolygonCorner {
 using FacePolygon = std::vector<PolygonCorner>;
 
 /// How far a triangle's corner may lie on the wrong side of the opposite edge, in barycentric coordinates, where the
-/// distances can confirm branch points. A branch point at a vertex, by a tie, lies kInsideFace from it, as near as the
-/// crossings round it, and on either side of them. Less than the 1e-11 from which a piece counts as inverted.
+/// distances can confirm branch points. A branch point at a vertex, by a tie, lies kInsideFace from it. That is as
+/// near as the crossings round it, and on either side of them. Less than the 1e-11 from which a piece counts as
+/// inverted.
 inline constexpr double kTieInversion = 4.8e-12;
 
 /// The midpoint of corner i and the next one.

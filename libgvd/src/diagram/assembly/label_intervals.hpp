@@ -9,8 +9,8 @@
 
 namespace gvd {
 
-/// The label intervals of a face's boundary, interval i from crossing i to the next one, and which of them are known to
-/// belong to one piece of a cell. The boundary and the distances must outlive it.
+/// The label intervals of a face's boundary, and which of them are known to belong to one piece of a cell. Interval i
+/// lies between crossing i and the next one. The boundary and the distances must outlive this.
 class LabelIntervals {
  public:
   /// `boundary`: at least two crossings.

@@ -19,8 +19,8 @@ constexpr double kWidestGap = 1e-6;
 /// Distance between crossings and the ends of their edge, as a part of it: above the snapping of surface points.
 constexpr double kEndGap = 2e-12;
 
-/// Two distances that differ by less than this part of themselves are equal, and a bracket narrower than this part of
-/// the edge is a point.
+/// Two distances that differ by less than this part of themselves are equal. A bracket narrower than this part of the
+/// edge is a point.
 constexpr double kEqual = 1e-14;
 
 /// Whether the interval of g after one of `before` is only a gap that rounding left between two windows of `before`. It
@@ -93,8 +93,8 @@ void EdgeCrossings::append_single(const EdgeEnvelope& envelope, EdgeId e, Genera
                                   std::vector<Crossing>& crossings) {
   const double length = envelope.length();
   const auto clearance = [&](double t) { return envelope.distance(last, t) - envelope.distance(first, t); };
-  // Where one of the two is nearer on all of the edge, by a tie at the other's end or because the other's cell is cut
-  // off there, the crossing lies at that end.
+  // One of the two may be nearer on all of the edge: by a tie at the other's end, or because the other's cell is cut
+  // off there. Then the crossing lies at that end.
   double t = clearance(0) <= 0 ? 0 : 1;
   if (clearance(0) > 0 && clearance(length) < 0) {
     t = find_equidistant(envelope, first, last, {0, 0.5 * length, length}) / length;

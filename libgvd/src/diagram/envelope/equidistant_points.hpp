@@ -8,8 +8,8 @@
 namespace gvd {
 
 /// The points equally far from a source of each of three generators, along straight lines from the images. They include
-/// every branch point of the three generators in the face, to rounding, or to half of the digits where two of the rays
-/// touch. Most of them are none: the rays don't pass the openings, or another source is nearer.
+/// every branch point of the three generators in the face: to rounding, or to half of the digits where two rays touch.
+/// Most of them are none: the rays don't pass the openings, or another source is nearer.
 ///
 /// A search along the distances themselves stagnates at their ridges, where the shortest path changes from one source
 /// to another. Here each triple of sources is solved alone, so there is no ridge.

@@ -9,8 +9,8 @@
 namespace gvd {
 namespace {
 
-/// Whether an inner point of an arc lies inside the face. Where a bisector runs along a side, by a tie, or beyond it by
-/// rounding, the search in the face ends on the side, which is not on the bisector.
+/// Whether an inner point of an arc lies inside the face. A bisector can follow a side, by a tie, or lie beyond it by
+/// rounding. Then the search in the face ends on the side, and not on the bisector.
 bool is_inside(const Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
 
 }  // namespace

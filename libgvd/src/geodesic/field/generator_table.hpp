@@ -30,7 +30,7 @@ struct TableEntry {
 /// The generator tables of all triangles and vertices.
 ///
 /// Nearly every vertex and triangle has one generator. So the first item of each is in the array at the index of its
-/// vertex or face, and the others are a linked list behind all first ones. Memory: about 60 bytes a face.
+/// vertex or face. The others are a linked list, behind all first ones. Memory: about 60 bytes a face.
 class GeneratorTable {
  public:
   GeneratorTable(std::int32_t vertices, std::int32_t faces)

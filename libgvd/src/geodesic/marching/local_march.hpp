@@ -11,8 +11,8 @@ namespace gvd {
 
 /// Distances from one point, propagated only as far as they are below a bound at each vertex.
 ///
-/// Many runs share one work space, so that the cost of a run depends on the vertices that it reaches, not on the size
-/// of the mesh. Memory: 40 bytes a face.
+/// Many runs share one work space. So the cost of a run depends on the vertices that it reaches, not on the size of the
+/// mesh. Memory: 40 bytes a face.
 class LocalMarch {
  public:
   LocalMarch(const Mesh& mesh, Front front);

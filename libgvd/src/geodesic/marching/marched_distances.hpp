@@ -5,9 +5,9 @@
 
 namespace gvd {
 
-/// The distances of the adapted fast marching, as sources: over every side of a face, the image of each generator is
-/// unfolded from its distances at the side's two ends (the circle front in place of the linear one of section 4.1). A
-/// generator has one image for each side; the nearest one is the one that its front came from.
+/// The distances of the adapted fast marching, as sources. Over every side of a face, the image of each generator is
+/// unfolded from its distances at the side's two ends. The nearest of a generator's images is the one that its front
+/// came from. This is the circle front, in place of the linear one of section 4.1.
 class MarchedDistances final : public DistanceField {
  public:
   /// Both must outlive this.
