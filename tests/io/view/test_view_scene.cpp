@@ -1,0 +1,64 @@
+#include <map>
+
+#include "gvd/diagram.hpp"
+#include "gvd/io/view.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test {
+namespace {
+
+std::map<std::string, std::string> figures_of(const ViewScene& scene) {
+  std::map<std::string, std::string> figures;
+  for (const ViewFigure& figure : scene.figures) figures[figure.name] = figure.value;
+  return figures;
+}
+
+}  // namespace
+
+TEST_CASE("a scene has the labels, pieces, lines and points of its diagram") {
+  const Mesh mesh = make_sphere(2);
+  const Diagram diagram = compute_diagram(mesh, random_generators(mesh, 12, 3));
+  const ViewScene scene = make_view_scene("A name", mesh, diagram);
+  CHECK(scene.name == "A name");
+  CHECK(scene.mesh == &mesh);
+  CHECK(scene.face_label == diagram.face_label);
+  CHECK(scene.pieces.size() == diagram.pieces.size());
+  CHECK(scene.vertex_distance == diagram.vertex_distance);
+  CHECK(scene.bisectors.size() == diagram.bisectors.size());
+  CHECK(scene.branch_points.size() == diagram.branch_points.size());
+  CHECK(scene.cells.size() == 12);
+  CHECK(scene.added_generators.empty());
+  REQUIRE(scene.generators.size() == 12);
+  for (std::size_t i = 0; i < 12; ++i) CHECK(scene.generators[i] == position(mesh, diagram.generators[i]));
+  CHECK(figures_of(scene)["Generators"] == "12");
+  CHECK(figures_of(scene)["Branch points"] == std::to_string(diagram.branch_points.size()));
+}
+
+TEST_CASE("the line of a closed bisector ends at its first point") {
+  const Mesh mesh = make_grid(4, 4);
+  Diagram diagram;
+  Bisector open, closed;
+  open.points = closed.points = {vertex_point(mesh, VertexId(6)), vertex_point(mesh, VertexId(7)),
+                                 vertex_point(mesh, VertexId(12))};
+  closed.closed = true;
+  diagram.bisectors.push_back(open);
+  diagram.bisectors.push_back(closed);
+  const ViewScene scene = make_view_scene("", mesh, diagram);
+  CHECK(scene.bisectors[0].size() == 3);
+  REQUIRE(scene.bisectors[1].size() == 4);
+  CHECK(scene.bisectors[1].front() == scene.bisectors[1].back());
+}
+
+TEST_CASE("the Euler count of a complete diagram agrees, and is left out where a vertex is not reached") {
+  const Mesh mesh = make_torus(24, 12);
+  Diagram diagram = compute_diagram(mesh, random_generators(mesh, 30, 3));
+  const std::string count = figures_of(make_view_scene("", mesh, diagram)).at("Euler count");
+  const std::size_t middle = count.find(" of ");
+  CHECK(count.substr(0, middle) == count.substr(middle + 4));
+  diagram.vertex_label[VertexId(0)] = GeneratorId();
+  CHECK(figures_of(make_view_scene("", mesh, diagram)).count("Euler count") == 0);
+}
+
+}  // namespace gvd::test
