@@ -20,7 +20,7 @@ class SharedRun {
             const Progress& progress)
       : count_(count), step_(step), work_(work), progress_(progress) {}
 
-  /// Takes items, in their order, until there are none left; by any thread. Throws nothing.
+  /// Takes items in their order until none is left. Called by any thread; throws nothing.
   void take_items() {
     for (std::size_t i = next_++; i < count_; i = next_++) {
       if (cancelled_ || i > failed_) return;
@@ -28,7 +28,7 @@ class SharedRun {
     }
   }
 
-  /// By the calling thread, when all items were taken.
+  /// Called by the calling thread when all items were taken.
   void finish() {
     if (count_ > 0 && !cancelled_ && !failure_) report(1);
     if (cancellation_) std::rethrow_exception(cancellation_);
@@ -53,9 +53,9 @@ class SharedRun {
     failure_ = std::current_exception();
   }
 
-  void report(double part) {
+  void report(double fraction) {
     try {
-      report_progress(progress_, step_.name, step_.from + (step_.to - step_.from) * part);
+      report_progress(progress_, step_.name, step_.from + (step_.to - step_.from) * fraction);
     } catch (...) {
       cancellation_ = std::current_exception();
       cancelled_ = true;
@@ -71,7 +71,7 @@ class SharedRun {
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> cancelled_ = false;
   std::exception_ptr cancellation_;  // the calling thread's
-  // Items are begun in their order, and those before a failure are all run: the one that stays has the least index.
+  // Items are started in their order, and those before a failed one all run: so the least failed index remains here.
   std::atomic<std::size_t> failed_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure_;  // under the mutex
   std::mutex mutex_;
@@ -92,15 +92,15 @@ void ParallelChunks::run(std::size_t count, const StepPart& step, const std::fun
   if (threads <= 1) {
     shared.take_items();
   } else {
-    // As many takers as threads may work; one that no thread picks up in time finds nothing left. Not in an arena of
-    // its own: with oneTBB 2021.8 no worker joins any more, sometimes, once an arena was destroyed. Isolated, so that
-    // the calling thread takes up no work of its program's while it waits for the others.
+    // One task for each thread that may work; a task that starts late finds no item left. No separate arena: with
+    // oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. Isolated, so that the calling
+    // thread takes no other work of its program while it waits.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(
           std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
     });
-    shared
-        .take_items();  // all of them, where a loop of the caller's that this runs in was cancelled: oneTBB began none
+    // If a surrounding loop of the caller's was cancelled, oneTBB starts no task: then all items are left.
+    shared.take_items();
   }
   shared.finish();
 }

@@ -19,10 +19,10 @@ struct Chunk {
 /// Cuts a list of `count` items into chunks of `size` >= 1 items; the last one may be shorter.
 std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size);
 
-/// So many items of a list make a chunk where each takes no more than a few look-ups.
+/// Size of a chunk for lists whose items take no more than a few look-ups each.
 inline constexpr std::size_t kScanChunk = 1 << 13;
 
-/// Cuts a list into chunks as soon as the work in them reaches `enough`; `work(i)` is that of item i.
+/// Cuts a list into chunks, each of which ends as soon as its work reaches `enough`; `work(i)` is that of item i.
 template <class Work>
 std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work) {
   std::vector<Chunk> chunks;
@@ -37,7 +37,7 @@ std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work)
   return chunks;
 }
 
-/// The step that some work is reported as, and the part of the step that it makes up.
+/// The name of the step as which some work is reported, and the fractions of the step at its begin and end.
 struct StepPart {
   std::string_view name;
   double from = 0, to = 1;
@@ -45,19 +45,19 @@ struct StepPart {
 
 /// Work by several threads, with the same result to the last bit for any number of them.
 ///
-/// Why it is the same: a list is cut into chunks by its contents alone, never by the number of threads; a chunk reads
-/// what nobody writes meanwhile, and has results and scratch memory of its own; the results are joined in the order of
-/// the chunks. Which thread takes which chunk, and when, is left to chance and can't be seen. So sums over chunks are
-/// to be formed after them, in their order.
+/// Why it is the same: a list is cut into chunks by its contents alone, never by the number of threads. A chunk reads
+/// only what nobody writes meanwhile, and has results and scratch memory of its own. The results are joined in the
+/// order of the chunks. Chance decides which thread takes which chunk, and when, but no result depends on it. Sums over
+/// several chunks must therefore be formed after the run, in the order of the chunks.
 ///
-/// Progress: the callback is called by the calling thread alone, after each chunk of its own and at the end. When it
-/// cancels, no chunk is begun any more; those at work are waited for.
-/// Errors: where chunks throw, the exception of the first of them is thrown, whichever came first in time; later chunks
-/// are not begun any more. Cancelling goes before.
+/// Progress: only the calling thread calls the callback, after each chunk of its own and at the end. If it cancels, no
+/// further chunk is started, and those that run are waited for.
+/// Errors: if chunks throw, the exception of the first one in the list is thrown, not of the first one in time. Chunks
+/// after it are not started any more. Cancelling takes precedence over errors.
 class ParallelChunks {
  public:
-  /// `threads` >= 1, or 0 for all cores; never more are used than oneTBB has, which is one a core or, within an arena
-  /// of the caller's, what that allows. `progress` has to outlive this.
+  /// `threads` >= 1, or 0 for all cores. Never more are used than oneTBB provides: one for each core or, within an
+  /// arena of the caller's, as many as that allows. `progress` has to outlive this.
   ParallelChunks(int threads, const Progress& progress) : threads_(threads), progress_(progress) {}
 
   const Progress& progress() const { return progress_; }
@@ -73,7 +73,7 @@ class ParallelChunks {
     return results;
   }
 
-  /// The same where the results are vectors: joined to one.
+  /// The same for results that are vectors, which are joined to one.
   template <class Compute>
   auto collect(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
     auto parts = map(chunks, step, compute);

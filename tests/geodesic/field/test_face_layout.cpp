@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "geodesic/field/face_layout.hpp"
@@ -38,5 +39,18 @@ TEST_CASE("points and barycentric coordinates convert to each other, and change 
     const Bary bary = layout.bary(p), moved = layout.bary(p + direction), rate = layout.bary_rate(direction);
     REQUIRE((layout.at(bary) - p).norm() < 1e-14);
     for (std::size_t k = 0; k < 3; ++k) REQUIRE(moved[k] - bary[k] == Approx(rate[k]).epsilon(1e-12).margin(1e-13));
+  }
+}
+
+TEST_CASE("a face with one short side is laid out with all digits of the long ones") {
+  const std::array<Vec3, 3> corner{Vec3(0.1, 0.2, 0.3), Vec3(0.1 + 1e-7, 0.2 + 1e-7, 0.3), Vec3(0.7, 1.1, 0.4)};
+  for (std::size_t first = 0; first < 3; ++first) {
+    const Mesh mesh({corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]},
+                    {std::array{VertexId(0), VertexId(1), VertexId(2)}});
+    const FaceLayout layout(mesh, FaceId(0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(FaceId(0), static_cast<int>(i)));
+      CHECK(std::abs((layout.corner[(i + 1) % 3] - layout.corner[i]).norm() - length) < 1e-15);
+    }
   }
 }

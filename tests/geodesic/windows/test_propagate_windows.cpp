@@ -7,9 +7,6 @@
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/windows/collect_sources.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
-#include "geodesic/windows/waiting_windows.hpp"
-#include "geodesic/windows/window_filters.hpp"
-#include "geodesic/windows/window_limit.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -47,33 +44,7 @@ Nearest nearest_on_edge(const Mesh& mesh, const WindowField& field, HalfedgeId h
 
 }  // namespace
 
-TEST_CASE("more windows than 32 bits can number are refused") {
-  CHECK_NOTHROW(check_window_count(0, kMostWindows));
-  CHECK_NOTHROW(check_window_count(kMostWindows - 1024, 1024));
-  CHECK_THROWS_AS(check_window_count(kMostWindows - 1023, 1024), Error);
-}
-
-TEST_CASE("lists of waiting windows that have given their memory back take windows again") {
-  std::vector<std::int32_t> first(2, -1);
-  WaitingWindows waiting(first, 1);
-  for (int time = 0; time < 2; ++time) {
-    for (std::int32_t i = 0; i < 1000; ++i) {
-      waiting.add(i % 2, {0.25, 0.5, i / 1000.0, 1}, {0, i, 0, -1, 0}, 1, 1);
-    }
-    for (const std::int32_t h : {0, 1}) {
-      int count = 0;
-      waiting.take(h, [&](const Rays& w, const Origin& origin) {
-        ++count;
-        CHECK(w.x == origin.generator / 1000.0);
-        CHECK(origin.generator % 2 == h);
-      });
-      CHECK(count == 500);
-    }
-    waiting.release();
-  }
-}
-
-TEST_CASE("a component without a generator stays out of reach") {
+TEST_CASE("a component without a generator has no distances") {
   const Mesh mesh = test::make_two_components();
   const WindowField field = propagate(mesh, {VertexId(0)}, KeepWindows::near_bisectors);
   const VertexId there(mesh.vertex_count() - 1);
@@ -123,7 +94,7 @@ TEST_CASE("straight lines on a flat mesh, at every point, through vertices and a
   }
 }
 
-TEST_CASE("an offset is where its generator's distances start") {
+TEST_CASE("a generator's distances start at its offset") {
   const Mesh mesh = test::make_sphere(2);
   const std::vector<VertexId> both{VertexId(0), VertexId(3)};
   const WindowField first = propagate(mesh, {both[0]}), second = propagate(mesh, {both[1]});

@@ -43,7 +43,7 @@ double distance_on_edge(const Mesh& mesh, const WindowField& field, HalfedgeId h
 
 }  // namespace
 
-TEST_CASE("paths go on from a saddle into the angle that no straight path reaches, and pass beside it elsewhere") {
+TEST_CASE("paths continue from a saddle into the angle that no straight path reaches, and pass beside it elsewhere") {
   constexpr int kCount = 8;
   const Mesh mesh = make_crown(kCount, 0.4);
   const double spoke = mesh.position(VertexId(1)).norm();
@@ -70,7 +70,7 @@ TEST_CASE("paths go on from a saddle into the angle that no straight path reache
   }
 }
 
-TEST_CASE("a path that finds no way on from a vertex says that it is not complete") {
+TEST_CASE("a path that can't be continued from a vertex is not complete") {
   const Mesh mesh = make_crown(8, 0.4);
   const VertexId saddle(0), start(5), generator(1);
   WindowField field = propagate(mesh, {generator});
@@ -112,7 +112,7 @@ TEST_CASE("one face, two faces, and a generator on every vertex") {
   }
 }
 
-TEST_CASE("every window of a run with all generators is a path of its generator, none shorter than its own run finds") {
+TEST_CASE("every window is a path of its generator, and none is shorter than the exact distance from it") {
   for (const auto& [name, input] : test::small_family()) {
     INFO(name);
     const WorkingMesh working(input, test::random_generators(input, 6, 44));
@@ -123,13 +123,12 @@ TEST_CASE("every window of a run with all generators is a path of its generator,
     for (const VertexId v : generators) alone.push_back(propagate(mesh, {v}));
     double worst = 0;
     for (int f = 0; f < mesh.face_count(); ++f) {
-      field.windows.for_each(FaceId(f), [&](const KeptWindow& w) {
-        const HalfedgeId h(w.halfedge);
+      field.windows.for_each(FaceId(f), [&](const Window& w) {
+        const HalfedgeId h = w.halfedge;
         const double length = mesh.length(h);
         for (const double part : {0.0, 0.5, 1.0}) {
           const double t = w.begin + part * (w.end - w.begin), from_start = mesh.twin(h).valid() ? t : length - t;
-          const double least =
-              distance_on_edge(mesh, alone[static_cast<std::size_t>(w.generator)], h, from_start / length);
+          const double least = distance_on_edge(mesh, alone[w.generator.index()], h, from_start / length);
           worst = std::max(worst, least - w.distance(t));
         }
       });

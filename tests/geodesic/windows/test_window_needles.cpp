@@ -6,8 +6,6 @@
 #include <random>
 
 #include "geodesic/windows/propagate_windows.hpp"
-#include "geodesic/windows/waiting_windows.hpp"
-#include "geodesic/windows/window_filters.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -17,47 +15,6 @@
 
 using namespace gvd;
 using test::propagate;
-
-TEST_CASE("an apex between two windows that rounding has parted is grazed") {
-  // The image is 1e-8 of the edge away from it, where 1e-16 of the edge is an angle of 1e-8.
-  const Rays w{0.25, 1, 0.25, 1e-8};
-  const ApexView apex(w, 0.25 - 1e-15, 1e-8);
-  REQUIRE(apex.all_right());
-  CHECK(is_grazed(w, apex, 1));
-  CHECK_FALSE(is_grazed(w, apex, 1e-3));
-  const ApexView behind(w, 0.25 - 1e-15, -0.5e-8);
-  CHECK_FALSE(is_grazed(w, behind, 1));
-}
-
-TEST_CASE("an apex that a window misses by its drift lies in a gap where the path is no longer") {
-  const Rays w{2e-11, 0.25, 0, 1};
-  const ApexView apex(w, 0, 1e-6);
-  CHECK_FALSE(is_grazed(w, apex, 0.25));
-  CHECK_FALSE(is_in_gap(w, apex, 1e-11));
-  CHECK(is_in_gap(w, apex, 1e-10));
-  // 2e-7 across at a distance of 1e-6 makes the path longer by 2e-8 of itself.
-  const Rays aside{2e-7, 0.25, 0, 1};
-  CHECK_FALSE(is_in_gap(aside, ApexView(aside, 0, 1e-6), 1e-6));
-}
-
-TEST_CASE("thin windows that join make one that holds both, in whatever order they come") {
-  for (const bool swapped : {false, true}) {
-    // Narrower than what ends may differ by, and given as if the left one were the right one.
-    const Rays left{0.5, 0.5 + 1e-11, 0.5, 1}, right{0.5 + 1e-11, 0.5 + 2e-11, 0.5, 1};
-    std::vector<std::int32_t> first(1, -1);
-    WaitingWindows waiting(first, 1);
-    waiting.add(0, swapped ? right : left, {0, 0, 1, 3, Origin::kAtEnd}, 1, 1);
-    waiting.add(0, swapped ? left : right, {0, 0, 1, 4, Origin::kAtBegin}, 1, 1);
-    int count = 0;
-    waiting.take(0, [&](const Rays& w, const Origin& origin) {
-      ++count;
-      CHECK(w.begin == left.begin);
-      CHECK(w.end == right.end);
-      CHECK(origin.cycle_check_face == -1);  // only some of the paths have crossed it
-    });
-    CHECK(count == 1);
-  }
-}
 
 namespace {
 
@@ -106,7 +63,7 @@ Mesh make_spindle(int sides, double radius) {
 
 }  // namespace
 
-TEST_CASE("windows do not wind round thin tubes for ever, and keep few where all paths tie") {
+TEST_CASE("windows do not wind round thin tubes for ever, and stay few where all paths tie") {
   const auto carried_a_face = [](const Mesh& mesh) {
     return double(propagate(mesh, {VertexId(1)}).carried) / mesh.face_count();
   };
@@ -128,7 +85,7 @@ TEST_CASE("windows do not wind round thin tubes for ever, and keep few where all
   }
 }
 
-TEST_CASE("paths along a line of vertices that rounding has moved are found") {
+TEST_CASE("paths along vertices that lie on a line up to rounding are found") {
   // On the plane, vertices along a straight cut, off it by 1e-10: windows pass between them that are as narrow.
   std::vector<Vec3> positions{{0, 1, 0}, {0, -1, 0}};
   std::vector<std::array<int, 3>> faces;
@@ -322,7 +279,7 @@ TEST_CASE("paths through the gap that thin faces open behind a vertex") {
   }
 }
 
-TEST_CASE("paths round a spindle, past needles that end in one point") {
+TEST_CASE("paths round a spindle are found past needles that share a vertex") {
   // Six points on a small ring, two tips, and a point on each long side: the ways between these go round the ring.
   std::vector<Vec3> positions{{0, 0, 1}, {0, 0, -1}};
   std::vector<std::array<int, 3>> faces;

@@ -10,12 +10,12 @@
 
 namespace gvd {
 
-/// All ways to the points of the edge of halfedge h: the cones of its two ends, then the windows from both sides.
-/// In coordinates from `from(h)`. Replaces what `sources` held. Cost: O(windows on the two faces).
+/// Overwrites `sources` with all that reach the edge of halfedge h: its two ends, then the windows from both sides.
+/// Positions run from `from(h)`. Cost: O(windows on the two faces).
 void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources);
 
-/// All ways to the points of face f, laid out as it is: the windows that enter through its sides, then the cones of its
-/// corners. Replaces what `sources` held. Cost: O(windows on the face).
+/// Overwrites `sources` with all that reach the points of face f, in its layout: the windows that enter through its
+/// sides, then its corners. Cost: O(windows on the face).
 void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
                           std::vector<FaceSource>& sources);
 inline void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f,
@@ -23,8 +23,8 @@ inline void collect_face_sources(const Mesh& mesh, const WindowField& field, Fac
   collect_face_sources(mesh, field, f, FaceLayout(mesh, f), sources);
 }
 
-/// The nearest of the sources; ties go to the lower generator, then to the one that comes first. Null where there is
-/// none.
+/// The source with the shortest path to p. Ties go to the lower generator, then to the one that comes first. Null if
+/// there is none.
 template <class Source, class Point>
 const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {
   const Source* best = nullptr;

@@ -34,15 +34,15 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   return options;
 }
 
-/// A point of a triangle, in its coordinates, and how far from it another one is that was looked for.
+/// The barycentric coordinates of the point of a triangle that is nearest to another point, and their distance.
 struct NearestInside {
   Bary local;
   double apart;
 };
 
-/// The point of a triangle next to p; its corners and p are given in the coordinates of one face. In a sliver areas
-/// tell only how far p is from the longest side, and where p is along that side is measured there: so p comes out to
-/// rounding of its place, though its coordinates may be off by far more.
+/// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
+/// a sliver, areas tell only the distance of p from the longest side. The position along that side is measured on the
+/// side itself, so that the point is right up to rounding although its coordinates may not be.
 NearestInside nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
   const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
   const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };

@@ -6,11 +6,11 @@
 namespace gvd {
 namespace {
 
-/// Points that are looked at: the contents of 64 boxes then differ by some tenths.
+/// Number of points that are sampled: the contents of 64 boxes then differ by some tenths.
 constexpr std::size_t kSample = 4096;
 
-/// A number in [0, count), the same for the same i, that has nothing to do with those of other i: a stride would meet
-/// the rows of a grid again and again in one place. Source: splitmix64's output function (Steele, Lea and Flood, 2014).
+/// A pseudo-random number in [0, count) that depends on i and count alone. A constant stride would sample every row of
+/// a grid in the same column. Source: splitmix64's output function (Steele, Lea and Flood, 2014).
 std::size_t scatter(std::uint64_t i, std::size_t count) {
   i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9u;
   i = (i ^ (i >> 27)) * 0x94d049bb133111ebu;
@@ -48,11 +48,11 @@ std::int32_t KdCut::cut(std::span<Sample> samples, std::int32_t first_box, std::
   const std::size_t below = samples.size() * static_cast<std::size_t>(boxes_below) / static_cast<std::size_t>(boxes);
   std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(below), samples.end(),
                    [axis](const Sample& a, const Sample& b) {
-                     return std::tuple(a.point[axis], a.place) < std::tuple(b.point[axis], b.place);
+                     return std::tuple(a.point[axis], a.index) < std::tuple(b.point[axis], b.index);
                    });
   const Sample& split = samples[below];
   const auto node = static_cast<std::int32_t>(nodes_.size());
-  nodes_.push_back({axis, split.point[axis], split.place, 0, 0});
+  nodes_.push_back({axis, split.point[axis], split.index, 0, 0});
   const std::int32_t lower = cut(samples.first(below), first_box, boxes_below);
   const std::int32_t upper = cut(samples.subspan(below), first_box + boxes_below, boxes - boxes_below);
   nodes_[static_cast<std::size_t>(node)].below = lower;

@@ -9,20 +9,20 @@
 
 namespace gvd {
 
-/// A list of points cut into boxes with about as many of them in each: the longest side of a box is cut, and again.
-/// Points with the same coordinate are told apart by their places in the list.
+/// A list of points cut into boxes of about as many points each, by cutting the longest side of a box repeatedly.
+/// Points with the same coordinate are ordered by their index in the list.
 class KdCut {
  public:
-  /// `points` >= 1, of which some thousands are looked at; `boxes` in [1, points].
+  /// At least one point; some thousands of them are sampled. `boxes` in [1, number of points].
   KdCut(std::span<const Vec3> points, std::int32_t boxes);
 
-  /// Number of the box of point p, the i-th of the list, in [0, boxes).
+  /// The box, in [0, boxes), of point p, which has the index i in the list.
   std::int32_t box(const Vec3& p, std::size_t i) const {
     std::int32_t node = root_;
     while (node >= 0) {
       const Node& n = nodes_[static_cast<std::size_t>(node)];
       const double x = p[n.axis];
-      node = x < n.split || (x == n.split && i < n.split_place) ? n.below : n.above;
+      node = x < n.split || (x == n.split && i < n.split_index) ? n.below : n.above;
     }
     return ~node;
   }
@@ -31,13 +31,13 @@ class KdCut {
   struct Node {
     int axis;
     double split;
-    std::size_t split_place;    // of the point at the split
+    std::size_t split_index;    // of the point at the split
     std::int32_t below, above;  // nodes, or ~boxes
   };
 
   struct Sample {
     Vec3 point;
-    std::size_t place;
+    std::size_t index;
   };
 
   std::int32_t cut(std::span<Sample> samples, std::int32_t first_box, std::int32_t boxes);

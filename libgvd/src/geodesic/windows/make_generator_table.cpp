@@ -1,6 +1,7 @@
 #include "geodesic/windows/make_generator_table.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "geodesic/field/face_layout.hpp"
@@ -9,16 +10,25 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported once in so many faces.
+/// Progress is reported once every so many faces.
 constexpr std::int32_t kProgressStride = 1 << 12;
 
-/// Generator g's distance at v, lowered to `distance`; returns its place.
+/// Generator g's distance at v, lowered to `distance`; returns its index in the table.
 std::int32_t lower(GeneratorTable& table, VertexId v, GeneratorId g, double distance) {
-  const std::int32_t place = table.find(v, g);
-  if (place < 0) return table.add(v, g, distance, HalfedgeId());
-  VertexDistance& known = table.distance(place);
+  const std::int32_t index = table.find(v, g);
+  if (index < 0) return table.add(v, g, distance, HalfedgeId());
+  VertexDistance& known = table.distance(index);
   known.distance = std::min(known.distance, distance);
-  return place;
+  return index;
+}
+
+/// The length of generator g's shortest path to p among these sources.
+double least_distance(const std::vector<FaceSource>& sources, GeneratorId g, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceSource& s : sources) {
+    if (s.generator == g) least = std::min(least, s.distance(p));
+  }
+  return least;
 }
 
 }  // namespace
@@ -39,11 +49,7 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
       const GeneratorId g = sources.front().generator;
       std::array<std::int32_t, 3> corner{};
       for (std::size_t k = 0; k < 3; ++k) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const FaceSource& s : sources) {
-          if (s.generator == g) least = std::min(least, s.distance(layout.corner[k]));
-        }
-        corner[k] = lower(table, mesh.vertices(f)[k], g, least);
+        corner[k] = lower(table, mesh.vertices(f)[k], g, least_distance(sources, g, layout.corner[k]));
       }
       table.add(f, g, corner, 0);
       std::erase_if(sources, [g](const FaceSource& s) { return s.generator == g; });

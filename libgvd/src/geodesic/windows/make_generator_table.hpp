@@ -7,9 +7,9 @@
 
 namespace gvd {
 
-/// The generator tables that exact distances amount to: what the paper's growth asks for. A generator has a line in a
-/// face's table where one of its windows, or a corner of its own, reaches the face; its distances at the corners come
-/// from there.
+/// The generator tables that correspond to exact distances: the input of the paper's growth. A generator has a line in
+/// a face's table if one of its windows, or a corner with its label, reaches the face. Its distances at the corners are
+/// computed from these.
 /// Reports the step "tables". Cost: O(n + windows).
 GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
 

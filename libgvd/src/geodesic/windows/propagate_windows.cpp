@@ -12,61 +12,66 @@
 namespace gvd {
 namespace {
 
-/// The propagation in all parts.
+/// The propagation in all partitions.
 class Propagation {
  public:
   Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
       : progress_(progress), parallel_(options.threads, silent_), state_(mesh, options, parallel_) {
-    for (std::int32_t part = 0; part < state_.parts.count(); ++part) {
-      partitions_.push_back(make_partition_propagation(state_, part));
+    for (std::int32_t i = 0; i < state_.partitions.count(); ++i) {
+      partitions_.push_back(std::make_unique<PartitionPropagator>(state_, PartitionId(i)));
     }
   }
 
   void start(VertexId v, GeneratorId g, double d) {
-    const std::int32_t shared = state_.parts.shared(v.value());
-    if (shared < 0) {
-      part(state_.parts.of_halfedge(state_.mesh.halfedge(v).value())).start_vertex(v.value(), g, d);
+    const MeshPartitions& partitions = state_.partitions;
+    const SharedCopyId shared = partitions.shared(first_copy(v));
+    if (!shared.valid()) {
+      propagator(partitions.of_halfedge(state_.mesh.halfedge(v))).start_vertex(first_copy(v), g, d);
       return;
     }
-    for (const MeshPartitions::Place& place : state_.parts.places(shared)) {
-      part(place.part).start_vertex(place.vertex, g, d);
+    for (const MeshPartitions::VertexCopy& copy : partitions.copies(shared)) {
+      propagator(copy.partition).start_vertex(copy.vertex, g, d);
     }
   }
 
   WindowField run() {
-    PropagationRounds(partitions_, state_.mail, state_.bucket_width, parallel_).run([&] { report(); });
-    for (const auto& part : partitions_) {
-      state_.field.carried += part->carried();
-      state_.field.events += part->events();
+    PropagationRounds<PartitionPropagator>(partitions_, state_.mailboxes, state_.bucket_width, parallel_).run([&] {
+      report();
+    });
+    WindowField field;
+    for (const auto& partition : partitions_) {
+      field.carried += partition->carried();
+      field.events += partition->events();
     }
-    keep_windows();
-    forget_places();
-    return std::move(state_.field);
+    field.windows = collect_windows();
+    take_labels(field);
+    return field;
   }
 
  private:
-  PartitionPropagation& part(std::int32_t i) { return *partitions_[static_cast<std::size_t>(i)]; }
+  PartitionPropagator& propagator(PartitionId i) { return *partitions_[i.index()]; }
 
-  /// Reports once in so many windows: rounds can be many, and short.
+  /// Reports once every kProgressStride windows: there can be many short rounds.
   void report() {
     std::int64_t carried = 0;
-    for (const auto& part : partitions_) carried += part->carried();
+    for (const auto& partition : partitions_) carried += partition->carried();
     if (carried < next_report_) return;
     next_report_ = carried + kProgressStride;
     const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
     report_progress(progress_, "distances", share / (1 + share));
   }
 
-  void keep_windows() {
-    const StepPart end{"distances"};
-    std::vector<BlockList<KeptWindow>> kept(partitions_.size());
-    parallel_.run(partitions_.size(), end, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
-    state_.field.windows = EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
+  EdgeWindows collect_windows() {
+    std::vector<BlockList<Window>> kept(partitions_.size());
+    parallel_.run(partitions_.size(), {"distances"}, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
+    return EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
   }
 
-  /// The places of shared vertices, and the labels of vertices that nothing reaches.
-  void forget_places() {
-    WindowField& field = state_.field;
+  /// Takes the distances and labels of the vertices: those of their first copies. Labels of vertices without a path
+  /// are provisional.
+  void take_labels(WindowField& field) {
+    field.distance = IdVector<VertexId, double>(std::move(state_.labels.distance.raw()));
+    field.label = IdVector<VertexId, GeneratorId>(std::move(state_.labels.label.raw()));
     field.distance.resize(static_cast<std::size_t>(state_.mesh.vertex_count()));
     field.label.resize(field.distance.size());
     for (std::int32_t i = 0; i < state_.mesh.vertex_count(); ++i) {
@@ -80,7 +85,7 @@ class Propagation {
   const Progress silent_;
   const ParallelChunks parallel_;
   PropagationState state_;
-  std::vector<std::unique_ptr<PartitionPropagation>> partitions_;
+  std::vector<std::unique_ptr<PartitionPropagator>> partitions_;
   std::int64_t next_report_ = kProgressStride;
 };
 

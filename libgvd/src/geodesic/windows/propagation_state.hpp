@@ -2,15 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 #include "base/parallel_chunks.hpp"
+#include "geodesic/windows/distance_labels.hpp"
 #include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/mesh_partitions.hpp"
+#include "geodesic/windows/partition_exchange.hpp"
 #include "geodesic/windows/partition_messages.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
-#include "geodesic/windows/window_field.hpp"
 #include "geodesic/windows/window_filters.hpp"
 #include "gvd/mesh.hpp"
 
@@ -23,29 +22,23 @@ enum class FaceState : std::uint8_t {
   multi_label,   ///< they have several labels, or had so at some time
 };
 
-/// The path with which a vertex last sent windows.
-struct SentPath {
-  double distance = std::numeric_limits<double>::infinity();
-  std::int32_t generator = -1;
-};
-
-/// What the parts of the mesh have in common. While they work, each one touches only what belongs to its faces and to
-/// its places of vertices.
+/// What the partitions of the mesh share. While they work, each one uses only what belongs to its faces and to its
+/// vertex copies.
 struct PropagationState {
   PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);
 
   const Mesh& mesh;
   KeepWindows keep;
   FaceFrames frames;
-  MeshPartitions parts;
-  WindowField field;  // its arrays hold all places of vertices
-  Mailboxes mail;
-  double bucket_width;  // of the parts' queues
+  MeshPartitions partitions;
+  DistanceLabels labels;
+  Mailboxes mailboxes;
+  double bucket_width;  // of the partitions' queues
   std::size_t bucket_count;
-  std::vector<std::int32_t> first_waiting;  // [halfedge] of WaitingWindows
-  std::vector<ApexPath> apex_path;          // [halfedge that windows cross into the face]; where there are needles
-  std::vector<FaceState> face_state;
-  std::vector<SentPath> sent;  // [place of a shared vertex]
+  IdVector<HalfedgeId, std::int32_t> first_waiting;  // of WaitingWindows
+  IdVector<HalfedgeId, ApexPath> apex_path;          // across the halfedge; empty if there are no needles
+  IdVector<FaceId, FaceState> face_state;            // empty unless windows near bisectors are kept
+  IdVector<SharedCopyId, LastSent> last_sent;
 };
 
 }  // namespace gvd

@@ -12,13 +12,12 @@
 namespace gvd {
 namespace {
 
-/// A line that passes a corner this close, relative to the distances there (an angle, in radians), goes through it: the
-/// corner's own shortest path goes on from there. Otherwise rounding could lead the line past the wrong side of the
-/// corner that its window ends at. Far above the rounding of an image (1e-13), far below the distance to another
-/// corner.
+/// A line that passes a corner at no more than this angle, in radians, ends there, and the path continues with the
+/// corner's own shortest path. Otherwise rounding could lead the line past the wrong side of the corner at which its
+/// window ends. Far above the rounding error of an image (1e-13), far below the angle to another corner.
 constexpr double kAtCorner = 1e-9;
 
-/// A straight line towards an image, where it meets a halfedge on its way into the halfedge's face.
+/// A straight line towards an image, at the point where it crosses a halfedge into the halfedge's face.
 struct Step {
   HalfedgeId halfedge;
   double t;    // from the halfedge's start, mesh units
@@ -39,9 +38,9 @@ class PathTracer {
     for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
       best_distance_ = std::numeric_limits<double>::infinity();
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), seen_from(h), v); });
-      if (std::isinf(best_distance_)) return std::move(path_);  // no path that leads on: rounding has the last word
+      if (std::isinf(best_distance_)) return std::move(path_);  // rounding hides the continuation
       const VertexId nearer = follow_best();
-      // The same: it would go round for ever.
+      // Rounding again: the path would never end.
       if (!(field_.distance[nearer] < field_.distance[v])) return std::move(path_);
       v = nearer;
     }
@@ -66,8 +65,8 @@ class PathTracer {
     return faces;
   }
 
-  /// Looks for a shorter way to p in face f. Where p is the vertex `reached`, a way that leads on: from a vertex that
-  /// is nearer, and not through the vertex itself.
+  /// Looks for a shorter path to p through face f. If p is the vertex `reached`, the path must continue from there: it
+  /// must come from a vertex nearer to the generator, and across the opposite edge or along a side.
   void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
     collect_face_sources(mesh_, field_, f, sources_);
     const Vec2 at = *locate_in_face(mesh_, f, p);
@@ -83,7 +82,7 @@ class PathTracer {
     }
   }
 
-  /// Follows the best way to its vertex.
+  /// Follows the best path to the vertex from which it comes.
   VertexId follow_best() {
     if (best_.is_corner) return go_to(best_.halfedge);
     const FaceLayout layout(mesh_, Mesh::face(best_.halfedge));
@@ -91,7 +90,7 @@ class PathTracer {
     const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i);
     const Vec2 image = best_.image - origin;
     const double length = mesh_.length(best_.halfedge), t = along.dot(best_.entry(best_point_) - origin);
-    // Seen from the other side, the edge turns round.
+    // In the frame of the opposite halfedge, the edge runs the other way.
     Step step{mesh_.twin(best_.halfedge), length - t, {length - along.dot(image), std::abs(cross(along, image))}};
     for (;;) {
       const double part = step.t / mesh_.length(step.halfedge);
@@ -120,7 +119,7 @@ class PathTracer {
     return make_surface_point(Mesh::face(h), bary);
   }
 
-  /// Crosses one face. Returns the vertex where the line ends, or moves the step on to the next face.
+  /// Crosses one face. Returns the vertex at which the line ends, or advances the step to the next face.
   VertexId advance(Step& step) {
     const HalfedgeId k = step.halfedge;
     const FaceFrame f = make_face_frame(mesh_, Mesh::face(k));
@@ -131,12 +130,12 @@ class PathTracer {
     if (std::abs(beside) <= kAtCorner * (step.image - at).norm() * (apex - at).norm()) return go_to(Mesh::previous(k));
     const bool to_right = beside > 0;
     const HalfedgeId side = to_right ? Mesh::next(k) : Mesh::previous(k);
-    if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes the corner where the boundary bends
+    if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes a boundary corner
     const Vec2 origin = to_right ? Vec2(base, 0) : apex, target = to_right ? apex : Vec2(0, 0);
     const double length = mesh_.length(side);
     const Vec2 along = (target - origin) / length;
     const double inside = cross(along, at - origin), outside = -cross(along, step.image - origin);
-    // Rounding led past the vertex, which lies in this face: the line would never end.
+    // The vertex lies in this face and rounding led past it: the line would never end.
     if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
     const double part = inside + outside > 0 ? inside / (inside + outside) : 0;
@@ -145,7 +144,7 @@ class PathTracer {
     return VertexId();
   }
 
-  /// The halfedge that leaves the corner next to p, in the frame of halfedge k.
+  /// The halfedge that leaves the corner nearest to p, in the frame of halfedge k.
   static HalfedgeId nearest_corner(HalfedgeId k, const Vec2& p, double base, const Vec2& apex) {
     const double to_start = p.squaredNorm(), to_end = (p - Vec2(base, 0)).squaredNorm();
     const double to_apex = (p - apex).squaredNorm();

@@ -13,7 +13,7 @@ struct ShortestPath {
   std::vector<SurfacePoint> points;  ///< from the point to the generator; consecutive points share a face
   GeneratorId generator;             ///< invalid where none reaches
   double distance = 0;               ///< mesh units; infinity where none reaches
-  bool complete = false;             ///< whether the points lead to the generator, and not to a vertex before it
+  bool complete = false;             ///< whether the points lead to the generator, and do not end at a vertex before
 };
 
 /// Traces the path over edges and pseudo-sources. All windows must have been kept.

@@ -13,106 +13,101 @@
 
 namespace gvd {
 
-/// The windows of one part of the mesh that wait to be carried across the faces beyond their edges: a list for every
+/// The windows of one partition that wait to be carried across the faces beyond their edges: a list for every
 /// halfedge.
 ///
-/// Their places are used again in the order last out, first in, while the cache still holds them.
+/// Slots are used again in the order last out, first in, while the cache still holds them.
 /// Memory: 64 bytes for each of the most windows that have waited at once since the last `release`.
 class WaitingWindows {
  public:
-  /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the part's halfedges are touched.
+  /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the partition's halfedges are used.
   /// `key_step`: keys that differ by no more than this count as equal.
-  WaitingWindows(std::vector<std::int32_t>& first, double key_step)
-      : first_(first.data()), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
+  WaitingWindows(IdVector<HalfedgeId, std::int32_t>& first, double key_step)
+      : first_(first.raw().data()), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
 
-  /// Adds a window with the key `key` to the list of halfedge h, which is `length` long. Returns whether the halfedge
-  /// has to be queued with that key: nothing waited there, or what waited has a later one.
-  /// Inlined, whatever compilers estimate: it belongs to the innermost loop.
-  [[gnu::always_inline]] bool add(std::int32_t h, const Rays& rays, const Origin& origin, double length, double key) {
-    std::int32_t& head = first_[h];
-    if (head >= 0 && origin.joins != 0 && join(head, rays, origin, length)) return lower_key(head, key);
-    const std::int32_t place = take_place();
-    Window& added = at(place);
+  /// Adds a window with the key `key` to the list of its halfedge, which is `length` long. Returns whether the halfedge
+  /// has to be queued with that key: no window waited there, or the halfedge is queued with a larger key.
+  /// Always inlined: it belongs to the innermost loop.
+  [[gnu::always_inline]] bool add(const Window& w, const WindowHistory& history, double length, double key) {
+    std::int32_t& head = first_[w.halfedge.value()];
+    if (head >= 0 && history.joinable_ends != 0 && join(head, w, history, length)) return lower_key(head, key);
+    const std::int32_t slot = take_slot();
+    Entry& added = at(slot);
     // One by one: a copy in one piece would have to wait until the pieces have reached the cache.
-    added.rays.begin = rays.begin;
-    added.rays.end = rays.end;
-    added.rays.x = rays.x;
-    added.rays.depth = rays.depth;
-    added.offset = origin.offset;
-    added.generator = origin.generator;
-    added.crossed = origin.crossed;
-    added.cycle_check_face = origin.cycle_check_face;
-    added.joins = origin.joins;
+    added.window.begin = w.begin;
+    added.window.end = w.end;
+    added.window.x = w.x;
+    added.window.depth = w.depth;
+    added.window.offset = w.offset;
+    added.window.generator = w.generator;
+    added.window.halfedge = w.halfedge;
+    added.history = history;
     added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
       added.next = -1;
-      head = place;
+      head = slot;
       return true;
     }
-    Window& first = at(head);
+    Entry& first = at(head);
     added.next = first.next;
-    first.next = place;
+    first.next = slot;
     return lower_key(head, key);
   }
 
-  /// Get the list of halfedge h, and the first window in it, into the cache.
-  void prefetch_list(std::int32_t h) const { prefetch(first_ + h); }
-  void prefetch_windows(std::int32_t h) const {
-    if (first_[h] >= 0) prefetch(&at(first_[h]));
+  /// Prefetch the list of halfedge h, and the first window in it.
+  void prefetch_list(HalfedgeId h) const { prefetch(first_ + h.value()); }
+  void prefetch_windows(HalfedgeId h) const {
+    if (first_[h.value()] >= 0) prefetch(&at(first_[h.value()]));
   }
 
-  /// Removes the windows of halfedge h and calls visit(const Rays&, const Origin&) for each; `visit` may add windows to
+  /// Removes the windows of halfedge h and calls visit(const PropagatedWindow&) for each; `visit` may add windows to
   /// other halfedges.
   template <class Visit>
-  void take(std::int32_t h, Visit visit) {
-    std::int32_t place = first_[h];
-    first_[h] = -1;
-    while (place >= 0) {
-      Window& w = at(place);
-      const Rays rays = w.rays;
-      const Origin origin{w.offset, w.generator, w.crossed, w.cycle_check_face, w.joins};
-      const std::int32_t next = w.next;
+  void take(HalfedgeId h, Visit visit) {
+    std::int32_t slot = first_[h.value()];
+    first_[h.value()] = -1;
+    while (slot >= 0) {
+      Entry& entry = at(slot);
+      const PropagatedWindow taken{entry.window, entry.history};
+      const std::int32_t next = entry.next;
       if (next >= 0) prefetch(&at(next));
-      w.next = free_;
-      free_ = place;
-      visit(rays, origin);
-      place = next;
+      entry.next = free_;
+      free_ = slot;
+      visit(taken);
+      slot = next;
     }
   }
 
   /// Gives the memory back. No window may wait.
   void release() {
-    blocks_ = std::vector<std::unique_ptr<Window[]>>();
+    blocks_ = std::vector<std::unique_ptr<Entry[]>>();
     used_ = 0;
     free_ = -1;
   }
 
  private:
-  struct alignas(64) Window {
-    Rays rays;
-    double offset;
-    std::int32_t generator;
+  /// One line of the cache.
+  struct alignas(64) Entry {
+    Window window;
+    WindowHistory history;
     std::int32_t next;  // in the list, or -1
-    float key;          // in the first window of a list: that of the halfedge in the queue, times key_unit_
-    std::int32_t crossed;
-    std::int32_t cycle_check_face;
-    std::uint8_t joins;
+    float key;          // in the first entry of a list: that of the halfedge in the queue, times key_unit_
   };
-  static_assert(sizeof(Window) == 64);
+  static_assert(sizeof(Entry) == 64);
 
   static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
-  /// Ends that lie within this part of the edge are one.
+  /// Interval ends that differ by less than this part of the edge are the same.
   static constexpr double kSameEnd = 1e-9;
 
-  const Window& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
-  Window& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
-  std::int32_t take_place() {
+  std::int32_t take_slot() {
     if (free_ >= 0) {
-      const std::int32_t place = free_;
-      free_ = at(place).next;
-      return place;
+      const std::int32_t slot = free_;
+      free_ = at(slot).next;
+      return slot;
     }
     if ((used_ & kMask) == 0) add_block();
     return used_++;
@@ -120,7 +115,7 @@ class WaitingWindows {
 
   void add_block() {
     check_window_count(static_cast<std::size_t>(used_), kMask + 1);
-    blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kMask + 1));
+    blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
   }
 
   bool lower_key(std::int32_t head, double key) {
@@ -130,40 +125,43 @@ class WaitingWindows {
     return true;
   }
 
-  /// Makes one window of this and one that waits, if they are two neighbouring parts of one: they were split at a flat
-  /// vertex, and see the same image again behind it. Nothing is lost.
-  bool join(std::int32_t head, const Rays& rays, const Origin& origin, double length) {
-    const double tolerance = kSameImage * (origin.offset + rays.depth + std::abs(rays.x));
+  /// Joins the window with a waiting one if the two are neighbours with one image: a flat vertex has split them. The
+  /// joined window holds exactly the paths of both.
+  bool join(std::int32_t head, const Window& w, const WindowHistory& history, double length) {
+    constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
+    const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
     for (std::int32_t i = head; i >= 0; i = at(i).next) {
-      Window& w = at(i);
-      if (w.generator != origin.generator || w.offset != origin.offset) continue;
-      if (std::abs(w.rays.x - rays.x) > tolerance || std::abs(w.rays.depth - rays.depth) > tolerance) continue;
-      const int open = w.joins & ((origin.joins >> 1) | (origin.joins << 1));  // at its begin, where our end may join
-      if ((open & Origin::kAtEnd) && std::abs(w.rays.end - rays.begin) <= kSameEnd * length) {
-        unite(w, rays, origin);
-        w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtBegin) | (origin.joins & Origin::kAtEnd));
+      Entry& entry = at(i);
+      const Window& known = entry.window;
+      if (known.generator != w.generator || known.offset != w.offset) continue;
+      if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
+      const std::uint32_t known_ends = entry.history.joinable_ends, ends = history.joinable_ends;
+      const std::uint32_t open = known_ends & ((ends >> 1) | (ends << 1));  // at its begin, if our end is joinable
+      if ((open & kEnd) && std::abs(known.end - w.begin) <= kSameEnd * length) {
+        unite(entry, w, history);
+        entry.history.joinable_ends = ((known_ends & kBegin) | (ends & kEnd)) & 3u;
         return true;
       }
-      if ((open & Origin::kAtBegin) && std::abs(w.rays.begin - rays.end) <= kSameEnd * length) {
-        unite(w, rays, origin);
-        w.joins = static_cast<std::uint8_t>((w.joins & Origin::kAtEnd) | (origin.joins & Origin::kAtBegin));
+      if ((open & kBegin) && std::abs(known.begin - w.end) <= kSameEnd * length) {
+        unite(entry, w, history);
+        entry.history.joinable_ends = ((known_ends & kEnd) | (ends & kBegin)) & 3u;
         return true;
       }
     }
     return false;
   }
 
-  /// The parts can be narrower than kSameEnd, so that which of them comes first can't be told from the ends that meet.
-  /// Their paths went through different faces: what only some of them have crossed is forgotten.
-  static void unite(Window& w, const Rays& rays, const Origin& origin) {
-    w.rays.begin = std::min(w.rays.begin, rays.begin);
-    w.rays.end = std::max(w.rays.end, rays.end);
-    if (w.cycle_check_face != origin.cycle_check_face) w.cycle_check_face = -1;
-    w.crossed = std::min(w.crossed, origin.crossed);
+  /// The two can be narrower than kSameEnd, so the ends that meet do not tell which one comes first. Their paths have
+  /// crossed different faces: only what holds for both is kept.
+  static void unite(Entry& entry, const Window& w, const WindowHistory& history) {
+    entry.window.begin = std::min(entry.window.begin, w.begin);
+    entry.window.end = std::max(entry.window.end, w.end);
+    if (entry.history.cycle_check_face != history.cycle_check_face) entry.history.cycle_check_face = FaceId();
+    if (history.crossed_faces < entry.history.crossed_faces) entry.history.crossed_faces = history.crossed_faces;
   }
 
-  std::int32_t* first_;  // [halfedge] or -1
-  std::vector<std::unique_ptr<Window[]>> blocks_;
+  std::int32_t* first_;  // [halfedge] slot of the first entry, or -1
+  std::vector<std::unique_ptr<Entry[]>> blocks_;
   std::int32_t used_ = 0, free_ = -1;
   double key_step_;
   double key_unit_;  // a power of two that brings the step near 1, so that keys neither vanish nor overflow as floats

@@ -5,7 +5,7 @@
 
 namespace gvd {
 
-/// Exact distances, from the windows that propagation kept near bisectors.
+/// Exact distances on edges and in faces, from the windows that the propagation kept near bisectors.
 class WindowDistances final : public DistanceField {
  public:
   /// Both have to outlive this.

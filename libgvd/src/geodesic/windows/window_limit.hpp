@@ -8,12 +8,12 @@
 
 namespace gvd {
 
-/// Windows are numbered with 32 bits: four bytes each are saved, and 2^31 of them, kept or waiting, fill 100 GB. A mesh
-/// has fewer than 7.2e8 faces, and curved ones keep ten windows a face where all are kept: from 2.1e8 faces on the
-/// numbers could end.
+/// Windows are numbered with 32 bits, which saves four bytes each; 2^31 of them, kept or waiting, fill 100 GB. Curved
+/// meshes keep about ten windows a face if all are kept, so the numbers could run out from 2.1e8 faces on. (A mesh has
+/// fewer than 7.2e8 faces.)
 inline constexpr std::size_t kMostWindows = std::numeric_limits<std::int32_t>::max();
 
-/// Throws Error{precondition} where there can be no window beside `count` others and the `more` that come with it.
+/// Throws Error{precondition} if `count` windows and `more` of them are too many.
 inline void check_window_count(std::size_t count, std::size_t more) {
   if (count <= kMostWindows - more) return;
   throw Error(ErrorCode::precondition,
