@@ -8,7 +8,8 @@
 
 namespace gvd::test {
 
-/// `count` different points: a third each on vertices, on edges and in faces, as far as the vertices last.
+/// `count` different points: a third each on vertices, on edges and in faces. A vertex that was taken already is
+/// replaced by a point in a face.
 inline std::vector<SurfacePoint> random_generators(const Mesh& mesh, int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

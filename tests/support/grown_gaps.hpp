@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "diagram/growth/gaps.hpp"
 #include "diagram/growth/check_growth.hpp"
+#include "diagram/growth/gaps.hpp"
 #include "support/stages.hpp"
 
 namespace gvd::test {

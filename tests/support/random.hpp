@@ -4,7 +4,7 @@
 
 namespace gvd::test {
 
-/// Seeded numbers that are the same with every standard library: the engine's own output, scaled.
+/// Seeded random numbers that are equal with every standard library: the scaled output of the engine itself.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}

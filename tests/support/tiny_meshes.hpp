@@ -35,7 +35,7 @@ inline Mesh scaled(const Mesh& mesh, double scale) {
 }
 
 /// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` <= 0.2 along each axis, so
-/// that no triangle turns over; obtuse ones abound.
+/// that no triangle is reversed. Many triangles are obtuse.
 inline Mesh make_jittered_grid(int nx, int ny, double shift, unsigned seed) {
   Random random(seed);
   std::vector<Vec3> positions;

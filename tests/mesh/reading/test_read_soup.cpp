@@ -125,7 +125,7 @@ TEST_CASE("a file cut off at any byte is read or refused") {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       INFO(name_of(format) << " cut off at " << size);
       read_anything(bytes.substr(0, size), format);
-      // Formats that say how much is to come notice every loss but that of the last line break.
+      // Formats with counts in the header notice every missing byte but the last line break.
       if (format != MeshFormat::obj && size + 1 < bytes.size() && size + 24 < bytes.size()) {
         CHECK_THROWS_AS(parse_soup(bytes.substr(0, size), format, "file"), Error);
       }

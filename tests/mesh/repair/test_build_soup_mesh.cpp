@@ -186,7 +186,7 @@ TEST_CASE("orientation: the minority of each component is flipped") {
   for (const std::size_t f : {4U, 17U, 30U}) std::swap(soup.corners[3 * f], soup.corners[3 * f + 1]);
   const CheckedMesh checked = require_repaired(soup, DefectKind::inconsistent_orientation, 3, 4);
   CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 2);
-  // Of two against each other the first one stays.
+  // Of two faces with opposite orientation the first one is kept as it is.
   const CheckedMesh two =
       require_repaired(points_soup(4, {{0, 1, 2}, {0, 1, 3}}), DefectKind::inconsistent_orientation, 1, 1);
   CHECK(two.mesh.vertices(FaceId(0)) == std::array{VertexId(0), VertexId(1), VertexId(2)});

@@ -22,7 +22,7 @@ struct Cubes {
   }
 };
 
-// The quad between the cube `at` and the empty place beside it.
+// The quadrilateral between the cube `at` and the empty cell beside it.
 std::array<std::int32_t, 4> cube_side(const std::array<int, 3>& at, std::size_t axis, bool up) {
   const auto corner = [&](int u, int v) {
     std::array<int, 3> p = at;
@@ -64,7 +64,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// Cut where they touch, the cubes enclose what they enclosed.
+// After the cut the cubes enclose the same volume.
 CheckedMesh require_closed(const Cubes& cubes) {
   const PolygonSoup soup = surface_of(cubes);
   CheckedMesh checked = build_mesh(soup);

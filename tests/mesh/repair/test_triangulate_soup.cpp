@@ -14,7 +14,7 @@ PolygonSoup one_polygon(std::vector<Vec3> positions) {
   return soup;
 }
 
-// The polygon's vector area, whatever its shape.
+// The vector area of a polygon of any shape.
 Vec3 vector_area(const PolygonSoup& soup) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < soup.corners.size(); ++i) {
