@@ -14,12 +14,12 @@ struct RandomPoints {
   std::vector<SurfacePoint> points;
 };
 
-/// Generators of every kind: on vertices, on edges, in faces, on the boundary, all in one face, in a row along one
-/// edge, round one vertex, in clusters that nearly coincide, and sometimes two that do.
+/// Generators of every kind: on vertices, on edges, in faces, on the boundary. They may all lie in one face, in a row
+/// along one edge, round one vertex, or in clusters that nearly coincide; sometimes two do coincide.
 RandomPoints make_random_points(const Mesh& mesh, Random& random);
 
-/// Whether the working mesh has thin triangles: two points are closer to each other than the fraction `close` of the
-/// mean edge length, or one is closer than that fraction of a triangle's height to a vertex or edge that it is not on.
+/// Whether the working mesh has thin triangles: two points are closer than the fraction `close` of the mean edge
+/// length. Or a point is closer than that fraction of a triangle's height to a vertex or edge that it is not on.
 bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double close);
 
 /// For closer generators, rounding of coordinates in the thin triangles between them exceeds the error allowed in the

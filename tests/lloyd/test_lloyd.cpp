@@ -51,7 +51,7 @@ TEST_CASE("lloyd: the moments of a rectangle about any of its points are exact")
   }
 }
 
-TEST_CASE("lloyd: many more generators than faces relax") {
+TEST_CASE("lloyd: relaxation of many more generators than faces") {
   const Mesh mesh = test::make_tetrahedron();
   SamplingOptions sampling;
   sampling.count = 200;
@@ -121,7 +121,7 @@ TEST_CASE("lloyd: both fronts, and the same bytes twice") {
   }
 }
 
-TEST_CASE("lloyd: generators that start side by side move apart") {
+TEST_CASE("lloyd: generators that start close together move apart") {
   const Mesh mesh = test::make_sphere(3);
   std::vector<SurfacePoint> start;
   for (int i = 0; i < 6; ++i) start.push_back(make_surface_point(FaceId(17), {0.3 + 1e-5 * i, 0.3, 0.4 - 1e-5 * i}));
@@ -139,7 +139,7 @@ TEST_CASE("lloyd: generators that start side by side move apart") {
   CHECK(nearest > 0.8);  // an octahedron's corners are 1.41 apart
 }
 
-TEST_CASE("lloyd: on a ring a generator on the boundary slides, and one cell stays where it is") {
+TEST_CASE("lloyd: generators of a ring end half way between its boundaries") {
   const Mesh mesh = test::make_ring(24, 6);
   for (unsigned seed = 0; seed < 4; ++seed) {
     const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 3, seed));
@@ -148,7 +148,7 @@ TEST_CASE("lloyd: on a ring a generator on the boundary slides, and one cell sta
   }
 }
 
-TEST_CASE("lloyd: no iteration is one of the choices, and options out of range are refused") {
+TEST_CASE("lloyd: zero iterations are allowed, and options out of range are refused") {
   const Mesh mesh = test::make_sphere(2);
   const auto start = test::random_generators(mesh, 5, 1);
   LloydOptions options;

@@ -52,9 +52,9 @@ double wrong_share(const test::DistanceFields& fields, const Diagram& diagram) {
 
 }  // namespace
 
-/// What a diagram of a flat mesh may differ by from the planar Voronoi diagram, in edges: the generators' own distances
-/// are exact with circles, but the domination test stops a generator a little beyond its cell, and its last distances
-/// there may be those along edges. Each about twice what 80 diagrams of the 24 x 18 grid showed at the most.
+/// Largest differences between a diagram of a flat mesh and the planar Voronoi diagram, in edges. With circular fronts
+/// the distances of a generator are exact in its cell. The domination test stops it a little beyond, where its last
+/// distances may be those along edges. Each tolerance is about twice the maximum over 80 diagrams of the 24 x 18 grid.
 struct FlatTolerance {
   double distance, label, area, branch_point, error_mean;
 };

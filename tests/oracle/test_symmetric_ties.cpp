@@ -98,9 +98,9 @@ double longest_edge(const Mesh& mesh) {
   return longest;
 }
 
-/// Crossings keep 2e-12 of their edge from its ends, and branch points that a tie has turned round lie up to 4.8e-12 of
-/// the face's size on the wrong side. Along the way that this is, the difference of two distances changes by up to
-/// twice as much.
+/// Crossings keep 2e-12 of their edge from its ends. Branch points whose order a tie has reversed lie up to 4.8e-12 of
+/// the face's size on the wrong side. Over such a length the difference of two distances changes by up to twice as
+/// much.
 void require_equidistant_but_for_ties(const Mesh& mesh, const Diagram& diagram) {
   const double longest = longest_edge(mesh), rounding = 1e-14 * mesh.bbox_diagonal();
   const double crossings = 4e-12 * longest + rounding, branch_points = 9.6e-12 * longest + rounding;

@@ -79,7 +79,7 @@ TEST_CASE("remesh: planar fronts") {
   }
 }
 
-TEST_CASE("remesh: one, two or three generators on a sphere get what a closed mesh needs") {
+TEST_CASE("remesh: one, two or three generators on a sphere are completed to a closed mesh") {
   const Mesh mesh = test::make_sphere(3);
   for (const int count : {1, 2, 3}) {
     const RemeshResult result = require_remesh(mesh, test::random_generators(mesh, count, 5));
@@ -105,14 +105,14 @@ TEST_CASE("remesh: components without a generator get some") {
   CHECK(result.certificate.same_in_each_component);
 }
 
-TEST_CASE("remesh: components may touch, and a generator of one takes no room from another") {
+TEST_CASE("remesh: components may touch: a generator of one is not too close to those of another") {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
   const Mesh mesh(corners, {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(3), VertexId(4), VertexId(5)}});
   const RemeshResult result = require_remesh(mesh, {vertex_point(mesh, VertexId(0))});
   CHECK(result.certificate.output.components == 2);
 }
 
-TEST_CASE("remesh: generators on both sides of a slit, at one place in space") {
+TEST_CASE("remesh: generators on both sides of a slit, at the same position") {
   std::vector<Vec3> corners{{0, 0, 0}};
   for (const auto& [x, y] : std::vector<std::pair<int, int>>{{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}}) {
     corners.emplace_back(x, y, 0);

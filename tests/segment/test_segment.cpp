@@ -102,7 +102,7 @@ TEST_CASE("segments: an uncut face takes its cell, a cut one the largest share")
   CHECK(result.without_face.empty());
 }
 
-TEST_CASE("segments: a generator that can't get a face is named") {
+TEST_CASE("segments: a generator that can't get a face is listed") {
   const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   const std::vector<SurfacePoint> points{vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(1))};
   const Segmentation result = segment_faces(mesh, test::make_restricted_voronoi(mesh, points));
@@ -110,7 +110,7 @@ TEST_CASE("segments: a generator that can't get a face is named") {
   CHECK(result.without_face == std::vector<GeneratorId>{GeneratorId(1)});
 }
 
-TEST_CASE("segments: what no generator reaches has no label") {
+TEST_CASE("segments: a component without a generator has no label") {
   const Mesh mesh = test::make_two_components();
   Diagram diagram;
   diagram.generators = {vertex_point(mesh, VertexId(0))};
@@ -129,7 +129,7 @@ TEST_CASE("segments: a diagram of another mesh is refused") {
   CHECK_THROWS_AS(cut_faces(test::make_sphere(1), diagram), Error);
 }
 
-TEST_CASE("cut: the surface, its topology and the cells' areas stay") {
+TEST_CASE("cut: the surface, its topology and the cells' areas do not change") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int count : {1, 2, 30, 200}) {
       CAPTURE(name, count);
@@ -168,7 +168,7 @@ TEST_CASE("cut: a face that only its neighbour's bisector touches is split at th
   CHECK(compute_mesh_summary(cut.mesh).area == Approx(1));
 }
 
-TEST_CASE("cut: pieces that do not fit together leave their face whole") {
+TEST_CASE("cut: pieces that do not tile their face leave it whole") {
   const Mesh mesh = make_square();
   Diagram diagram;
   diagram.generators = {make_surface_point(FaceId(0), {0, 1, 0}), make_surface_point(FaceId(1), {0, 0, 1})};
@@ -198,7 +198,7 @@ TEST_CASE("cut: a piece that is not convex and one with collinear corners") {
   for (int f = 0; f < cut.mesh.face_count(); ++f) CHECK(cut.mesh.area(FaceId(f)) > 0.1);
 }
 
-TEST_CASE("cut: along bisectors that bend inside of faces") {
+TEST_CASE("cut: along bisectors with points inside faces") {
   for (const auto& [name, mesh] : test::small_family()) {
     std::int32_t fewest = 0;
     for (const double tolerance : {1e-2, 1e-4, 1e-7}) {
@@ -224,7 +224,7 @@ TEST_CASE("cut: along bisectors that bend inside of faces") {
   }
 }
 
-TEST_CASE("cut: two faces that lie on each other stay a manifold") {
+TEST_CASE("cut: two coincident faces give a manifold") {
   // Two triangles back to back.
   const std::vector<std::array<VertexId, 3>> closed{{VertexId(0), VertexId(1), VertexId(2)},
                                                     {VertexId(0), VertexId(2), VertexId(1)}};
@@ -245,7 +245,7 @@ TEST_CASE("cut: two faces that lie on each other stay a manifold") {
   }
 }
 
-TEST_CASE("cut: faces without area, where cuts of different edges meet in one place") {
+TEST_CASE("cut: faces without area, where cuts of different edges coincide") {
   // Two triangles above and below of a line; between them four without area, whose sides slide along it.
   std::vector<Vec3> positions;
   for (const double x : {4, 6, 4, 2, 1, 3, 5, 3}) positions.emplace_back(x, 0, 0);
@@ -272,7 +272,7 @@ TEST_CASE("cut: faces without area, where cuts of different edges meet in one pl
   }
 }
 
-TEST_CASE("cut: far from the origin, where points of different edges round to one place") {
+TEST_CASE("cut: far from the origin, where points of different edges coincide by rounding") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const double offset : {1e8, 1e10}) {
       std::vector<Vec3> positions = mesh.positions();
@@ -295,7 +295,7 @@ TEST_CASE("cut: far from the origin, where points of different edges round to on
   }
 }
 
-TEST_CASE("cut: only the edges inside faces that lie on each other get a vertex in the middle") {
+TEST_CASE("cut: only edges inside coincident faces get a vertex at their midpoint") {
   const Mesh mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
                   {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(1)}});
   Diagram diagram;

@@ -29,23 +29,23 @@ struct SamplingOptions {
 
 /// Spreads generators over `mesh`.
 ///
-/// farthest and covering_radius choose vertices. Long edges of the mesh are split at their midpoints first, in a copy,
-/// so that points on edges and in faces can be chosen as well. farthest splits edges longer than twice the even spacing
+/// farthest and covering_radius choose vertices. They first split long edges of a copy of the mesh at their midpoints.
+/// So points on edges and in faces can be chosen, too. farthest splits edges longer than twice the even spacing
 /// of `count` points, and more if there are fewer than `count` vertices; covering_radius splits edges longer than
 /// radius / 4. The seed chooses the first point of each component. random and poisson choose points inside faces.
 ///
 /// Properties: (1) exactly `count` points, no two of them coincident; (2) the same options give the same points;
-/// (3) farthest: the components get one point each in the order of their first face, then every point is the vertex
-///   farthest from all before it, the one with the least id among equals; so each component has a point if `count` is
-///   at least their number; covering_radius: the same, but with the farthest corner of the face with the largest
+/// (3) farthest: the components get one point each in the order of their first face. Then every point is the vertex
+///   farthest from all before it, the one with the least id among equals. So each component has a point if `count` is
+///   at least their number. covering_radius: the same, but with the farthest corner of the face with the largest
 ///   distance bound;
 /// (4) covering_radius: no point of any face is farther than `radius` from its nearest generator, by the distances of
 ///   `front`.
 ///
 /// Throws Error{invalid_option} if count < 1 or the radius is not a finite number > 0; Error{interrupted} if the
 /// progress callback cancels; Error{precondition} if the mesh does not allow such points: random and poisson need a
-/// finite area > 0; `count` points must be distinct within rounding; and splitting may add at most kMaxSamplingVertices
-/// vertices, which for a covering means a radius of at least some 0.0015 times the square root of the area.
+/// finite area > 0; `count` points must be distinct within rounding; splitting may add at most kMaxSamplingVertices
+/// vertices. For a covering this means a radius of at least some 0.0015 times the square root of the area.
 ///
 /// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); poisson a local
 /// march from each of 5 count candidates, O(n log n) in all. Memory: O(n).

@@ -22,8 +22,8 @@ class ArcLister {
   std::vector<BoundaryArc> list() {
     for (const Bisector& b : diagram_.bisectors) {
       if (b.closed) continue;
-      // The surface lies to the left of a boundary halfedge, so the cell that follows lies to the right of a bisector
-      // that starts at the boundary, and to the left of one that ends there.
+      // The surface lies to the left of a boundary halfedge. So the next cell is the right one of a bisector that
+      // starts there, and the left one of a bisector that ends there.
       if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
       if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
     }

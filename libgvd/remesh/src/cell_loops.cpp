@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// If the path from the generator to the loop is longer than this fraction of the loop, the generator's cell may not
-/// cover a third of it, and all three points become generators.
+/// Largest distance of the generator from the loop, as a fraction of the loop's length, at which two new generators are
+/// enough. Farther away, the generator's own cell may not cover a third of the loop, and three are added.
 constexpr double kFarFromLoop = 1.0 / 6;
 
 }  // namespace

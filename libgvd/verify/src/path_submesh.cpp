@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Relative enlargement of the radius. A path's length and a face's distance are sums of at most 1e5 rounded terms, so
-/// their relative error is below 1e5 units in the last place.
+/// Relative enlargement of the radius. The lengths compared are sums of at most 1e5 rounded terms. Their relative
+/// error is below 1e5 units in the last place.
 constexpr double kRadiusSlack = 1e-10;
 
 void check_point(const Mesh& mesh, const SurfacePoint& point) {

@@ -27,8 +27,8 @@ struct PathSubmesh {
 };
 
 /// Let R be the largest distance of a target along edges, an upper bound of the exact one. A path of length R stays in
-/// the ball of radius R round the generator, and the faces that it visits are connected across edges, because all faces
-/// round a vertex that it passes intersect the ball. The submesh consists of the faces that intersect the ball and are
+/// the ball of radius R round the generator. The faces that it visits are connected across edges: all faces round a
+/// vertex that it passes intersect the ball. The submesh consists of the faces that intersect the ball and are
 /// so connected to the generator's. A vertex where several fans of them remain is duplicated; no shortest path passes
 /// through it.
 /// Throws Error{precondition} if a point or the generator lies in no face. Cost: O(n log n).

@@ -11,7 +11,7 @@ using namespace gvd;
 using test::kInfinity;
 using test::sample;
 
-TEST_CASE("nearest field: before the first generator, and where no generator can be reached from") {
+TEST_CASE("nearest field: before the first generator, and in a component without one") {
   const Mesh mesh = test::make_two_components();
   NearestField field(mesh, Front::circle);
   CHECK(std::isinf(field.distance(VertexId(0))));
@@ -23,7 +23,7 @@ TEST_CASE("nearest field: before the first generator, and where no generator can
   CHECK_FALSE(field.label(beyond).valid());
 }
 
-TEST_CASE("nearest field: of two generators in one place the earlier one stays") {
+TEST_CASE("nearest field: of two coincident generators the earlier one is kept") {
   const Mesh grid = test::make_grid(3, 3);
   NearestField field(grid, Front::circle);
   for (int i = 0; i < 2; ++i) field.insert(vertex_point(grid, VertexId(5)));
@@ -46,7 +46,7 @@ TEST_CASE("nearest field: on a flat grid every vertex has the label of the neare
   }
 }
 
-TEST_CASE("inserting one by one gives the distances of each generator alone") {
+TEST_CASE("nearest field: insertion gives the distances of the nearest generator by itself") {
   for (const auto& [name, mesh] : test::small_family()) {
     const auto points = sample(mesh, Sampling::random, 30, 2);
     NearestField field(mesh, Front::circle);
@@ -62,8 +62,8 @@ TEST_CASE("inserting one by one gives the distances of each generator alone") {
     }
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       INFO(name << ", vertex " << v);
-      // Never nearer than alone; a front that stops one ring beyond its cell may lose a little near the border, and
-      // among slivers, where a straight path passes by vertices of other cells, up to a quarter.
+      // Never nearer than alone. A front stops one ring beyond its cell, so distances near the border can be a little
+      // too long. Among slivers a straight path passes close to vertices of other cells: up to a quarter too long.
       const double loss = name == "sliver sphere" ? 0.25 : 0.05;
       const double whole = nearest[static_cast<std::size_t>(v)], inserted = field.distance(VertexId(v));
       CHECK(inserted >= whole * (1 - 1e-12));

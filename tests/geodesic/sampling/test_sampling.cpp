@@ -45,7 +45,7 @@ TEST_CASE("one triangle takes any number of generators") {
   }
 }
 
-TEST_CASE("property 2: the seed decides, and nothing else does") {
+TEST_CASE("property 2: the same seed gives the same points, another one others") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Sampling kind : kCounted) {
       INFO(name << ", kind " << int(kind));
@@ -55,7 +55,7 @@ TEST_CASE("property 2: the seed decides, and nothing else does") {
   }
 }
 
-TEST_CASE("random numbers are those that the standard fixes") {
+TEST_CASE("random numbers are those that the C++ standard specifies") {
   // The 10000th output of a default-constructed std::mt19937_64 is in the standard; this is the engine's own seed.
   std::mt19937_64 engine;
   engine.discard(9999);
@@ -85,7 +85,7 @@ TEST_CASE("random points are uniform by area") {
   CHECK(std::abs(mean.y() - 0.5) < 0.0125);
 }
 
-TEST_CASE("poisson points keep apart as random ones do not") {
+TEST_CASE("poisson points keep a spacing that random points do not have") {
   struct Case {
     std::string name;
     Mesh mesh;
@@ -108,7 +108,7 @@ TEST_CASE("poisson points keep apart as random ones do not") {
   }
 }
 
-TEST_CASE("more points than a mesh has room for, or a bad option, is an error that says so") {
+TEST_CASE("more points than a mesh allows, or an invalid option, is an error with a clear message") {
   const Mesh sphere = test::make_sphere(1);
   SamplingOptions options;
   options.count = 0;

@@ -54,7 +54,7 @@ TEST_CASE("property 4: a covering on the sphere, by its great circles") {
   CHECK(cover(sphere, 4).size() == 1);
 }
 
-TEST_CASE("property 4: on every family no vertex is far by an independent upper bound") {
+TEST_CASE("property 4: on every family no vertex is too far, by an independent upper bound") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const double radius = 0.2 * mesh.bbox_diagonal();

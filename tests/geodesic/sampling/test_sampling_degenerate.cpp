@@ -16,7 +16,7 @@ using test::error_of;
 using test::kCounted;
 using test::sample;
 
-TEST_CASE("a face without area: farthest points work, random ones say why not") {
+TEST_CASE("a face without area has farthest points, and random ones are refused with a reason") {
   const Mesh flat({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   for (const int count : {1, 3, 20}) {
     const auto points = sample(flat, Sampling::farthest, count);
@@ -30,7 +30,7 @@ TEST_CASE("a face without area: farthest points work, random ones say why not") 
   }
 }
 
-TEST_CASE("faces without area, folded on each other, do not keep a march from its end") {
+TEST_CASE("a march terminates on faces without area that are folded on each other") {
   // After a mesh of the field whose points 1, 3 to 6 lie on a line, in faces that overlap there.
   std::vector<std::array<VertexId, 3>> faces;
   for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{
@@ -48,7 +48,7 @@ TEST_CASE("faces without area, folded on each other, do not keep a march from it
   CHECK(!cover(mesh, 0.5).empty());
 }
 
-TEST_CASE("a disc made of a fan of needles does not keep a march from its end") {
+TEST_CASE("a march terminates on a disc made of a fan of needles") {
   // The needles of a polygon's first corner, each cut into rows of equal triangles: row l has l pieces a needle.
   constexpr int kNeedles = 126, kRows = 16;
   std::vector<Vec3> points;

@@ -64,7 +64,7 @@ TEST_CASE("a zero tangent traces nothing") {
   CHECK(trace.complete);
 }
 
-TEST_CASE("what is no start or no tangent is refused") {
+TEST_CASE("an invalid start or tangent of a geodesic is refused") {
   const Mesh mesh = test::make_grid(1, 1);
   CHECK_THROWS_AS(trace_geodesic(mesh, {FaceId(2), {1, 0, 0}}, Vec2(1, 0)), Error);
   CHECK_THROWS_AS(trace_geodesic(mesh, {FaceId(), {1, 0, 0}}, Vec2(1, 0)), Error);
@@ -89,7 +89,7 @@ TEST_CASE("on a plane a geodesic is the straight line, from a face, an edge or a
   }
 }
 
-TEST_CASE("along lattice lines, through vertices") {
+TEST_CASE("a geodesic follows the lines of a grid through its vertices") {
   const Mesh mesh = test::make_grid(6, 6);
   const SurfacePoint start = nearest_vertex(mesh, Vec3(1, 2, 0));
   for (const Vec2& v : {Vec2(4, 0), Vec2(0, 3), Vec2(3, 3), Vec2(-1, 1), Vec2(2, -2), Vec2(2.5, 2.5)}) {
@@ -113,7 +113,7 @@ TEST_CASE("a geodesic ends at the boundary") {
   CHECK(!further.complete);
 }
 
-TEST_CASE("an outward tangent at the boundary slides along it") {
+TEST_CASE("an outward tangent at the boundary is projected to it") {
   const Mesh mesh = test::make_grid(4, 4);
   const SurfacePoint top = nearest_vertex(mesh, Vec3(2, 4, 0)), corner = nearest_vertex(mesh, Vec3(4, 4, 0));
   const auto slide = [&](const SurfacePoint& p, const Vec2& v) {
@@ -127,7 +127,7 @@ TEST_CASE("an outward tangent at the boundary slides along it") {
   CHECK((slide(corner, {-0.3, 0.5}) - Vec2(-0.3, 0)).norm() < 1e-12);
 }
 
-TEST_CASE("round a cube: four faces, and back to the start") {
+TEST_CASE("a geodesic round a cube crosses four faces and returns to its start") {
   const Mesh cube = test::make_plate(1, 1.0);
   for (int f = 0; f < cube.face_count(); ++f) {
     for (const std::array<double, 3>& bary : {std::array{0.3, 0.3, 0.4}, std::array{0.15, 0.7, 0.15}}) {
@@ -189,7 +189,7 @@ TEST_CASE("on a fine sphere a geodesic follows the great circle") {
   }
 }
 
-TEST_CASE("there and back again, on every family and with slivers") {
+TEST_CASE("a reversed geodesic returns to its start, on every family and with slivers") {
   for (const auto& [name, mesh] : test::small_family()) {
     std::mt19937 random(11);
     for (const SurfacePoint& start : test::random_generators(mesh, 60, 9)) {
@@ -207,7 +207,7 @@ TEST_CASE("there and back again, on every family and with slivers") {
   }
 }
 
-TEST_CASE("faces without area are walked through") {
+TEST_CASE("a geodesic crosses faces without area") {
   // Two faces without area between two squares' halves: a T-shaped point on the line x = 1.
   std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0.5, 0}, {2, 0.5, 0}};
   const auto face = [](int a, int b, int c) { return std::array{VertexId(a), VertexId(b), VertexId(c)}; };

@@ -21,10 +21,10 @@ struct CellMoments {
 
 /// Integrals over every cell of a diagram.
 ///
-/// Quadrature: in each face the squared distance is interpolated by the quadratic function of its corner distances and
-/// edge lengths, d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2, and the log map linearly. Both are integrated exactly. The
-/// result is exact if the straight lines from the generator stay in the cell and pass no vertex with curvature.
-/// Distances and directions come from `LogMapSolver` over the faces of the cell.
+/// Quadrature: in each face the squared distance is a quadratic function of the barycentric coordinates, given by
+/// corner distances and edge lengths: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. The log map is interpolated linearly.
+/// Both are integrated exactly. The result is exact if the straight lines from the generator stay in the cell and pass
+/// no vertex with curvature. Distances and directions come from `LogMapSolver` over the faces of the cell.
 /// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram);
 
@@ -74,8 +74,8 @@ struct LloydResult {
 ///
 /// Each generator moves along the straight geodesic in the direction of the mean of its cell's log map. It stops at the
 /// boundary; from a boundary point, an outward step slides along the boundary. A step is taken only if it lowers the
-/// energy. If the full step does not, each generator halves its own step until the energy of its fixed cell falls, and
-/// then all steps are halved together. A generator that would collide with another one does not move.
+/// energy. If the full step does not, each generator halves its own step until the energy of its fixed cell falls.
+/// After that all steps are halved together. A generator that would collide with another one does not move.
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
 /// (3) no two coincide; (4) deterministic.
 /// Throws Error{invalid_option} for an option out of its range, Error{precondition} where `compute_diagram` does, and

@@ -68,8 +68,8 @@ struct DualMesh {
 /// rest of its triangles is missing, and check_dual reports it. Cost: O(k log k).
 DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 
-/// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this, and as degenerate
-/// unless twice its area exceeds this fraction of its longest edge squared. A million times the rounding error.
+/// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this value. It counts as
+/// degenerate unless twice its area exceeds this fraction of its longest edge squared. A million times the rounding.
 inline constexpr double kFlipTolerance = 1e-9;
 
 /// Faces of a remesh that are flipped against the surface or degenerate, ascending.

@@ -132,8 +132,9 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const Sampling
 
 /// A covering radius below this value needs more than kMaxSamplingVertices splits. Let `longest` = kCoveringEdge *
 /// radius be the longest edge allowed. Two lower bounds on the number of splits give the value:
-/// an edge of length l needs l / longest - 1 splits; and a face with such edges has at most the area of the equilateral
-/// one, sqrt(3) / 4 longest^2, while a split adds at most two faces.
+/// (a) an edge of length l needs l / longest - 1 splits;
+/// (b) a face with such edges has at most the equilateral area sqrt(3) / 4 longest^2, and a split adds at most two
+/// faces.
 double least_covering_radius(const Mesh& mesh) {
   double length = 0;
   for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));

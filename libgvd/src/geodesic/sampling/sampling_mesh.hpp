@@ -18,8 +18,8 @@ struct SplitOptions {
 
 /// The mesh that a sampling works on: the input, or a copy whose long edges are split at their midpoints.
 ///
-/// The surface does not change. Each split halves the longest edge of the mesh, which is the longest edge of its two
-/// faces, so every angle stays at least half of the smallest angle of its parent face (Rosenberg and Stenger, 1975).
+/// The surface does not change. Each split halves the longest edge of the mesh, which is the longest of its faces, too.
+/// Every angle therefore stays at least half of the smallest angle of its parent face (Rosenberg and Stenger, 1975).
 /// If no edge needs to be split, mesh() is the input and nothing is allocated.
 class SamplingMesh {
  public:

@@ -22,7 +22,7 @@ namespace {
 constexpr std::int64_t kCandidates = 5;
 
 /// Weight limiting of the paper's equation 3, with the paper's numbers: the distance of a pair counts as at least
-/// 2 r_max beta (1 - (N / M)^gamma), with gamma = 1.5, for N points out of M candidates.
+/// 2 r_max beta (1 - (N / M)^gamma). N points are chosen out of M candidates, and gamma = 1.5.
 constexpr double kBeta = 0.65;
 
 struct Pair {

@@ -20,8 +20,8 @@ struct VerifyOptions {
 /// Exact polyhedral geodesic distances, by one independent single-source computation for each query.
 ///
 /// Source:  Xin and Wang 2009 as CGAL implements it, on doubles with exact predicates. The solver works on a submesh
-///   only: a path of length R from the generator stays in the ball of radius R round it, and the largest distance of a
-///   point along edges bounds R. The generator becomes a vertex of the submesh.
+///   only: a path of length R stays in the ball of radius R round the generator. The largest distance of a point along
+///   edges bounds R. The generator becomes a vertex of the submesh.
 /// Returns: mesh units; infinity without a path. Euclidean in the faces that contain the generator.
 /// Properties: (1) at least the Euclidean distance, within rounding; (2) at most the distance through a corner of the
 ///   point's face; (3) the same bytes for any number of threads.
