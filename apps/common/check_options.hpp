@@ -7,8 +7,8 @@
 
 namespace gvd::app {
 
-/// Checks what no single option can: one source of generators, a format for standard input, options that fit the
-/// method, known extensions, and targets that are distinct, writable and not read by the run.
+/// Checks what no single option can: one source of generators, a format for standard input, options of the chosen
+/// method, known extensions. Targets must be distinct, writable, and not read by the run.
 ///
 /// `output_formats`: see CommandInfo. Throws Error{invalid_option}, or Error{unwritable_output} where the folder of a
 /// target does not exist.

@@ -42,9 +42,10 @@ struct LabelledMesh {
 ///
 /// In OBJ the stream holds the geometry and the groups; `write_materials` writes the materials.
 /// Distances in PLY are floats, or doubles where a float can't hold one of them.
-/// Throws Error{precondition} where the length of an array is not the number of elements, Error{invalid_option} for
-/// JSON without a diagram, and Error{unwritable_output} where the stream fails or the format can't hold the mesh (STL
-/// and GLB have 32-bit floats, GLB at most 4 GiB).
+/// Throws Error{precondition} where the length of an array is not the number of elements.
+/// Throws Error{invalid_option} for JSON without a diagram.
+/// Throws Error{unwritable_output} where the stream fails or the format can't hold the mesh: STL and GLB have 32-bit
+/// floats, GLB at most 4 GiB.
 /// Cost: O(n) time; memory O(n) for the order of the faces by label, O(1) without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 

@@ -56,8 +56,9 @@ bool has_viewer();
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored
 /// once; (5) a large mesh takes less than 40 bytes a face, beside 600 kB for the page itself.
-/// Throws Error{invalid_option} where the library was built without the viewer, and Error{precondition} where a scene
-/// has no mesh, an array has not the size of the mesh, or a face, label or coordinate is out of its range.
+/// Throws Error{invalid_option} where the library was built without the viewer.
+/// Throws Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value is out of
+/// its range.
 /// Cost: O(n) time and memory.
 std::string make_view_page(const std::vector<ViewScene>& scenes, const ViewOptions& options = {});
 

@@ -4,8 +4,8 @@
 
 namespace gvd::io {
 
-/// Throws Error{precondition} where a scene has no faces, an array has not the size of the mesh, or a face, label or
-/// coordinate is out of its range. Cost: O(n).
+/// Throws Error{precondition} where a scene has no faces, an array has not the size of the mesh, or a value is out of
+/// its range. Cost: O(n).
 void check_view_scene(const ViewScene& scene);
 
 }  // namespace gvd::io

@@ -3,9 +3,9 @@
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 
-// A coloured OFF has the header COFF, four numbers from 0 to 1 after each vertex (as Geomview specifies), and three
-// from 0 to 255 after each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as
-// the next face.
+// A coloured OFF has the header COFF. Four numbers from 0 to 1 follow each vertex, as Geomview specifies, and three
+// from 0 to 255 each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as the
+// next face.
 namespace gvd::io {
 namespace {
 
