@@ -49,8 +49,9 @@ inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second,
   return Nearer::open;
 }
 
-/// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 stands
-/// for none. They include all such positions, to half of the digits where the two distances touch. Some are none.
+/// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 in place
+/// of one that does not exist. They include all such positions, to half of the digits where the two distances touch.
+/// Some are none.
 /// `unit`: a power of two that brings the edge's length near 1, so that sixth powers of it stay in range.
 std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit);
 
