@@ -23,6 +23,7 @@
 #include "dijkstra.hpp"
 #include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/soup.hpp"
 #include "heap_meter.hpp"
 #include "refine_flat.hpp"
@@ -34,8 +35,8 @@
 namespace gvd::bench {
 namespace {
 
-/// The columns. That of growth holds the step "faces" of exact diagrams, which take its place.
-constexpr std::array<std::string_view, 4> kSteps{"distances", "bisectors", "growth", "cells"};
+/// The columns. Exact diagrams have no growth; that column shows their step "faces", the corresponding one.
+constexpr std::array<std::string_view, 4> kColumns{steps::kDistances, steps::kBisectors, steps::kGrowth, steps::kCells};
 
 struct Settings {
   std::vector<std::string> meshes;
@@ -146,7 +147,7 @@ Row measure(const std::string& name, const Mesh& mesh, int count, const std::str
 void print_header(const Settings& settings) {
   std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12} {:>9} |", "mesh", "faces", "m", "method", "Dijkstra ms",
                            "diagram x");
-  for (const std::string_view step : kSteps) std::cout << fmt::format(" {:>12}", fmt::format("{} x", step));
+  for (const std::string_view step : kColumns) std::cout << fmt::format(" {:>12}", fmt::format("{} x", step));
   std::cout << fmt::format(" | {:>12}", "bytes/face");
   if (settings.threads > 1) {
     std::cout << fmt::format(" | {:>12} {:>12} {:>8}", "1 thread ms", fmt::format("{} threads", settings.threads),
@@ -157,7 +158,7 @@ void print_header(const Settings& settings) {
 
 double time_of(const StepTimes& steps, std::string_view name) {
   for (const auto& [step, time] : steps) {
-    if (step == name || (step == "faces" && name == "growth")) return time;
+    if (step == name || (step == steps::kFaces && name == steps::kGrowth)) return time;
   }
   return 0;
 }
@@ -165,7 +166,7 @@ double time_of(const StepTimes& steps, std::string_view name) {
 void print_row(const Row& row) {
   std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.3f} {:>9.2f} |", row.mesh, row.faces, row.generators,
                            row.method, row.dijkstra, row.diagram / row.dijkstra);
-  for (const std::string_view step : kSteps) {
+  for (const std::string_view step : kColumns) {
     std::cout << fmt::format(" {:>12.2f}", time_of(row.steps, step) / row.dijkstra);
   }
   std::cout << fmt::format(" | {:>12.0f}", row.bytes_a_face);

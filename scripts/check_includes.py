@@ -26,8 +26,9 @@ FLOORS = [
     ["libgvd/src/geodesic/windows"],
     ["libgvd/src/diagram/graph"],
     ["libgvd/src/diagram/assembly"],
-    ["libgvd/src/diagram/envelope", "libgvd/src/diagram/growth", "libgvd/src/diagram/evaluation"],
+    ["libgvd/src/diagram/envelope", "libgvd/src/diagram/growth"],
     ["libgvd/src/diagram"],
+    ["libgvd/src/diagram/evaluation"],
     ["libgvd/src/io/generators", "libgvd/src/io/writers"],
     ["libgvd/src/io/view"],
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
@@ -39,7 +40,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error progress",
+    "libgvd/src/base": "vec ids error progress diagram_steps",
     "libgvd/src/mesh": "mesh surface_point surface_normal closest_point quality openmesh",
     "libgvd/src/mesh/reading": "mesh_format read_soup",
     "libgvd/src/mesh/repair": "soup",
@@ -47,7 +48,7 @@ PUBLIC = {
     "libgvd/src/geodesic/tracing": "geodesic_tracing log_map",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
-    "libgvd/src/diagram/graph": "diagram",
+    "libgvd/src/diagram": "diagram",
     "libgvd/src/diagram/evaluation": "check error_measure",
     "libgvd/src/io/generators": "generator_list",
     "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer",

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "diagram/connected_tracer.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/window_distances.hpp"
@@ -118,10 +119,9 @@ TEST_CASE("of several faces that fail, the first one is named") {
       const Progress silent;
       const ParallelChunks parallel(threads, silent);
       const FailingField failing(distances, FaceId(working.mesh().face_count() / 2));
-      DiagramReport report;
+      const EnvelopeTracer tracer(working, failing, 1e-3, parallel);
       try {
-        trace_envelope(working, take_labels(working, field.distance, field.label, parallel), failing, 1e-3, parallel,
-                       report);
+        trace_connected(working, take_labels(working, field.distance, field.label, parallel), steps_of(tracer), silent);
       } catch (const Error& error) {
         return error.element();
       }

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "diagram/growth/trace_growth.hpp"
 #include "diagram/trace_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -18,15 +17,11 @@ namespace {
 struct Traced {
   WorkingMesh working;
   TracedDiagram traced;
-  DiagramReport report;
   Diagram diagram;
 
   Traced(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Front front) : working(mesh, generators) {
-    DiagramOptions options;
-    options.method = Method::gbgvd;
-    options.front = front;
     const FastMarchingResult marched = march(working, front, {});
-    traced = trace_growth(working, marched.table, options, report);
+    traced = test::trace_growth(working, marched.table, front);
     trace_bisectors(working, traced, ParallelChunks(1, Progress()), diagram);
   }
 };
@@ -115,7 +110,7 @@ TEST_CASE("traced diagrams hold properties (1) to (3), and every arc ends up in 
         const Traced t(mesh, test::random_generators(mesh, count, 13), front);
         require_sound(t);
         require_bisectors(t, mesh);
-        REQUIRE(t.report.gaps == t.report.gaps_grown + t.report.gaps_assembled);
+        REQUIRE(t.traced.counts.gaps >= t.traced.counts.gaps_grown);
         for (const std::int32_t components : t.traced.cell_components) REQUIRE(components == 1);
       }
     }

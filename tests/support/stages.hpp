@@ -3,8 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "diagram/connected_tracer.hpp"
 #include "diagram/graph/nearest_labels.hpp"
 #include "diagram/growth/rough_bisectors.hpp"
+#include "diagram/growth/trace_growth.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "mesh/working_mesh.hpp"
 
@@ -17,10 +19,11 @@ struct Stages {
         working(input, generators),
         marched(march(working, which, {})),
         labels(compute_nearest_labels(working, marched.table)),
-        rough(find_rough_crossings(working, marched.table, labels, which)) {}
+        rough(find_rough_crossings({working, marched.table, labels, which})) {}
 
   const Mesh& mesh() const { return working.mesh(); }
   const GeneratorTable& table() const { return marched.table; }
+  GrowthInput input() const { return {working, marched.table, labels, front}; }
 
   Front front;
   WorkingMesh working;
@@ -28,6 +31,13 @@ struct Stages {
   NearestLabels labels;
   Crossings rough;
 };
+
+/// The traced diagram of the growth tracer, on the tables of a march.
+inline TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, Front front) {
+  const Progress silent;
+  GrowthTracer tracer(working, table, front, silent);
+  return trace_connected(working, compute_nearest_labels(working, table), steps_of(tracer), silent);
+}
 
 /// The vertices with these ids as generators.
 inline std::vector<SurfacePoint> at_vertices(const Mesh& mesh, const std::vector<int>& ids) {

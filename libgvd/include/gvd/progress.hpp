@@ -13,4 +13,13 @@ using Progress = std::function<bool(std::string_view step, double fraction)>;
 /// Calls `progress` unless it is empty, and throws Error{interrupted} if it returns false.
 void report_progress(const Progress& progress, std::string_view step, double fraction);
 
+/// A part of a step: its work raises the step's fraction from `from` to `to`, both in [0, 1].
+struct StepPart {
+  std::string_view name;
+  double from = 0, to = 1;
+};
+
+/// The same for a part of a step, of which the share `done` in [0, 1] is done.
+void report_progress(const Progress& progress, const StepPart& part, double done);
+
 }  // namespace gvd

@@ -55,7 +55,7 @@ class SharedRun {
 
   void report(double fraction) {
     try {
-      report_progress(progress_, step_.name, step_.from + (step_.to - step_.from) * fraction);
+      report_progress(progress_, step_, fraction);
     } catch (...) {
       cancellation_ = std::current_exception();
       cancelled_ = true;

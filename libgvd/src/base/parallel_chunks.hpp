@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -36,12 +35,6 @@ std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work)
   }
   return chunks;
 }
-
-/// The name of the step as which some work is reported, and the fractions of the step at its begin and end.
-struct StepPart {
-  std::string_view name;
-  double from = 0, to = 1;
-};
 
 /// Work by several threads, with the same result to the last bit for any number of them.
 ///

@@ -12,4 +12,8 @@ void report_progress(const Progress& progress, std::string_view step, double fra
   }
 }
 
+void report_progress(const Progress& progress, const StepPart& part, double done) {
+  report_progress(progress, part.name, part.from + (part.to - part.from) * done);
+}
+
 }  // namespace gvd

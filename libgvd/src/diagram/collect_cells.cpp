@@ -8,14 +8,13 @@
 #include "base/barycentric.hpp"
 #include "diagram/graph/boundary_loops.hpp"
 #include "diagram/graph/face_pieces.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
 
 /// Chunks of so many faces: some of them are cut, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
-
-constexpr StepPart kBegin{"cells", 0.5, 0.5};
 
 /// What a part of the mesh adds to a cell.
 struct CellShare {
@@ -182,7 +181,7 @@ class CellCollector {
   template <class Owner>
   void count(std::int32_t items, std::int32_t sign, const Owner& owner) {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
-    for (const auto& shares : parallel_.map(chunks, kBegin, [&](const Chunk& chunk) {
+    for (const auto& shares : parallel_.map(chunks, steps::kVerticesAndEdges, [&](const Chunk& chunk) {
            ShareList list;
            for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
              const GeneratorId g = owner(i);
@@ -196,7 +195,7 @@ class CellCollector {
 
   void collect_faces() {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kChunkFaces);
-    for (FaceCollector::Result& part : parallel_.map(chunks, {"cells", 0.5, 1}, [&](const Chunk& chunk) {
+    for (FaceCollector::Result& part : parallel_.map(chunks, steps::kPieces, [&](const Chunk& chunk) {
            FaceCollector faces(working_, traced_, diagram_.face_label);
            faces.collect(chunk);
            return faces.take_result();

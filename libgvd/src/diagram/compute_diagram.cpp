@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/collect_cells.hpp"
+#include "diagram/connected_tracer.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/growth/trace_growth.hpp"
 #include "diagram/trace_bisectors.hpp"
@@ -13,6 +16,7 @@
 #include "geodesic/windows/propagate_windows.hpp"
 #include "geodesic/windows/window_distances.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 
@@ -32,28 +36,33 @@ void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels,
   }
 }
 
-/// What solver and tracer leave for the rest, which is the same for all of them.
+double tolerance(const Mesh& mesh, const DiagramOptions& options) {
+  return options.chord_tolerance * mesh.mean_edge_length();
+}
+
+TracedDiagram trace_by_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options) {
+  GrowthTracer tracer(working, table, options.front, options.progress);
+  return trace_connected(working, compute_nearest_labels(working, table), steps_of(tracer), options.progress);
+}
+
+/// What solver and tracer leave to the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
   SymbolicOffset offset;  ///< contained in the distances of the labels
 };
 
-double tolerance(const Mesh& mesh, const DiagramOptions& options) {
-  return options.chord_tolerance * mesh.mean_edge_length();
-}
-
 Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
                      DiagramReport& report) {
-  const Mesh& mesh = working.mesh();
   const FastMarchingResult marched = march(working, options.front, options.progress);
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
   if (options.method.tracer == Tracer::growth) {
-    return {trace_growth(working, marched.table, options, report), marched.offset};
+    return {trace_by_growth(working, marched.table, options), marched.offset};
   }
-  return {trace_envelope(working, compute_nearest_labels(working, marched.table), MarchedDistances(mesh, marched.table),
-                         tolerance(mesh, options), parallel, report),
-          marched.offset};
+  const MarchedDistances distances(working.mesh(), marched.table);
+  const EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
+  NearestLabels labels = compute_nearest_labels(working, marched.table);
+  return {trace_connected(working, std::move(labels), steps_of(tracer), options.progress), marched.offset};
 }
 
 Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
@@ -67,11 +76,20 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
   if (options.method.tracer == Tracer::growth) {
     const GeneratorTable table = make_generator_table(mesh, field, options.progress);
     report.table_entries = static_cast<std::int64_t>(table.entry_count());
-    return {trace_growth(working, table, options, report), {}};
+    return {trace_by_growth(working, table, options), {}};
   }
-  return {trace_envelope(working, take_labels(working, field.distance, field.label, parallel),
-                         WindowDistances(mesh, field), tolerance(mesh, options), parallel, report),
-          {}};
+  const WindowDistances distances(mesh, field);
+  const EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
+  NearestLabels labels = take_labels(working, field.distance, field.label, parallel);
+  return {trace_connected(working, std::move(labels), steps_of(tracer), options.progress), {}};
+}
+
+void take_counts(const TracerCounts& counts, DiagramReport& report) {
+  report.relabelled_vertices = counts.relabelled_vertices;
+  report.gaps = counts.gaps;
+  report.gaps_grown = counts.gaps_grown;
+  report.gaps_assembled = counts.gaps - counts.gaps_grown;
+  report.straightened_faces = counts.straightened_faces;
 }
 
 }  // namespace
@@ -88,7 +106,8 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
   const Traced traced = options.method.solver == Solver::fast_marching
                             ? trace_marched(working, options, parallel, diagram.report)
                             : trace_windows(working, options, parallel, diagram.report);
-  report_progress(options.progress, "cells", 0);
+  take_counts(traced.diagram.counts, diagram.report);
+  report_progress(options.progress, steps::kCells, 0);
   take_vertex_labels(working, traced.diagram.labels, traced.offset, diagram);
   trace_bisectors(working, traced.diagram, parallel, diagram);
   collect_cells(working, traced.diagram, parallel, diagram);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gvd/diagram_steps.hpp"
+
 namespace gvd {
 namespace {
 
@@ -32,7 +34,7 @@ class BisectorTracer {
     find_courses();
     const auto chunks =
         cut_by_work(courses_.size(), kChunkArcs, [&](std::size_t i) { return courses_[i].steps.size(); });
-    const auto lengths = parallel.collect(chunks, {"cells", 0, 0.5}, [&](const Chunk& chunk) {
+    const auto lengths = parallel.collect(chunks, steps::kPolylines, [&](const Chunk& chunk) {
       std::vector<double> part;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) part.push_back(lay_out(i));
       return part;

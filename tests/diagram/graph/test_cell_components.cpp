@@ -2,7 +2,6 @@
 
 #include "diagram/graph/cell_components.hpp"
 #include "diagram/growth/assemble_faces.hpp"
-#include "diagram/growth/trace_growth.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -34,7 +33,7 @@ void require_cells(const Mesh& mesh, const std::vector<int>& generators, const s
 struct HandMade {
   Mesh mesh = test::make_grid(6, 6);
   test::Stages stages{mesh, test::at_vertices(mesh, {0, 48}), Front::circle};
-  TracedDiagram traced{stages.labels, stages.rough, {}, {}, {}};
+  TracedDiagram traced{stages.labels, stages.rough};
 
   EdgeId edge(int u, int v) const {
     for (int i = 0; i < mesh.edge_count(); ++i) {
@@ -55,7 +54,7 @@ struct HandMade {
 
   CellComponents parts() {
     traced.faces = {};
-    assemble_faces({stages.mesh(), stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
+    assemble_faces({stages.working, stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
     return CellComponents(stages.working, traced);
   }
 };
@@ -88,9 +87,8 @@ TEST_CASE("traced diagrams have no island, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const WorkingMesh working(mesh, test::random_generators(mesh, 60, 14));
-    DiagramReport report;
     const FastMarchingResult marched = march(working, Front::circle, {});
-    const TracedDiagram traced = trace_growth(working, marched.table, {}, report);
+    const TracedDiagram traced = test::trace_growth(working, marched.table, Front::circle);
     CellComponents parts(working, traced);
     REQUIRE(parts.island_edges().empty());
     REQUIRE(parts.island_vertices().empty());

@@ -73,7 +73,7 @@ TEST_CASE("estimates lie inside their edge, ascending by face, on every family")
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const test::Stages stages(mesh, test::random_generators(mesh, 20, 8), Front::planar);
-    const auto estimates = refine_bisectors(stages.working, stages.table(), stages.labels, stages.rough);
+    const auto estimates = refine_bisectors(stages.input(), stages.rough);
     std::vector<int> count(stages.rough.size(), 0);
     for (const CrossingEstimate& e : estimates) {
       REQUIRE((e.t > 0 && e.t < 1));

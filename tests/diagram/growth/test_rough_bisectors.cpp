@@ -182,7 +182,7 @@ TEST_CASE("crossing plainly leaves one crossing where the ends' labels differ an
       const test::Stages stages(mesh, test::random_generators(mesh, 60, 3), front);
       const std::vector<EdgeId> edges = edges_with_runs_inside(stages.rough);
       Crossings plain = stages.rough;
-      cross_at_most_once(stages.working, stages.table(), stages.labels, front, edges, plain);
+      cross_at_most_once(stages.input(), edges, plain);
       require_sound(stages.mesh(), stages.labels, plain);
       REQUIRE(edges_with_runs_inside(plain).empty());
       for (const EdgeId e : edges) {

@@ -1,12 +1,12 @@
 #include "diagram/envelope/trace_envelope.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "diagram/envelope/edge_crossings.hpp"
 #include "diagram/envelope/edge_envelope.hpp"
 #include "diagram/envelope/exact_face_assembler.hpp"
-#include "diagram/graph/connected_tracer.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -48,73 +48,54 @@ class EdgeCrosser {
   std::vector<Crossing> result_;
 };
 
-class EnvelopeTracer final : public ConnectedTracer {
- public:
-  EnvelopeTracer(const WorkingMesh& working, const NearestLabels& labels, const DistanceField& field, double tolerance,
-                 const ParallelChunks& parallel)
-      : ConnectedTracer(working, labels, parallel.progress()),
-        field_(field),
-        parallel_(parallel),
-        tolerance_(tolerance),
-        offset_(SymbolicOffset::of_envelope(mesh_.bbox_diagonal(), working.generator_vertices().size())) {}
-
- private:
-  Crossings cross_edges() override {
-    return Crossings(mesh_.edge_count(), cross(field_.contested_edges(parallel_), false, {"bisectors", 0, 0.5}));
-  }
-
-  void cross_at_most_once(const std::vector<EdgeId>& edges, Crossings& crossings) override {
-    std::vector<Crossing> others, all;
-    std::copy_if(crossings.items().begin(), crossings.items().end(), std::back_inserter(others),
-                 [&](const Crossing& c) { return !std::binary_search(edges.begin(), edges.end(), c.edge); });
-    const std::vector<Crossing> plain = cross(edges, true, {"bisectors", 0.5, 0.5});
-    std::merge(others.begin(), others.end(), plain.begin(), plain.end(), std::back_inserter(all),
-               [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
-    crossings = Crossings(mesh_.edge_count(), std::move(all));
-  }
-
-  /// The crossings of these edges, ascending as they are.
-  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, bool at_most_once, const StepPart& step) const {
-    return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-      EdgeCrosser crosser(mesh_, labels_, field_, offset_);
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) crosser.cross(edges[i], at_most_once);
-      return crosser.take_result();
-    });
-  }
-
-  void close_faces(TracedDiagram& traced, DiagramReport& report) override {
-    report_progress(progress_, "faces", 0);
-    const auto counts = count_by_face(mesh_, traced.crossings);
-    const std::vector<FaceId> faces = crossed_faces(counts);
-    const auto work = [&](std::size_t i) {
-      const auto count = static_cast<std::size_t>(counts[faces[i]]);
-      return count * count;
-    };
-    const auto close = [&](const Chunk& chunk) {
-      ExactFaceAssembler assembler(mesh_, traced.crossings, field_, offset_, tolerance_);
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) assembler.assemble(faces[i]);
-      return assembler.take_result();
-    };
-    report.straightened_faces = 0;
-    for (const AssembledFaces& part :
-         parallel_.map(cut_by_work(faces.size(), kChunkWork, work), {"faces", 0, 1}, close)) {
-      traced.faces.append(part.diagram);
-      report.straightened_faces += part.straightened;
-    }
-    report_progress(progress_, "bisectors", 0.5);
-  }
-
-  const DistanceField& field_;
-  const ParallelChunks& parallel_;
-  double tolerance_;
-  SymbolicOffset offset_;
-};
-
 }  // namespace
 
-TracedDiagram trace_envelope(const WorkingMesh& working, const NearestLabels& labels, const DistanceField& field,
-                             double tolerance, const ParallelChunks& parallel, DiagramReport& report) {
-  return EnvelopeTracer(working, labels, field, tolerance, parallel).run(report);
+EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
+                               const ParallelChunks& parallel)
+    : mesh_(working.mesh()),
+      field_(field),
+      parallel_(parallel),
+      tolerance_(tolerance),
+      offset_(SymbolicOffset::of_envelope(mesh_.bbox_diagonal(), working.generator_vertices().size())) {}
+
+Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
+  return Crossings(mesh_.edge_count(), cross(field_.contested_edges(parallel_), labels, Limit::none));
+}
+
+void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                        Crossings& crossings) const {
+  crossings.replace(edges, cross(edges, labels, Limit::one_crossing));
+}
+
+std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                            Limit limit) const {
+  const StepPart step = limit == Limit::none ? steps::kCrossings : steps::kCrossingsAgain;
+  return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
+    EdgeCrosser crosser(mesh_, labels, field_, offset_);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) crosser.cross(edges[i], limit == Limit::one_crossing);
+    return crosser.take_result();
+  });
+}
+
+void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
+  report_progress(parallel_.progress(), steps::kFaces, 0);
+  const auto counts = count_by_face(mesh_, traced.crossings);
+  const std::vector<FaceId> faces = crossed_faces(counts);
+  const auto work = [&](std::size_t i) {
+    const auto count = static_cast<std::size_t>(counts[faces[i]]);
+    return count * count;
+  };
+  const auto close = [&](const Chunk& chunk) {
+    ExactFaceAssembler assembler(mesh_, traced.crossings, field_, offset_, tolerance_);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) assembler.assemble(faces[i]);
+    return assembler.take_result();
+  };
+  const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
+  for (const AssembledFaces& part : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
+    traced.faces.append(part.diagram);
+    traced.counts.straightened_faces += part.straightened;
+  }
+  report_progress(parallel_.progress(), steps::kBisectors, 0.5);
 }
 
 }  // namespace gvd

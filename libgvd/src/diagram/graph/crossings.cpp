@@ -1,6 +1,18 @@
 #include "diagram/graph/crossings.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace gvd {
+
+void Crossings::replace(const std::vector<EdgeId>& edges, const std::vector<Crossing>& replacements) {
+  std::vector<Crossing> kept, all;
+  std::copy_if(items().begin(), items().end(), std::back_inserter(kept),
+               [&](const Crossing& c) { return !std::binary_search(edges.begin(), edges.end(), c.edge); });
+  std::merge(kept.begin(), kept.end(), replacements.begin(), replacements.end(), std::back_inserter(all),
+             [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
+  *this = Crossings(static_cast<std::int32_t>(first_.size()), std::move(all));
+}
 
 IdVector<FaceId, std::int32_t> count_by_face(const Mesh& mesh, const Crossings& crossings) {
   IdVector<FaceId, std::int32_t> counts(static_cast<std::size_t>(mesh.face_count()), 0);

@@ -53,6 +53,9 @@ class Crossings {
     return n;
   }
 
+  /// Replaces the crossings of these edges, ascending, by others on the same edges, ascending by (edge, t).
+  void replace(const std::vector<EdgeId>& edges, const std::vector<Crossing>& replacements);
+
  private:
   IdVector<CrossingId, Crossing> items_;
   IdVector<EdgeId, std::int32_t> first_;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gvd/diagram_steps.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -133,7 +134,7 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
   NearestLabels labels{label, distance, {}};
   const Labeller labeller(working, labels);
   labels.unsupported = parallel.collect(
-      cut_into_chunks(label.size(), kScanChunk), {"bisectors", 0, 0},
+      cut_into_chunks(label.size(), kScanChunk), steps::kLabels,
       [&](const Chunk& chunk) { return labeller.find_unsupported(chunk, [](VertexId) { return false; }); });
   return labels;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
@@ -8,13 +9,22 @@
 
 namespace gvd {
 
+/// What a tracer counts; DiagramReport says what the fields mean.
+struct TracerCounts {
+  std::int64_t relabelled_vertices = 0;
+  std::int64_t gaps = 0;
+  std::int64_t gaps_grown = 0;
+  std::int64_t straightened_faces = 0;
+};
+
 /// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.
 struct TracedDiagram {
   NearestLabels labels;
   Crossings crossings;
-  FaceDiagram faces;
-  std::vector<VertexId> moved;                          ///< vertices whose label growth changed
-  IdVector<GeneratorId, std::int32_t> cell_components;  ///< 1 where a cell is connected
+  FaceDiagram faces{};
+  std::vector<VertexId> moved{};                          ///< vertices that growth gave to another cell
+  IdVector<GeneratorId, std::int32_t> cell_components{};  ///< 1 where a cell is connected
+  TracerCounts counts{};
 };
 
 }  // namespace gvd

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "diagram/assembly/face_assembly.hpp"
 #include "diagram/assembly/form_distances.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
 
 /// Progress is reported once in so many faces.
 constexpr std::size_t kProgressStride = 1 << 10;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A face and the forms of the generators round it.
 struct FaceForms {
@@ -55,52 +53,33 @@ void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t
 
 }  // namespace
 
-std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
-                                       FaceId f, GeneratorId g) {
-  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
-  const auto& corners = mesh.vertices(f);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int32_t place = table.find(corners[i], g);
-    if (place >= 0) d[i] = table.distance(place).distance;
-    if (labels.label[corners[i]] == g) d[i] = std::min(d[i], labels.distance[corners[i]]);
-  }
-  const std::array<double, 3> known = d;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
-    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
-    if (d[i] == kInfinity) d[i] = std::min(next, previous);
-  }
-  return d;
-}
-
-std::vector<DistanceForm> face_forms(const MarchedLabels& marched, FaceId f,
+std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
                                      const std::vector<BoundaryCrossing>& boundary) {
   std::set<GeneratorId> met;
   for (const BoundaryCrossing& c : boundary) met.insert(c.next);
   std::vector<DistanceForm> forms;
   for (const GeneratorId g : met) {
-    DistanceForm form{g, corner_distances(marched.mesh, marched.table, marched.labels, f, g)};
-    for (double& value : form.corner) value = form_value(marched.front, value);
+    DistanceForm form{g, corner_distances(input, f, g)};
+    for (double& value : form.corner) value = form_value(input.front, value);
     forms.push_back(form);
   }
   return forms;
 }
 
-void assemble_faces(const MarchedLabels& marched, const Crossings& crossings, const std::vector<FaceId>& skipped,
+void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
                     FaceDiagram& diagram, const Progress& progress) {
   std::vector<BoundaryCrossing> boundary;
-  const std::vector<FaceId> faces = crossed_faces(marched.mesh, crossings);
+  const std::vector<FaceId> faces = crossed_faces(input.mesh(), crossings);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const FaceId f = faces[i];
-    if (i % kProgressStride == 0)
-      report_progress(progress, "bisectors", 0.75 + 0.25 * double(i) / double(faces.size()));
+    if (i % kProgressStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
-    boundary_crossings(marched.mesh, crossings, f, boundary);
+    boundary_crossings(input.mesh(), crossings, f, boundary);
     if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for
       diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
       continue;
     }
-    const FaceForms forms{marched.mesh, f, marched.front, face_forms(marched, f, boundary)};
+    const FaceForms forms{input.mesh(), f, input.front, face_forms(input, f, boundary)};
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
     assemble_face(f, boundary, FormDistances(forms.forms), diagram);
     measure_branches(forms, first_arc, first_branch, diagram);

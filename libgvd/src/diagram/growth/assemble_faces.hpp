@@ -1,32 +1,24 @@
 #pragma once
 
+#include <vector>
+
 #include "diagram/assembly/distance_form.hpp"
-#include "diagram/graph/traced_diagram.hpp"
-#include "geodesic/marching/fast_marching.hpp"
+#include "diagram/graph/crossings.hpp"
+#include "diagram/graph/face_diagram.hpp"
+#include "diagram/growth/growth_input.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
 
-/// Corner distances of generator g in f: what the march found; along an edge from another corner where it found
-/// nothing.
-std::array<double, 3> corner_distances(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels,
-                                       FaceId f, GeneratorId g);
-
-/// What faces are assembled by: the tables of a march, the labels that came of it, and its front.
-struct MarchedLabels {
-  const Mesh& mesh;
-  const GeneratorTable& table;
-  const NearestLabels& labels;
-  Front front;
-};
-
 /// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
-std::vector<DistanceForm> face_forms(const MarchedLabels& marched, FaceId f,
-                                     const std::vector<BoundaryCrossing>& boundary);
+std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f, const std::vector<BoundaryCrossing>& boundary);
 
-/// Joins the crossings in every face but those in `skipped` (ascending), and appends the arcs and branch points to
-/// `diagram`. Reports the last quarter of the step "bisectors". Cost: O(k) for k faces near bisectors.
-void assemble_faces(const MarchedLabels& marched, const Crossings& crossings, const std::vector<FaceId>& skipped,
+/// Joins the crossings in every crossed face but those in `skipped`, ascending; appends the arcs and branch points to
+/// `diagram`. Reports the last quarter of the step "bisectors".
+///
+/// Source: none; the paper draws one segment in a face of two labels (section 4.2) and leaves the others to growth.
+/// Cost: O(k) for k faces near bisectors.
+void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
                     FaceDiagram& diagram, const Progress& progress = {});
 
 }  // namespace gvd

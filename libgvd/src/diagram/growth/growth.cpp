@@ -4,7 +4,6 @@
 #include <limits>
 #include <tuple>
 
-#include "diagram/growth/assemble_faces.hpp"
 #include "diagram/growth/check_growth.hpp"
 #include "diagram/growth/growing_end.hpp"
 #include "geodesic/field/face_layout.hpp"
@@ -20,9 +19,8 @@ constexpr std::size_t kMaxGapFaces = 200;
 
 class GapGrowth {
  public:
-  GapGrowth(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-            const Crossings& crossings, const Gap& gap)
-      : mesh_(working.mesh()), table_(table), labels_(labels), crossings_(crossings), gap_(gap) {}
+  GapGrowth(const GrowthInput& input, const Crossings& crossings, const Gap& gap)
+      : input_(input), mesh_(input.mesh()), crossings_(crossings), gap_(gap) {}
 
   std::optional<GrownGap> run() {
     start_at_rim();
@@ -52,8 +50,8 @@ class GapGrowth {
         if (!twin.valid() || gap_.contains(Mesh::face(twin))) continue;
         const FaceId outside = Mesh::face(twin);
         const auto plane = FaceLayout(mesh_, outside).corner;
-        const Vec2 left = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.previous));
-        const Vec2 right = unfold_generator(plane, corner_distances(mesh_, table_, labels_, outside, c.next));
+        const Vec2 left = unfold_generator(plane, corner_distances(input_, outside, c.previous));
+        const Vec2 right = unfold_generator(plane, corner_distances(input_, outside, c.next));
         const int node = add_node({GapNode::Kind::rim, c.id, {}, FaceId(), {}, 0});
         enter(twin, c.t, node, c.previous, c.next, left, right);
       }
@@ -162,9 +160,8 @@ class GapGrowth {
     return true;
   }
 
+  const GrowthInput& input_;
   const Mesh& mesh_;
-  const GeneratorTable& table_;
-  const NearestLabels& labels_;
   const Crossings& crossings_;
   const Gap& gap_;
   std::vector<GrowingEnd> ends_;
@@ -173,11 +170,10 @@ class GapGrowth {
 
 }  // namespace
 
-std::optional<GrownGap> grow_gap(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                                 const Crossings& crossings, const Gap& gap) {
+std::optional<GrownGap> grow_gap(const GrowthInput& input, const Crossings& crossings, const Gap& gap) {
   if (gap.faces.size() > kMaxGapFaces) return std::nullopt;
-  auto grown = GapGrowth(working, table, labels, crossings, gap).run();
-  if (!grown || !check_growth(working, labels, crossings, gap, *grown)) return std::nullopt;
+  auto grown = GapGrowth(input, crossings, gap).run();
+  if (!grown || !check_growth(input.working, input.labels, crossings, gap, *grown)) return std::nullopt;
   return grown;
 }
 

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
-#include "diagram/graph/nearest_labels.hpp"
 #include "diagram/growth/gaps.hpp"
-#include "geodesic/field/generator_table.hpp"
-#include "mesh/working_mesh.hpp"
+#include "diagram/growth/growth_input.hpp"
 
 namespace gvd {
 
@@ -47,7 +45,6 @@ struct GrownGap {
 /// Returns nothing where the ends do not meet up, or do so in a way that contradicts itself: ends left over, arcs that
 /// cross, an edge or a vertex between two labels. Then the gap is closed by assembly, which can't fail.
 /// Cost: O(k^3) for k ends, grown ones included: every event looks at all pairs. k is bounded by the faces of the gap.
-std::optional<GrownGap> grow_gap(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                                 const Crossings& crossings, const Gap& gap);
+std::optional<GrownGap> grow_gap(const GrowthInput& input, const Crossings& crossings, const Gap& gap);
 
 }  // namespace gvd

@@ -1,8 +1,8 @@
 #include "diagram/growth/refine_bisectors.hpp"
 
-#include "diagram/growth/assemble_faces.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -20,21 +20,20 @@ double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const 
 
 }  // namespace
 
-std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
-                                               const NearestLabels& labels, const Crossings& crossings,
+std::vector<CrossingEstimate> refine_bisectors(const GrowthInput& input, const Crossings& crossings,
                                                const Progress& progress) {
-  const Mesh& mesh = working.mesh();
+  const Mesh& mesh = input.mesh();
   std::vector<CrossingEstimate> estimates;
   std::vector<BoundaryCrossing> boundary;
   const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    if (k % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 + 0.25 * double(k) / double(faces.size()));
+    if (k % kProgressStride == 0) report_progress(progress, steps::kRefinement, double(k) / double(faces.size()));
     const FaceId f = faces[k];
     boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() != 2) continue;
     const auto corner = FaceLayout(mesh, f).corner;
-    const Vec2 p = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].next));
-    const Vec2 q = unfold_generator(corner, corner_distances(mesh, table, labels, f, boundary[0].previous));
+    const Vec2 p = unfold_generator(corner, corner_distances(input, f, boundary[0].next));
+    const Vec2 q = unfold_generator(corner, corner_distances(input, f, boundary[0].previous));
     for (const BoundaryCrossing& c : boundary) {
       const auto i = static_cast<std::size_t>(c.corner);
       const double t = equidistant_parameter(corner[i], corner[(i + 1) % 3], p, q);

@@ -3,10 +3,8 @@
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
-#include "diagram/graph/nearest_labels.hpp"
-#include "geodesic/field/generator_table.hpp"
+#include "diagram/growth/growth_input.hpp"
 #include "gvd/progress.hpp"
-#include "mesh/working_mesh.hpp"
 
 namespace gvd {
 
@@ -16,14 +14,14 @@ struct CrossingEstimate {
   double t;  ///< parameter along the edge's halfedge
 };
 
-/// Refines the crossings of every face that a single bisector runs through: both generators are unfolded into the
-/// face's plane, and the bisector becomes the perpendicular bisector of their two images.
+/// Estimates the crossings of every face with exactly one bisector: both generators are unfolded into the face's plane,
+/// and the bisector becomes the perpendicular bisector of their images.
 ///
-/// Source: section 4.2 (refinement by unfolding). An estimate that leaves its edge is not given.
-/// Returns at most two estimates a crossing, one from each face, ascending by face. Reports the third quarter of the
-/// step "bisectors". Cost: O(k) for k crossings.
-std::vector<CrossingEstimate> refine_bisectors(const WorkingMesh& working, const GeneratorTable& table,
-                                               const NearestLabels& labels, const Crossings& crossings,
+/// Source: section 4.2 (refinement by unfolding). Deviation: the paper unfolds from the distances at the midpoints of
+/// the two crossed edges; here a generator is unfolded from those at the ends of the edge that its front enters by.
+/// Returns at most two estimates a crossing, one from each face, ascending by face; none that lies outside its edge.
+/// Reports the third quarter of the step "bisectors". Cost: O(k) for k crossings.
+std::vector<CrossingEstimate> refine_bisectors(const GrowthInput& input, const Crossings& crossings,
                                                const Progress& progress = {});
 
 }  // namespace gvd

@@ -7,6 +7,7 @@
 
 #include "diagram/assembly/distance_form.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -26,19 +27,20 @@ struct EdgeCandidate {
   std::array<double, 3> value{kInfinity, kInfinity, kInfinity};
 };
 
-class EdgeEnvelope {
+class RoughEdgeEnvelope {
  public:
-  EdgeEnvelope(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels, Front front)
-      : mesh_(working.mesh()), table_(table), labels_(labels), front_(front) {}
+  explicit RoughEdgeEnvelope(const GrowthInput& input)
+      : mesh_(input.mesh()), table_(input.table), labels_(input.labels), front_(input.front) {}
 
-  void find(EdgeId e, bool plain, std::vector<Crossing>& crossings) {
+  void find(EdgeId e, bool at_most_once, std::vector<Crossing>& crossings) {
     const GeneratorId first = labels_.label[mesh_.from(mesh_.halfedge(e))];
     const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
-    if (plain && first == last) return;
+    if (at_most_once && first == last) return;
     collect_ends(e);
     if (first == last && !may_be_poked(first, mesh_.length(e))) return;
     collect_midpoints(e);
-    if (plain) std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
+    if (at_most_once)
+      std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
     const GeneratorId middle = nearest(1);
     breaks_.clear();
     walk(0, first, middle);
@@ -180,14 +182,16 @@ bool has_one_owner(const GeneratorTable& table, FaceId f) {
 }
 
 /// Edges of faces with several generators in their table, the dominated ones apart, or at their corners; ascending.
-std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable& table, const NearestLabels& labels) {
+std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
+  const Mesh& mesh = input.mesh();
   std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
-    if (!table.reached(f)) continue;
+    if (!input.table.reached(f)) continue;
     const auto& [a, b, c] = mesh.vertices(f);
-    const bool one_label = labels.label[a] == labels.label[b] && labels.label[b] == labels.label[c];
-    if (one_label && has_one_owner(table, f)) continue;
+    const bool one_label =
+        input.labels.label[a] == input.labels.label[b] && input.labels.label[b] == input.labels.label[c];
+    if (one_label && has_one_owner(input.table, f)) continue;
     for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
   }
   std::vector<EdgeId> edges;
@@ -199,29 +203,22 @@ std::vector<EdgeId> edges_near_bisectors(const Mesh& mesh, const GeneratorTable&
 
 }  // namespace
 
-Crossings find_rough_crossings(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                               Front front, const Progress& progress) {
+Crossings find_rough_crossings(const GrowthInput& input, const Progress& progress) {
   std::vector<Crossing> crossings;
-  EdgeEnvelope envelope(working, table, labels, front);
-  const std::vector<EdgeId> edges = edges_near_bisectors(working.mesh(), table, labels);
+  RoughEdgeEnvelope envelope(input);
+  const std::vector<EdgeId> edges = edges_near_bisectors(input);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i % kProgressStride == 0) report_progress(progress, "bisectors", 0.5 * double(i) / double(edges.size()));
+    if (i % kProgressStride == 0) report_progress(progress, steps::kCrossings, double(i) / double(edges.size()));
     envelope.find(edges[i], false, crossings);
   }
-  return Crossings(working.mesh().edge_count(), std::move(crossings));
+  return Crossings(input.mesh().edge_count(), std::move(crossings));
 }
 
-void cross_at_most_once(const WorkingMesh& working, const GeneratorTable& table, const NearestLabels& labels,
-                        Front front, const std::vector<EdgeId>& edges, Crossings& crossings) {
-  std::vector<Crossing> items;
-  EdgeEnvelope envelope(working, table, labels, front);
-  auto next = edges.begin();
-  for (const Crossing& c : crossings.items()) {
-    for (; next != edges.end() && *next < c.edge; ++next) envelope.find(*next, true, items);
-    if (next == edges.end() || *next != c.edge) items.push_back(c);
-  }
-  for (; next != edges.end(); ++next) envelope.find(*next, true, items);
-  crossings = Crossings(working.mesh().edge_count(), std::move(items));
+void cross_at_most_once(const GrowthInput& input, const std::vector<EdgeId>& edges, Crossings& crossings) {
+  std::vector<Crossing> single;
+  RoughEdgeEnvelope envelope(input);
+  for (const EdgeId e : edges) envelope.find(e, true, single);
+  crossings.replace(edges, single);
 }
 
 }  // namespace gvd

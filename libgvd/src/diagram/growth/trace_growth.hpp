@@ -1,17 +1,49 @@
 #pragma once
 
+#include <vector>
+
 #include "diagram/graph/traced_diagram.hpp"
-#include "geodesic/marching/fast_marching.hpp"
-#include "gvd/diagram.hpp"
+#include "diagram/growth/gaps.hpp"
+#include "diagram/growth/growth_input.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
-/// The paper's tracer: rough bisectors, refined and welded (4.2), and growth through the gaps (4.3).
+/// The steps of the paper's tracer: rough bisectors, refined and welded (section 4.2), and growth through the gaps
+/// (section 4.3).
 ///
-/// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is closed by the
-/// assembly of its edge crossings. Cells are connected: a run of a cell that hangs together with nothing is taken away.
-/// Counts gaps and relabelled vertices in `report`; reports the steps "bisectors" and "growth". Cost: O(n).
-TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options,
-                           DiagramReport& report);
+/// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is assembled from
+/// its edge crossings. The paper has no such fallback. `trace_connected` runs the steps.
+/// Counts gaps; reports the steps "bisectors" and "growth". Cost: O(n).
+class GrowthTracer {
+ public:
+  /// All references must outlive the tracer.
+  GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
+
+  /// The rough crossings of all edges, between the labels of their ends.
+  Crossings cross_edges(const NearestLabels& labels) const;
+  /// Replaces the crossings of these edges, ascending, by at most one, between the labels of the edge's ends.
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
+  /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
+  /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
+  void close_faces(TracedDiagram& traced);
+  /// From now on, assembles the gaps that have one of these edges, ascending.
+  void disable_growth(const std::vector<EdgeId>& edges);
+
+ private:
+  GrowthInput input(const NearestLabels& labels) const { return {working_, table_, labels, front_}; }
+  void refine(TracedDiagram& traced) const;
+  void grow(TracedDiagram& traced);
+  void assemble_rest(TracedDiagram& traced) const;
+  bool has_edge(const Gap& gap, const std::vector<EdgeId>& edges) const;
+
+  const WorkingMesh& working_;
+  const Mesh& mesh_;
+  const GeneratorTable& table_;
+  Front front_;
+  const Progress& progress_;
+  std::vector<Gap> gaps_;
+  std::vector<char> may_grow_;  // per gap: growth has neither failed nor been disabled there
+};
 
 }  // namespace gvd

@@ -1,0 +1,32 @@
+#include "diagram/growth/growth_input.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace gvd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f, GeneratorId g) {
+  const Mesh& mesh = input.mesh();
+  std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
+  const auto& corners = mesh.vertices(f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t entry = input.table.find(corners[i], g);
+    if (entry >= 0) d[i] = input.table.distance(entry).distance;
+    if (input.labels.label[corners[i]] == g) d[i] = std::min(d[i], input.labels.distance[corners[i]]);
+  }
+  const std::array<double, 3> known = d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double next = known[(i + 1) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>(i)));
+    const double previous = known[(i + 2) % 3] + mesh.length(Mesh::halfedge(f, static_cast<int>((i + 2) % 3)));
+    if (d[i] == kInfinity) d[i] = std::min(next, previous);
+  }
+  return d;
+}
+
+}  // namespace gvd
