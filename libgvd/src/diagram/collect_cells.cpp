@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/barycentric.hpp"
+#include "diagram/cell_shares.hpp"
 #include "diagram/graph/boundary_loops.hpp"
 #include "diagram/graph/face_pieces.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -13,57 +14,10 @@
 namespace gvd {
 namespace {
 
-/// Chunks of so many faces: some of them are cut, which takes longer than a look-up.
+/// Faces in a chunk. Some are cut into pieces, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
 
-/// What a part of the mesh adds to a cell.
-struct CellShare {
-  GeneratorId generator;
-  std::int32_t euler_characteristic = 0;
-  double area = 0;
-};
-
-/// The shares of one part of the mesh, each generator once, in the order in which they are met. Memory and time go with
-/// what the part meets, not with the number of generators.
-class ShareList {
- public:
-  /// Valid until the next call.
-  CellShare& operator[](GeneratorId g) {
-    if (last_ < shares_.size() && shares_[last_].generator == g) return shares_[last_];
-    std::size_t slot = find(g);
-    if (slots_[slot] == kNone) {
-      if (2 * shares_.size() >= slots_.size()) slot = grow_and_find(g);
-      slots_[slot] = static_cast<std::uint32_t>(shares_.size());
-      shares_.push_back({g, 0, 0});
-    }
-    last_ = slots_[slot];
-    return shares_[last_];
-  }
-  std::vector<CellShare> take() { return std::move(shares_); }
-
- private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-
-  /// The slot of g, or the free one that it gets: the first from a scattered place on.
-  std::size_t find(GeneratorId g) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = (static_cast<std::uint32_t>(g.value()) * std::uint64_t{0x9e3779b97f4a7c15} >> 32) & mask;
-    while (slots_[slot] != kNone && shares_[slots_[slot]].generator != g) slot = (slot + 1) & mask;
-    return slot;
-  }
-
-  std::size_t grow_and_find(GeneratorId g) {
-    slots_.assign(2 * slots_.size(), kNone);
-    for (std::uint32_t i = 0; i < shares_.size(); ++i) slots_[find(shares_[i].generator)] = i;
-    return find(g);
-  }
-
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kNone);  ///< a power of two, at most half full
-  std::vector<CellShare> shares_;
-  std::size_t last_ = 0;  ///< met last, and mostly again
-};
-
-/// Labels a chunk of faces, and cuts those that bisectors run through into pieces.
+/// Labels the faces of a chunk, and cuts those with arcs into pieces.
 class FaceCollector {
  public:
   FaceCollector(const WorkingMesh& working, const TracedDiagram& traced, IdVector<FaceId, GeneratorId>& face_label)
@@ -107,11 +61,11 @@ class FaceCollector {
   void collect_cut(FaceId f, std::span<const FaceArc> arcs) {
     const double area = mesh_.area(f);
     boundary_crossings(mesh_, traced_.crossings, f, boundary_);
-    trace_pieces(boundary_, arcs, traced_.faces, parts_);
-    for (WorkingPiece& piece : parts_.pieces) {
+    trace_pieces(boundary_, arcs, traced_.faces, working_pieces_);
+    for (WorkingPiece& piece : working_pieces_.pieces) {
       CellShare& share = shares_[piece.generator];
       ++share.euler_characteristic;
-      share.area += area * std::max(0.0, area_share(piece.corners));  // rounding, where a piece is no more than a line
+      share.area += area * std::max(0.0, area_share(piece.corners));  // negative only by rounding
       add_piece(f, piece.generator, std::move(piece.corners));
     }
   }
@@ -125,10 +79,10 @@ class FaceCollector {
   const Mesh& mesh_;
   const TracedDiagram& traced_;
   IdVector<FaceId, GeneratorId>& face_label_;
-  ShareList shares_;
+  CellShares shares_;
   std::vector<FacePiece> pieces_;
-  std::vector<BoundaryCrossing> boundary_;  // of the face at work
-  WorkingPieces parts_;                     // and its parts
+  std::vector<BoundaryCrossing> boundary_;  // of the current face
+  WorkingPieces working_pieces_;            // of the current face
 };
 
 class CellCollector {
@@ -158,8 +112,8 @@ class CellCollector {
   }
 
  private:
-  // The Euler characteristic of a cell as a surface with boundary is the count over its open inside, for along its
-  // closed boundary curves vertices and edges cancel: so neither bisectors nor the mesh's boundary are counted.
+  // A cell's Euler characteristic is counted over its open interior: along its closed boundary curves vertices and
+  // edges cancel. So neither bisectors nor the mesh's boundary are counted.
   void count_vertices() {
     count(mesh_.vertex_count(), 1, [&](std::size_t i) {
       const VertexId v(static_cast<std::int64_t>(i));
@@ -182,7 +136,7 @@ class CellCollector {
   void count(std::int32_t items, std::int32_t sign, const Owner& owner) {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
     for (const auto& shares : parallel_.map(chunks, steps::kVerticesAndEdges, [&](const Chunk& chunk) {
-           ShareList list;
+           CellShares list;
            for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
              const GeneratorId g = owner(i);
              if (g.valid()) list[g].euler_characteristic += sign;
@@ -195,14 +149,14 @@ class CellCollector {
 
   void collect_faces() {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kChunkFaces);
-    for (FaceCollector::Result& part : parallel_.map(chunks, steps::kPieces, [&](const Chunk& chunk) {
+    for (FaceCollector::Result& result : parallel_.map(chunks, steps::kPieces, [&](const Chunk& chunk) {
            FaceCollector faces(working_, traced_, diagram_.face_label);
            faces.collect(chunk);
            return faces.take_result();
          })) {
-      add(part.shares);
-      diagram_.pieces.insert(diagram_.pieces.end(), std::make_move_iterator(part.pieces.begin()),
-                             std::make_move_iterator(part.pieces.end()));
+      add(result.shares);
+      diagram_.pieces.insert(diagram_.pieces.end(), std::make_move_iterator(result.pieces.begin()),
+                             std::make_move_iterator(result.pieces.end()));
     }
   }
 
@@ -214,7 +168,7 @@ class CellCollector {
     }
   }
 
-  /// Only the faces that generators split are out of order.
+  /// Only the pieces of faces that generators split are out of order.
   void sort_pieces() {
     const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
     if (std::is_sorted(diagram_.pieces.begin(), diagram_.pieces.end(), by_face)) return;

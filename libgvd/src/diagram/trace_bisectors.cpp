@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::int32_t kNone = -1;
 
-/// Chunks of bisectors with so many arcs.
+/// Arcs of the bisectors in a chunk.
 constexpr std::size_t kChunkArcs = 512;
 
-/// How a bisector runs: from `from` along arcs.
-struct Course {
+/// The arcs of a bisector, from one of its ends to the other.
+struct ArcChain {
   struct Step {
     std::int32_t arc;
     bool forwards;
@@ -31,13 +31,12 @@ class BisectorTracer {
 
   void trace(const ParallelChunks& parallel) {
     add_branch_points();
-    find_courses();
-    const auto chunks =
-        cut_by_work(courses_.size(), kChunkArcs, [&](std::size_t i) { return courses_[i].steps.size(); });
+    find_chains();
+    const auto chunks = cut_by_work(chains_.size(), kChunkArcs, [&](std::size_t i) { return chains_[i].steps.size(); });
     const auto lengths = parallel.collect(chunks, steps::kPolylines, [&](const Chunk& chunk) {
-      std::vector<double> part;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) part.push_back(lay_out(i));
-      return part;
+      std::vector<double> of_chunk;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) of_chunk.push_back(build_polyline(i));
+      return of_chunk;
     });
     for (const double length : lengths) diagram_.length += length;
   }
@@ -69,7 +68,7 @@ class BisectorTracer {
     return a.begin == from ? a.right : a.left;
   }
 
-  /// Counter-clockwise: the cell on the left of one arc is on the right of the next.
+  /// Sorts the arcs at a branch point counter-clockwise: the cell on the left of one is on the right of the next.
   void order_ring(BranchPointId b) {
     auto& ring = branch_arcs_[b];
     for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
@@ -102,7 +101,7 @@ class BisectorTracer {
     return crossing_point(working_, traced_.crossings[end.crossing]);
   }
 
-  void find_courses() {
+  void find_chains() {
     for (std::size_t b = 0; b < branch_arcs_.size(); ++b) {
       const BranchPointId branch(static_cast<std::int64_t>(b));
       for (const std::int32_t arc : branch_arcs_[branch]) follow(arc, at(branch), false);
@@ -113,11 +112,12 @@ class BisectorTracer {
         follow(crossing_arcs_[crossing][0], at(crossing), false);
       }
     }
-    // What is left has no end: it closes on itself.
+    // The remaining arcs have no end: their bisectors are closed.
     for (std::size_t a = 0; a < arcs_.size(); ++a) follow(static_cast<std::int32_t>(a), arcs_[a].begin, true);
   }
 
-  /// Follows arcs from `from` until a branch point, the mesh's boundary or the beginning, if `arc` is new: a bisector.
+  /// Adds the bisector that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at the mesh's
+  /// boundary, or where it began.
   void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
     if (visited_[static_cast<std::size_t>(arc)]) return;
     Bisector bisector;
@@ -125,13 +125,13 @@ class BisectorTracer {
     bisector.right = right_when_leaving(arc, from);
     bisector.closed = closed;
     if (!closed) bisector.ends[0] = from.branch;
-    Course& course = courses_.emplace_back(Course{from, {}});
+    ArcChain& chain = chains_.emplace_back(ArcChain{from, {}});
     ArcEnd here = from;
     while (arc != kNone && !visited_[static_cast<std::size_t>(arc)]) {
       visited_[static_cast<std::size_t>(arc)] = true;
       const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
       const bool forwards = a.begin == here;
-      course.steps.push_back({arc, forwards});
+      chain.steps.push_back({arc, forwards});
       here = forwards ? a.end : a.begin;
       if (here.branch.valid()) break;
       const auto& [first, second] = crossing_arcs_[here.crossing];
@@ -141,11 +141,11 @@ class BisectorTracer {
     diagram_.bisectors.push_back(std::move(bisector));
   }
 
-  /// Fills in the points of bisector i; returns its length.
-  double lay_out(std::size_t i) {
+  /// Sets the points of bisector i; returns its length.
+  double build_polyline(std::size_t i) {
     Bisector& bisector = diagram_.bisectors[BisectorId(static_cast<std::int64_t>(i))];
-    if (!bisector.closed) bisector.points.push_back(point(courses_[i].from));
-    for (const Course::Step& step : courses_[i].steps) {
+    if (!bisector.closed) bisector.points.push_back(point(chains_[i].from));
+    for (const ArcChain::Step& step : chains_[i].steps) {
       const FaceArc& arc = arcs_[static_cast<std::size_t>(step.arc)];
       add_inner_points(arc, step.forwards, bisector.points);
       bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
@@ -174,7 +174,7 @@ class BisectorTracer {
   std::vector<bool> visited_;
   IdVector<CrossingId, std::array<std::int32_t, 2>> crossing_arcs_;
   IdVector<BranchPointId, std::vector<std::int32_t>> branch_arcs_;
-  std::vector<Course> courses_;  // of the bisectors
+  std::vector<ArcChain> chains_;  // one for each bisector
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "diagram/growth/assemble_faces.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
+#include "support/edge_between.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
@@ -29,21 +30,15 @@ void require_cells(const Mesh& mesh, const std::vector<int>& generators, const s
   }
 }
 
-/// One generator on a flat grid, with runs of cells written in by hand and the faces assembled.
+/// One generator on a flat grid, with intervals of cells written in by hand and the faces assembled.
 struct HandMade {
   Mesh mesh = test::make_grid(6, 6);
   test::Stages stages{mesh, test::at_vertices(mesh, {0, 48}), Front::circle};
   TracedDiagram traced{stages.labels, stages.rough};
 
-  EdgeId edge(int u, int v) const {
-    for (int i = 0; i < mesh.edge_count(); ++i) {
-      const HalfedgeId h = mesh.halfedge(EdgeId(i));
-      if (std::minmax({mesh.from(h).value(), mesh.to(h).value()}) == std::minmax({u, v})) return EdgeId(i);
-    }
-    return EdgeId();
-  }
+  EdgeId edge(int u, int v) const { return test::edge_between(mesh, u, v); }
 
-  /// A run of generator `inner` in the middle of an edge that belongs to `outer`.
+  /// An interval of generator `inner` in the middle of an edge that belongs to `outer`.
   void poke(EdgeId e, GeneratorId outer, GeneratorId inner) {
     auto items = traced.crossings.items();
     items.push_back({e, 0.4, outer, inner});
@@ -96,7 +91,7 @@ TEST_CASE("traced diagrams have no island, on every family") {
   }
 }
 
-TEST_CASE("a run that hangs together with nothing is an island of its cell, and its faces' edges are named") {
+TEST_CASE("a disconnected interval is an island of its cell, and the edges of its faces are named") {
   HandMade made;
   {
     CellComponents parts = made.parts();

@@ -1,6 +1,5 @@
-// Refinement by unfolding, and the weld.
+// Refinement by unfolding; test_weld_crossings.cpp has the weld.
 #include <cmath>
-#include <map>
 
 #include "diagram/growth/refine_bisectors.hpp"
 #include "diagram/growth/weld_crossings.hpp"
@@ -10,35 +9,10 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
+#include "support/same_crossings.hpp"
 #include "support/stages.hpp"
 
 using namespace gvd;
-
-namespace {
-
-const GeneratorId kA(0), kB(1), kC(2);
-
-/// Three crossings on edge 0 and one on edge 2.
-Crossings sample_crossings() {
-  return Crossings(
-      3, {{EdgeId(0), 0.2, kA, kB}, {EdgeId(0), 0.5, kB, kC}, {EdgeId(0), 0.8, kC, kA}, {EdgeId(2), 0.4, kA, kB}});
-}
-
-CrossingEstimate estimate(int crossing, double t) { return {CrossingId(crossing), t}; }
-
-void require_sound(const Crossings& before, const Crossings& after) {
-  REQUIRE(after.size() == before.size());
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const Crossing &was = before.items()[i], &is = after.items()[i];
-    REQUIRE((is.edge == was.edge && is.before == was.before && is.after == was.after));
-    REQUIRE(is.t >= kCrossingGap * (1 - 1e-6));
-    REQUIRE(is.t <= 1 - kCrossingGap * (1 - 1e-6));
-    if (i > 0 && after.items()[i - 1].edge == is.edge)
-      REQUIRE(is.t - after.items()[i - 1].t >= kCrossingGap * (1 - 1e-6));
-  }
-}
-
-}  // namespace
 
 TEST_CASE("a face is laid out with its own lengths, counter-clockwise, and points come back") {
   const Mesh mesh = test::make_sliver_sphere(2, 3);
@@ -81,40 +55,6 @@ TEST_CASE("estimates lie inside their edge, ascending by face, on every family")
     }
     Crossings welded = stages.rough;
     weld_crossings(estimates, welded);
-    require_sound(stages.rough, welded);
+    test::require_same_order(stages.rough, welded);
   }
-}
-
-TEST_CASE("the weld takes the mean, and leaves a crossing without an estimate alone") {
-  Crossings crossings = sample_crossings();
-  weld_crossings({estimate(1, 0.4), estimate(3, 0.7), estimate(1, 0.46)}, crossings);
-  CHECK(crossings.items()[0].t == 0.2);
-  CHECK(crossings.items()[1].t == Approx(0.43));
-  CHECK(crossings.items()[2].t == 0.8);
-  CHECK(crossings.items()[3].t == 0.7);
-}
-
-TEST_CASE("the weld keeps order and gaps whatever the estimates say") {
-  Crossings crossings = sample_crossings();
-  weld_crossings({estimate(0, 0.95), estimate(1, 0.01), estimate(2, 0.99999999), estimate(3, 1e-12)}, crossings);
-  require_sound(sample_crossings(), crossings);
-  CHECK(crossings.items()[0].t == Approx(0.5 - kCrossingGap));
-  CHECK(crossings.items()[2].t == Approx(1 - kCrossingGap));
-  CHECK(crossings.items()[3].t == Approx(kCrossingGap));
-  test::Random random(22);
-  for (int i = 0; i < 2000; ++i) {
-    Crossings fuzzed = sample_crossings();
-    std::vector<CrossingEstimate> estimates;
-    for (int k = random.below(9); k > 0; --k) estimates.push_back(estimate(random.below(4), random.real(0, 1)));
-    weld_crossings(estimates, fuzzed);
-    require_sound(sample_crossings(), fuzzed);
-  }
-}
-
-TEST_CASE("two crossings at their least distance stay where they are") {
-  const Crossings before(1, {{EdgeId(0), 0.5, kA, kB}, {EdgeId(0), 0.5 + kCrossingGap, kB, kC}});
-  Crossings after = before;
-  weld_crossings({estimate(0, 0.9), estimate(1, 0.1)}, after);
-  CHECK(after.items()[0].t == Approx(0.5).margin(1e-12));
-  CHECK(after.items()[1].t - after.items()[0].t >= kCrossingGap * (1 - 1e-6));
 }

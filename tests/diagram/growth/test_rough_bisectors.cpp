@@ -2,9 +2,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "diagram/graph/disconnected_intervals.hpp"
 #include "diagram/growth/rough_bisectors.hpp"
 #include "support/catch.hpp"
+#include "support/edge_between.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
@@ -44,7 +44,7 @@ void require_sound(const Mesh& mesh, const NearestLabels& labels, const Crossing
   REQUIRE(counted == static_cast<std::int32_t>(crossings.size()));
 }
 
-std::vector<EdgeId> edges_with_runs_inside(const Crossings& crossings) {
+std::vector<EdgeId> edges_with_intervals_inside(const Crossings& crossings) {
   std::vector<EdgeId> edges;
   for (std::size_t i = 1; i < crossings.size(); ++i) {
     const EdgeId e = crossings.items()[i].edge;
@@ -52,36 +52,6 @@ std::vector<EdgeId> edges_with_runs_inside(const Crossings& crossings) {
   }
   return edges;
 }
-
-/// The edge between two vertices.
-EdgeId edge_between(const Mesh& mesh, int u, int v) {
-  for (int i = 0; i < mesh.edge_count(); ++i) {
-    const HalfedgeId h = mesh.halfedge(EdgeId(i));
-    const auto ends = std::minmax({mesh.from(h).value(), mesh.to(h).value()});
-    if (ends == std::minmax({u, v})) return EdgeId(i);
-  }
-  return EdgeId();
-}
-
-/// Two squares, cut by the edges 0 - 4 and 1 - 5; generator 0 owns all six corners.
-struct Poked {
-  Mesh mesh = test::make_grid(2, 1);
-  NearestLabels labels;
-  GeneratorId own{0}, other{1};
-
-  Poked() { labels.label.assign(6, own), labels.distance.assign(6, 1.0); }
-
-  /// A run of `other` in the middle of each of these edges.
-  Crossings runs(std::vector<EdgeId> edges) const {
-    std::sort(edges.begin(), edges.end());
-    std::vector<Crossing> items;
-    for (const EdgeId e : edges) {
-      items.push_back({e, 0.4, own, other});
-      items.push_back({e, 0.6, other, own});
-    }
-    return Crossings(mesh.edge_count(), items);
-  }
-};
 
 }  // namespace
 
@@ -131,7 +101,7 @@ TEST_CASE("a cell that pokes through the inside of an edge shows there") {
   // Generator 2 sits just below the middle of a long edge whose ends belong to 0 and 1.
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -0.5, 0}}, {{0, 1, 2}, {1, 0, 3}});
   const test::Stages stages(mesh, test::at_vertices(mesh, {0, 1, 3}), Front::circle);
-  const EdgeId e = edge_between(mesh, 0, 1);
+  const EdgeId e = test::edge_between(mesh, 0, 1);
   REQUIRE(stages.rough.count(e) == 2);
   const Crossing &first = stages.rough[stages.rough.first(e)],
                  &second = stages.rough[CrossingId(stages.rough.first(e).value() + 1)];
@@ -151,7 +121,7 @@ TEST_CASE("a cell that pokes through an edge between two vertices of one cell sh
   for (const Mesh& mesh : {test::make_genus3(3), test::make_plate(10)}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       const test::Stages stages(mesh, test::random_generators(mesh, seed < 10 ? 3 : 10, seed % 10), Front::circle);
-      for (const EdgeId e : edges_with_runs_inside(stages.rough)) {
+      for (const EdgeId e : edges_with_intervals_inside(stages.rough)) {
         const HalfedgeId h = stages.mesh().halfedge(e);
         poked += stages.labels.label[stages.mesh().from(h)] == stages.labels.label[stages.mesh().to(h)] ? 1 : 0;
       }
@@ -160,66 +130,32 @@ TEST_CASE("a cell that pokes through an edge between two vertices of one cell sh
   CHECK(poked >= 3);
 }
 
-TEST_CASE("a run inside an edge is lonely unless runs through common faces join it to a corner of its cell") {
-  Poked poked;
-  const EdgeId middle = edge_between(poked.mesh, 1, 4), side = edge_between(poked.mesh, 0, 1);
-  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({})).empty());
-  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
-  // Two runs in one face keep each other company, and are both lonely.
-  const std::vector<EdgeId> both{std::min(middle, side), std::max(middle, side)};
-  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs(both)) == both);
-  // Vertex 2 is a corner of its cell: out of reach of the middle, but for a run on the edge between.
-  poked.labels.label[VertexId(2)] = poked.other;
-  const EdgeId between = edge_between(poked.mesh, 1, 5);
-  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle})) == std::vector<EdgeId>{middle});
-  CHECK(find_disconnected_intervals(poked.mesh, poked.labels, poked.runs({middle, between})).empty());
-}
-
-TEST_CASE("crossing plainly leaves one crossing where the ends' labels differ and none where they agree") {
+TEST_CASE(
+    "edges crossed at most once have one crossing where the labels of their ends differ and none where they agree") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : {Front::circle, Front::planar}) {
       INFO(name << ", " << test::name(front));
       const test::Stages stages(mesh, test::random_generators(mesh, 60, 3), front);
-      const std::vector<EdgeId> edges = edges_with_runs_inside(stages.rough);
-      Crossings plain = stages.rough;
-      cross_at_most_once(stages.input(), edges, plain);
-      require_sound(stages.mesh(), stages.labels, plain);
-      REQUIRE(edges_with_runs_inside(plain).empty());
+      const std::vector<EdgeId> edges = edges_with_intervals_inside(stages.rough);
+      Crossings single = stages.rough;
+      cross_at_most_once(stages.input(), edges, single);
+      require_sound(stages.mesh(), stages.labels, single);
+      REQUIRE(edges_with_intervals_inside(single).empty());
       for (const EdgeId e : edges) {
         const HalfedgeId h = stages.mesh().halfedge(e);
         const bool differ = stages.labels.label[stages.mesh().from(h)] != stages.labels.label[stages.mesh().to(h)];
-        REQUIRE(plain.count(e) == (differ ? 1 : 0));
+        REQUIRE(single.count(e) == (differ ? 1 : 0));
       }
       // Other edges stay as they were.
       for (int i = 0; i < stages.mesh().edge_count(); ++i) {
         const EdgeId e(i);
         if (std::binary_search(edges.begin(), edges.end(), e)) continue;
-        REQUIRE(plain.count(e) == stages.rough.count(e));
-        for (int k = 0; k < plain.count(e); ++k) {
-          REQUIRE(plain[CrossingId(plain.first(e).value() + k)].t ==
+        REQUIRE(single.count(e) == stages.rough.count(e));
+        for (int k = 0; k < single.count(e); ++k) {
+          REQUIRE(single[CrossingId(single.first(e).value() + k)].t ==
                   stages.rough[CrossingId(stages.rough.first(e).value() + k)].t);
         }
       }
     }
-  }
-}
-
-TEST_CASE("a face meets its crossings counter-clockwise, and they change cells as its corners say") {
-  const Mesh mesh = test::make_bumpy_sphere(3, 7);
-  const test::Stages stages(mesh, test::random_generators(mesh, 100, 4), Front::circle);
-  std::vector<char> seen(static_cast<std::size_t>(stages.mesh().face_count()), 0);
-  for (const FaceId f : crossed_faces(stages.mesh(), stages.rough)) {
-    seen[f.index()] = 1;
-    const auto boundary = boundary_crossings(stages.mesh(), stages.rough, f);
-    REQUIRE(boundary.size() >= 2);
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-      const BoundaryCrossing &c = boundary[i], &next = boundary[(i + 1) % boundary.size()];
-      REQUIRE(c.next == next.previous);
-      if (i + 1 < boundary.size()) REQUIRE(std::pair(c.corner, c.t) < std::pair(next.corner, next.t));
-    }
-    REQUIRE(boundary.front().previous == stages.labels.label[stages.mesh().vertices(f)[0]]);
-  }
-  for (int f = 0; f < stages.mesh().face_count(); ++f) {
-    if (!seen[FaceId(f).index()]) REQUIRE(boundary_crossings(stages.mesh(), stages.rough, FaceId(f)).empty());
   }
 }

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::int32_t kNone = -1;
 
-/// Joins the sides of arcs and the runs of boundary edges that follow each other round a cell: every set is a loop.
+/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: every set
+/// is a loop.
 class LoopCounter {
  public:
   LoopCounter(const WorkingMesh& working, const TracedDiagram& traced)
@@ -32,8 +33,8 @@ class LoopCounter {
     }
     IdVector<GeneratorId, std::int32_t> loops(generators_, 0);
     for (std::size_t i = 0; i < label_.size(); ++i) {
-      const auto part = static_cast<std::int32_t>(i);
-      if (label_[i].valid() && sets_.find(part) == part) ++loops[label_[i]];
+      const auto member = static_cast<std::int32_t>(i);
+      if (label_[i].valid() && sets_.find(member) == member) ++loops[label_[i]];
     }
     return loops;
   }
@@ -44,14 +45,14 @@ class LoopCounter {
     return sets_.add();
   }
 
-  // A crossing has two cells and a branch point of a face three different ones, so an end and a cell name one place.
+  // The cells at a crossing or at a branch point differ, so the end and the cell of a side determine what follows it.
   void add_side(const FaceArc& arc, GeneratorId g) {
     const std::int32_t side = add(g);
     for (const ArcEnd& end : {arc.begin, arc.end}) {
       if (end.crossing.valid()) {
-        meet_at(end.crossing, g, side);
+        unite_at(end.crossing, g, side);
       } else {
-        meet(at_branch_[end.branch].try_emplace(g, kNone).first->second, side);
+        unite(at_branch_[end.branch].try_emplace(g, kNone).first->second, side);
       }
     }
   }
@@ -59,27 +60,27 @@ class LoopCounter {
   void add_boundary_edge(EdgeId e) {
     const HalfedgeId h = mesh_.halfedge(e);
     GeneratorId g = traced_.labels.label[mesh_.from(h)];
-    std::int32_t run = add(g);
-    meet(at_vertex_.try_emplace(mesh_.from(h), kNone).first->second, run);
+    std::int32_t interval = add(g);
+    unite(at_vertex_.try_emplace(mesh_.from(h), kNone).first->second, interval);
     for (std::int32_t k = 0; k < traced_.crossings.count(e); ++k) {
       const CrossingId id(traced_.crossings.first(e).value() + k);
-      meet_at(id, g, run);
+      unite_at(id, g, interval);
       g = traced_.crossings[id].after;
-      run = add(g);
-      meet_at(id, g, run);
+      interval = add(g);
+      unite_at(id, g, interval);
     }
-    meet(at_vertex_.try_emplace(mesh_.to(h), kNone).first->second, run);
+    unite(at_vertex_.try_emplace(mesh_.to(h), kNone).first->second, interval);
   }
 
-  void meet_at(CrossingId id, GeneratorId g, std::int32_t part) {
-    meet(at_crossing_[id][traced_.crossings[id].before == g ? 0 : 1], part);
+  void unite_at(CrossingId id, GeneratorId g, std::int32_t member) {
+    unite(at_crossing_[id][traced_.crossings[id].before == g ? 0 : 1], member);
   }
 
-  void meet(std::int32_t& first, std::int32_t part) {
+  void unite(std::int32_t& first, std::int32_t member) {
     if (first == kNone) {
-      first = part;
+      first = member;
     } else {
-      sets_.unite(first, part);
+      sets_.unite(first, member);
     }
   }
 

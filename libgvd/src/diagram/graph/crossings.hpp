@@ -13,17 +13,16 @@ namespace gvd {
 
 using CrossingId = Id<struct CrossingTag>;
 
-/// Crossings keep this distance from the ends of their edge and from each other, as a part of the edge: a hundred
-/// times the tie offset, and far above rounding.
+/// Least distance of crossings from each other and from the ends of their edge, relative to the edge: a hundred times
+/// the symbolic offset of marched distances, and far above rounding.
 inline constexpr double kCrossingGap = 1e-7;
 
-/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree about
-/// it.
+/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree.
 struct Crossing {
   EdgeId edge;
   double t;            ///< parameter along the edge's halfedge, strictly between 0 and 1
-  GeneratorId before;  ///< the cell on the side of the edge's first vertex
-  GeneratorId after;   ///< and on the side of its second
+  GeneratorId before;  ///< the cell on the side of the halfedge's first vertex
+  GeneratorId after;   ///< the cell on the side of its second vertex
 };
 
 /// All crossings, ascending by edge and parameter.
@@ -61,13 +60,13 @@ class Crossings {
   IdVector<EdgeId, std::int32_t> first_;
 };
 
-/// A crossing as a face meets it on its counter-clockwise way round its boundary.
+/// A crossing on the boundary of a face, as the face sees it counter-clockwise.
 struct BoundaryCrossing {
   CrossingId id;
   int corner;            ///< the halfedge of this corner carries it
   double t;              ///< parameter along that halfedge
-  GeneratorId previous;  ///< the cell before it on the way round
-  GeneratorId next;      ///< and after it
+  GeneratorId previous;  ///< the cell before it, counter-clockwise
+  GeneratorId next;      ///< the cell after it
 
   /// Barycentric coordinates in the face.
   std::array<double, 3> bary() const {
@@ -79,7 +78,7 @@ struct BoundaryCrossing {
 };
 
 /// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; a loop over faces
-/// hands in the same one again and saves the allocations.
+/// passes the same one again to save allocations.
 inline void boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f,
                                std::vector<BoundaryCrossing>& result) {
   result.clear();

@@ -20,11 +20,11 @@ struct ArcEnd {
 inline ArcEnd at(CrossingId c) { return {c, BranchPointId()}; }
 inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
 
-/// A piece of a bisector inside one face: straight from point to point.
+/// The part of a bisector inside one face: a polyline from end to end.
 struct FaceArc {
   FaceId face;
   ArcEnd begin, end;
-  GeneratorId left, right;                        ///< on the way from begin to end
+  GeneratorId left, right;                        ///< cells, on the way from begin to end
   std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
 };
 
@@ -32,23 +32,23 @@ struct FaceArc {
 struct FaceBranch {
   FaceId face;
   std::array<double, 3> bary;
-  double distance = 0;  ///< to the generators that meet there, mesh units
+  double distance = 0;  ///< mean distance to its generators, mesh units
 };
 
-/// How the bisectors run inside the faces: with the crossings, all there is to a diagram.
+/// The bisectors inside the faces. Together with the crossings it determines the diagram.
 /// Properties: (1) arcs are ascending by face; (2) every crossing ends exactly one arc in each of its faces; (3) every
-/// branch point ends at least three; (4) within a face no two arcs cross.
+/// branch point ends at least three arcs; (4) within a face no two arcs cross.
 struct FaceDiagram {
   std::vector<FaceArc> arcs;
   IdVector<BranchPointId, FaceBranch> branches;
-  std::vector<std::array<double, 3>> points;  ///< inner points of bent arcs, barycentric in their face
+  std::vector<std::array<double, 3>> points;  ///< inner points of refined arcs, barycentric in their face
 
   std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
     return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
                                      static_cast<std::size_t>(arc.point_count));
   }
 
-  /// Appends a diagram of other faces, which come after these.
+  /// Appends the diagram of other faces, all after these in order.
   void append(const FaceDiagram& other) {
     const auto first_point = static_cast<std::int32_t>(points.size());
     const auto first_branch = static_cast<std::int32_t>(branches.size());

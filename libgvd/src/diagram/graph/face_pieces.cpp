@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// A face cut once or round one branch point has pieces of at most this many corners.
+/// Most corners of a piece in a face with one arc or one branch point.
 constexpr std::size_t kUsualCorners = 5;
 
 class PieceTracer {
@@ -21,26 +21,27 @@ class PieceTracer {
   void trace() {
     result_.pieces.clear();
     result_.piece_of_interval.assign(boundary_.size(), kNone);
-    for (std::size_t run = 0; run < boundary_.size(); ++run) {
-      if (result_.piece_of_interval[run] == kNone) trace_from(run);
+    for (std::size_t interval = 0; interval < boundary_.size(); ++interval) {
+      if (result_.piece_of_interval[interval] == kNone) trace_from(interval);
     }
   }
 
  private:
-  /// Walks along run `first`, then with the piece on the left along arcs to the next run, until it is back.
+  /// Follows the boundary along interval `first`, then arcs with the piece on the left to the next interval, until it
+  /// is back.
   void trace_from(std::size_t first) {
     const auto number = static_cast<int>(result_.pieces.size());
     std::vector<Bary>& corners = result_.pieces.emplace_back(WorkingPiece{boundary_[first].next, {}}).corners;
     corners.reserve(kUsualCorners);
-    for (std::size_t run = first; result_.piece_of_interval[run] == kNone;) {
-      result_.piece_of_interval[run] = number;
-      follow_run(run, corners);
-      run = follow_arcs((run + 1) % boundary_.size(), corners);
+    for (std::size_t interval = first; result_.piece_of_interval[interval] == kNone;) {
+      result_.piece_of_interval[interval] = number;
+      follow_interval(interval, corners);
+      interval = follow_arcs((interval + 1) % boundary_.size(), corners);
     }
   }
 
-  void follow_run(std::size_t run, std::vector<Bary>& corners) const {
-    const BoundaryCrossing &from = boundary_[run], &to = boundary_[(run + 1) % boundary_.size()];
+  void follow_interval(std::size_t interval, std::vector<Bary>& corners) const {
+    const BoundaryCrossing &from = boundary_[interval], &to = boundary_[(interval + 1) % boundary_.size()];
     corners.push_back(from.bary());
     const bool wraps = to.corner < from.corner || (to.corner == from.corner && to.t <= from.t);
     const int last = to.corner + (wraps ? 3 : 0);
@@ -51,8 +52,8 @@ class PieceTracer {
     }
   }
 
-  /// From boundary crossing i into the face, keeping to the left, until the boundary is met again: returns the
-  /// crossing.
+  /// Follows arcs from boundary crossing i through the face, with the piece on the left, to the boundary. Returns the
+  /// boundary crossing where they end.
   std::size_t follow_arcs(std::size_t i, std::vector<Bary>& corners) const {
     corners.push_back(boundary_[i].bary());
     ArcEnd here = at(boundary_[i].id);
@@ -77,11 +78,11 @@ class PieceTracer {
     return static_cast<std::size_t>(arrived - boundary_.begin());
   }
 
-  /// The arc that leaves `here` with `own` on its left, other than the one we came by.
-  const FaceArc& leaving(const ArcEnd& here, GeneratorId own, const FaceArc* came_by) const {
+  /// The arc that leaves `here` with `own` on its left, other than `last`.
+  const FaceArc& leaving(const ArcEnd& here, GeneratorId own, const FaceArc* last) const {
     const FaceArc* found = nullptr;
     for (const FaceArc& arc : arcs_) {
-      if (&arc == came_by) continue;
+      if (&arc == last) continue;
       if ((arc.begin == here && arc.left == own) || (arc.end == here && arc.right == own)) found = &arc;
     }
     return *found;

@@ -9,21 +9,22 @@
 
 namespace gvd {
 
-/// A part of a face between its arcs.
+/// A connected part of a face without its arcs.
 struct WorkingPiece {
   GeneratorId generator;
   std::vector<std::array<double, 3>> corners;  ///< barycentric in the working face, counter-clockwise
 };
 
-/// All parts of one face.
+/// All pieces of one face.
 struct WorkingPieces {
   std::vector<WorkingPiece> pieces;
   std::vector<int>
       piece_of_interval;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
 };
 
-/// The parts of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
-/// `result` is overwritten; a loop over faces hands in the same one again and saves allocations.
+/// The pieces of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
+/// `result` is overwritten; a loop over faces passes the same one again to save allocations.
+/// Cost: O(k^2) for k crossings.
 void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
                   const FaceDiagram& diagram, WorkingPieces& result);
 

@@ -28,29 +28,29 @@ class Labeller {
     return any_neighbour(mesh_, v, [&](VertexId u) { return supports(u, v); });
   }
 
-  /// Of the vertices in a chunk. `is_sure(v)`: a quick look that may say that v is supported.
+  /// The unsupported vertices of a chunk. `is_surely_supported(v)` is a quick test: true only if v is supported.
   template <class Sure>
-  std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_sure) const {
+  std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_surely_supported) const {
     std::vector<VertexId> unsupported;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const VertexId v(static_cast<std::int64_t>(i));
-      if (result_.label[v].valid() && !is_sure(v) && !is_supported(v)) unsupported.push_back(v);
+      if (result_.label[v].valid() && !is_surely_supported(v) && !is_supported(v)) unsupported.push_back(v);
     }
     return unsupported;
   }
 
-  void strip(VertexId v) {
+  void clear(VertexId v) {
     result_.label[v] = GeneratorId();
     result_.distance[v] = kInfinity;
   }
 
-  /// Strips the label of every vertex that no chain joins to its generator; returns them.
-  std::vector<VertexId> take_away_unsupported() {
-    std::vector<VertexId> orphans, suspects;
+  /// Clears the label of every vertex that no chain of supported vertices connects to its generator; returns them.
+  std::vector<VertexId> clear_unsupported() {
+    std::vector<VertexId> cleared, suspects;
     const auto examine = [&](VertexId v) {
       if (!result_.label[v].valid() || is_supported(v)) return;
-      strip(v);
-      orphans.push_back(v);
+      clear(v);
+      cleared.push_back(v);
       for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
     };
     for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) examine(VertexId(i));
@@ -59,18 +59,18 @@ class Labeller {
       suspects.pop_back();
       examine(v);
     }
-    return orphans;
+    return cleared;
   }
 
-  /// Gives every orphan a label that one of its neighbours has, nearest first: Dijkstra from the labelled neighbours.
-  void adopt(const std::vector<VertexId>& orphans) {
+  /// Labels these vertices from their labelled neighbours, by Dijkstra's algorithm along the edges.
+  void label_from_neighbours(const std::vector<VertexId>& cleared) {
     using Offer = std::tuple<double, GeneratorId, VertexId>;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
     const auto offer = [&](VertexId to, VertexId from, double length) {
       const GeneratorId g = result_.label[from];
       if (g.valid() && !result_.label[to].valid()) offers.emplace(result_.distance[from] + length, g, to);
     };
-    for (const VertexId v : orphans) {
+    for (const VertexId v : cleared) {
       for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh_.length(h)); });
     }
     while (!offers.empty()) {
@@ -104,7 +104,7 @@ void take_nearest(const WorkingMesh& working, const GeneratorTable& table, Neare
       }
     });
   }
-  // A generator owns its vertex, though its symbolic offset may be larger than the way to the next generator.
+  // A generator owns its vertex even if its symbolic offset is larger than the distance to the next generator.
   for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
     const VertexId v = working.vertex(g);
@@ -122,7 +122,7 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
   const Labeller labeller(working, labels);
   const Chunk all{0, static_cast<std::size_t>(mesh.vertex_count())};
   labels.unsupported = labeller.find_unsupported(all, [&](VertexId v) {
-    // Mostly one of the two corners that the distance came from has the same label.
+    // In most cases one of the two corners that the distance was computed from has the same label.
     const HalfedgeId via = table.distance(v.value()).via;
     return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
   });
@@ -141,16 +141,16 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
 
 void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels) {
   Labeller labeller(working, labels);
-  for (const VertexId v : vertices) labeller.strip(v);
-  labeller.adopt(vertices);
+  for (const VertexId v : vertices) labeller.clear(v);
+  labeller.label_from_neighbours(vertices);
 }
 
 std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels) {
   Labeller labeller(working, labels);
-  const std::vector<VertexId> orphans = labeller.take_away_unsupported();
-  labeller.adopt(orphans);
+  const std::vector<VertexId> cleared = labeller.clear_unsupported();
+  labeller.label_from_neighbours(cleared);
   labels.unsupported.clear();
-  return static_cast<std::int64_t>(orphans.size());
+  return static_cast<std::int64_t>(cleared.size());
 }
 
 }  // namespace gvd

@@ -14,14 +14,14 @@ namespace {
 /// Progress is reported once in so many faces.
 constexpr std::size_t kProgressStride = 1 << 10;
 
-/// A face and the forms of the generators round it.
+/// A face and the distance forms of the generators whose cells lie along its boundary.
 struct FaceForms {
   const Mesh& mesh;
   FaceId face;
   Front front;
   std::vector<DistanceForm> forms;
 
-  /// Distance of generator g at a point of the face.
+  /// Distance of generator g at a point of the face, mesh units.
   double distance(GeneratorId g, const std::array<double, 3>& bary) const {
     const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == g; });
     if (front == Front::planar) return form->at(bary);
@@ -34,7 +34,7 @@ struct FaceForms {
   }
 };
 
-/// Mean distance of the branch points from `first_branch` on to the generators that meet there.
+/// Sets the distance of the branch points from `first_branch` on: the mean over the cells at each.
 void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
   for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
     const BranchPointId id(static_cast<std::int64_t>(b));
@@ -75,7 +75,7 @@ void assemble_faces(const GrowthInput& input, const Crossings& crossings, const 
     if (i % kProgressStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
     boundary_crossings(input.mesh(), crossings, f, boundary);
-    if (boundary.size() == 2) {  // nearly all of them: one arc, and no distance is asked for
+    if (boundary.size() == 2) {  // most faces: one arc, which depends on no distance
       diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
       continue;
     }

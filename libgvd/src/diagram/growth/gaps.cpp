@@ -5,7 +5,8 @@
 namespace gvd {
 namespace {
 
-/// A bisector of two generators needs no growth; where a third one competes the paper's triangle is left open.
+/// Generators that make a face part of a gap. The paper calls a face with three of them a branching triangle, but
+/// counts only the labels of its corners (section 3).
 constexpr int kGapGenerators = 3;
 
 bool is_in_gap(const GeneratorTable& table, FaceId f) {

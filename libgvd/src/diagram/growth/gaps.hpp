@@ -7,8 +7,8 @@
 
 namespace gvd {
 
-/// A connected group of faces whose tables hold three or more generators: the bisectors are traced up to its rim, and
-/// grow through its inside until they meet (section 4.3).
+/// A connected set of faces whose tables hold three or more generators that are not dominated. Bisectors are traced up
+/// to its rim, the edges with a face outside, and grow through its inside (section 4.3).
 struct Gap {
   std::vector<FaceId> faces;  ///< ascending
   bool contains(FaceId f) const;

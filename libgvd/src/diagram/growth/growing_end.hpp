@@ -14,34 +14,34 @@
 
 namespace gvd {
 
-/// Where a growing end leaves its face.
+/// The point where a growing end leaves its face.
 struct Exit {
   HalfedgeId halfedge;
   double t;  ///< parameter along the halfedge
   Vec2 point;
-  double distance;  ///< predicted
+  double distance;  ///< predicted, mesh units
 };
 
-/// The end of a bisector that grows through a face (section 4.3). Positions and images are in the face's own plane.
+/// The end of a bisector that grows through a face (section 4.3). Positions are in the plane of the face; an image is
+/// the position of a generator that was unfolded into that plane.
 struct GrowingEnd {
   FaceId face;
-  int node;  ///< where it starts: a node of the gap that it grows in
+  int node;  ///< the node of the gap where it starts
   Vec2 start;
   GeneratorId left, right;
   Vec2 left_image, right_image;
-  std::optional<Exit> exit{};  ///< its exit event, if there is one
+  std::optional<Exit> exit{};  ///< its exit event, if it has one
   bool active = true;
 
-  /// Along the bisector of the two images, with the left one on the left: also after a merge, when they are the images
-  /// of the two outer generators.
+  /// Unit vector along the bisector of the two images, with the left image on the left.
   Vec2 direction() const { return turned_left(right_image - left_image).normalized(); }
 
-  /// Predicted distance of a point from the two generators.
+  /// Predicted distance of a point from the two generators: the mean of those to the images.
   double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
 };
 
-/// The exit event of an end: the first edge that its ray meets on the way out. None where it runs along an edge, away
-/// from the triangle, or has no direction.
+/// The exit event of an end: the first edge through which its ray leaves the face with these corners. None if the ray
+/// runs along an edge or away from the face, or has no direction.
 inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner) {
   const Vec2 direction = end.direction();
   if (!direction.allFinite()) return std::nullopt;
@@ -62,8 +62,8 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
   return first;
 }
 
-/// Where the rays of two ends in one face meet, if both get there before they leave it. `first` is the left one of the
-/// two, so that the cell between them narrows towards the meeting.
+/// The intersection of two ends in one face, if both reach it before they leave the face (section 4.3, intersection
+/// computation). `first` is the left one of the two, so that the cell between them narrows towards the intersection.
 inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
   if (!first.exit || !second.exit) return std::nullopt;
   const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;
@@ -73,10 +73,10 @@ inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const Grow
   return first.start + s * d;
 }
 
-/// The rotation around an edge: takes the plane of one of its faces into the plane of the other.
+/// The rotation around an edge that takes the plane of one of its faces into the plane of the other (section 4.3).
 class EdgeRotation {
  public:
-  /// a and b are the edge's ends in the old plane, in the new one a_new and b_new.
+  /// `a` and `b` are the ends of the edge in the old plane, `a_new` and `b_new` in the new one.
   EdgeRotation(const Vec2& a, const Vec2& b, const Vec2& a_new, const Vec2& b_new) : from_(a), to_(a_new) {
     const Vec2 u = (b - a).normalized(), v = (b_new - a_new).normalized();
     cosine_ = u.dot(v);

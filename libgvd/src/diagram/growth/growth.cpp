@@ -1,8 +1,10 @@
 #include "diagram/growth/growth.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "diagram/growth/check_growth.hpp"
 #include "diagram/growth/growing_end.hpp"
@@ -11,10 +13,10 @@
 namespace gvd {
 namespace {
 
-/// An end passes a face of its gap a few times at the most; more is a loop that growth can't close.
+/// Events that are allowed for each face of the gap. A sound growth has a few in each face; more mean a loop.
 constexpr std::size_t kStepsPerFace = 4;
 
-/// Larger gaps hold whole cells, and no reliable bisector reaches their inside.
+/// Larger gaps contain whole cells; the images of their generators become too inaccurate on the way through.
 constexpr std::size_t kMaxGapFaces = 200;
 
 class GapGrowth {
@@ -26,23 +28,26 @@ class GapGrowth {
     start_at_rim();
     std::size_t steps = kStepsPerFace * gap_.faces.size() + 4 * ends_.size();
     while (active_ends() > 0) {
-      if (steps-- == 0 || !(join_facing() || merge_meeting() || leave_face())) return std::nullopt;
+      if (steps-- == 0 || !(join_facing() || merge_intersecting() || leave_face())) return std::nullopt;
     }
     return std::move(grown_);
   }
 
  private:
-  struct Meeting {
-    std::size_t first, second;  // ends; the cell between them is the first one's right and the second one's left
+  /// Two ends whose bisectors intersect in their face. The cell between them is on the right of the first and on the
+  /// left of the second.
+  struct Intersection {
+    std::size_t first, second;
     Vec2 point;
-    double distance;
+    double distance;  ///< predicted
   };
 
   std::ptrdiff_t active_ends() const {
     return std::count_if(ends_.begin(), ends_.end(), [](const GrowingEnd& e) { return e.active; });
   }
 
-  /// Every crossing on the rim begins an end; its images come from the face outside, where the bisector is sure.
+  /// Every crossing on the rim starts an end. The images of its generators are unfolded in the face outside the gap,
+  /// where only two generators compete.
   void start_at_rim() {
     for (const FaceId f : gap_.faces) {
       for (const BoundaryCrossing& c : boundary_crossings(mesh_, crossings_, f)) {
@@ -53,7 +58,7 @@ class GapGrowth {
         const Vec2 left = unfold_generator(plane, corner_distances(input_, outside, c.previous));
         const Vec2 right = unfold_generator(plane, corner_distances(input_, outside, c.next));
         const int node = add_node({GapNode::Kind::rim, c.id, {}, FaceId(), {}, 0});
-        enter(twin, c.t, node, c.previous, c.next, left, right);
+        enter(twin, c.t, {outside, node, {}, c.previous, c.next, left, right});
       }
     }
   }
@@ -68,16 +73,18 @@ class GapGrowth {
     ends_.push_back(std::move(end));
   }
 
-  /// An end that enters the face beyond halfedge h, at parameter t of h's twin, with images in the plane of h's face.
-  void enter(HalfedgeId h, double t, int node, GeneratorId left, GeneratorId right, const Vec2& left_image,
-             const Vec2& right_image) {
+  /// Adds an end that crosses halfedge h out of h's face, at parameter t of h's twin. The images of `end` are in the
+  /// plane of h's face, and are rotated into that of the twin's; its start and face are set here.
+  void enter(HalfedgeId h, double t, const GrowingEnd& end) {
     const HalfedgeId twin = mesh_.twin(h);
     const auto old_plane = FaceLayout(mesh_, Mesh::face(h)).corner,
                new_plane = FaceLayout(mesh_, Mesh::face(twin)).corner;
     const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(twin));
     const Vec2 &a = new_plane[j], &b = new_plane[(j + 1) % 3];
     const EdgeRotation rotate(old_plane[(i + 1) % 3], old_plane[i], a, b);
-    add_end({Mesh::face(twin), node, a + t * (b - a), left, right, rotate(left_image), rotate(right_image)}, new_plane);
+    add_end({Mesh::face(twin), end.node, a + t * (b - a), end.left, end.right, rotate(end.left_image),
+             rotate(end.right_image)},
+            new_plane);
   }
 
   void add_arc(GrowingEnd& end, int to) {
@@ -85,7 +92,7 @@ class GapGrowth {
     end.active = false;
   }
 
-  /// Two ends of one bisector that come towards each other in one face are one arc.
+  /// Joins the nearest two ends of one bisector that face each other in one face by an arc. False if there are none.
   bool join_facing() {
     double nearest = std::numeric_limits<double>::infinity();
     std::pair<std::size_t, std::size_t> best;
@@ -104,10 +111,10 @@ class GapGrowth {
     return true;
   }
 
-  /// The nearest meeting of two neighbouring bisectors becomes a branch point; the cell between them ends there, and
-  /// one bisector grows on between the two outer generators.
-  bool merge_meeting() {
-    std::optional<Meeting> best;
+  /// The intersection event of least predicted distance: a branch point where the cell between two ends is closed.
+  /// False if no two ends intersect.
+  bool merge_intersecting() {
+    std::optional<Intersection> best;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       for (std::size_t j = 0; j < ends_.size(); ++j) {
         const GrowingEnd &a = ends_[i], &b = ends_[j];
@@ -115,49 +122,53 @@ class GapGrowth {
         const auto point = find_intersection(a, b);
         if (!point) continue;
         const double distance = 0.5 * (a.distance_at(*point) + b.distance_at(*point));
-        if (!best || distance < best->distance) best = Meeting{i, j, *point, distance};
+        if (!best || distance < best->distance) best = Intersection{i, j, *point, distance};
       }
     }
     if (best) merge(*best);
     return best.has_value();
   }
 
-  void merge(const Meeting& meeting) {
-    GrowingEnd &a = ends_[meeting.first], &b = ends_[meeting.second];
+  /// Replaces the two ends by one between the two outer generators.
+  void merge(const Intersection& at) {
+    GrowingEnd &a = ends_[at.first], &b = ends_[at.second];
     const FaceLayout layout(mesh_, a.face);
-    const auto bary = layout.bary(meeting.point);
-    const int node = add_node({GapNode::Kind::branch, CrossingId(), {}, a.face, bary, meeting.distance});
+    const auto bary = layout.bary(at.point);
+    const int node = add_node({GapNode::Kind::branch, CrossingId(), {}, a.face, bary, at.distance});
     add_arc(a, node);
     add_arc(b, node);
-    add_end({a.face, node, meeting.point, a.left, b.right, a.left_image, b.right_image}, layout.corner);
+    add_end({a.face, node, at.point, a.left, b.right, a.left_image, b.right_image}, layout.corner);
   }
 
-  /// The nearest exit; false where it leads out of the gap, for all bisectors of the rim have their end there already.
+  /// The exit event of least predicted distance. False if there is none, or if it is too close to a vertex, or if it
+  /// leaves the gap: all bisectors that cross the rim have an end there already.
   bool leave_face() {
-    std::optional<Exit> best;
-    std::size_t leaver = 0;
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-      if (!ends_[i].active) continue;
-      const auto& exit = ends_[i].exit;
-      if (exit && (!best || exit->distance < best->distance)) std::tie(best, leaver) = std::tuple(exit, i);
+    GrowingEnd* leaver = nullptr;
+    for (GrowingEnd& end : ends_) {
+      if (!end.active || !end.exit) continue;
+      if (!leaver || end.exit->distance < leaver->exit->distance) leaver = &end;
     }
-    if (!best || best->t < kCrossingGap || best->t > 1 - kCrossingGap) return false;
-    const HalfedgeId h = best->halfedge, twin = mesh_.twin(h);
+    if (!leaver || leaver->exit->t < kCrossingGap || leaver->exit->t > 1 - kCrossingGap) return false;
+    const HalfedgeId h = leaver->exit->halfedge, twin = mesh_.twin(h);
     if (twin.valid() && !gap_.contains(Mesh::face(twin))) return false;
-    GrowingEnd& end = ends_[leaver];
+    cross_edge(*leaver);
+    return true;
+  }
+
+  /// Ends `end` at a new crossing, and lets it go on in the next face, if there is one.
+  void cross_edge(GrowingEnd& end) {
+    const HalfedgeId h = end.exit->halfedge;
+    const double t = end.exit->t;
     const bool along = mesh_.halfedge(mesh_.edge(h)) == h;
-    // Walking out of the face, the beginning of its halfedge lies on the right.
-    const Crossing crossing{mesh_.edge(h), along ? best->t : 1 - best->t, along ? end.right : end.left,
+    // On the way out of the face, the beginning of its halfedge lies on the right.
+    const Crossing crossing{mesh_.edge(h), along ? t : 1 - t, along ? end.right : end.left,
                             along ? end.left : end.right};
     const int node = add_node({GapNode::Kind::crossing, CrossingId(), crossing, FaceId(), {}, 0});
-    if (!twin.valid()) {
-      add_arc(end, node);
-      return true;
-    }
     add_arc(end, node);
-    const GrowingEnd from = end;  // by value: the new end may move the list
-    enter(h, 1 - best->t, node, from.left, from.right, from.left_image, from.right_image);
-    return true;
+    if (!mesh_.twin(h).valid()) return;
+    GrowingEnd next = end;  // a copy: `enter` adds to the list that `end` is in
+    next.node = node;
+    enter(h, 1 - t, next);
   }
 
   const GrowthInput& input_;

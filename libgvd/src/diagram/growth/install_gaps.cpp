@@ -7,8 +7,8 @@
 namespace gvd {
 namespace {
 
-/// A crossing of the new numbering, and what it was: a crossing of the old one, or a node of a grown gap.
-struct Origin {
+/// A crossing of the new diagram, with its origin: a crossing of the old diagram, or a node of a grown gap.
+struct CrossingOrigin {
   Crossing crossing;
   CrossingId old;
   std::size_t gap = 0, node = 0;
@@ -25,9 +25,9 @@ class GapInstaller {
   }
 
  private:
-  /// The crossings that stay, and those that grew, in their order.
-  std::vector<Origin> merge_crossings() const {
-    std::vector<Origin> all;
+  /// The crossings that stay and those that grew, ascending by (edge, t).
+  std::vector<CrossingOrigin> merge_crossings() const {
+    std::vector<CrossingOrigin> all;
     const std::vector<char> inside = edges_inside();
     for (std::size_t i = 0; i < traced_.crossings.size(); ++i) {
       const CrossingId id(static_cast<std::int64_t>(i));
@@ -40,13 +40,13 @@ class GapInstaller {
         if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, CrossingId(), c, n});
       }
     }
-    std::sort(all.begin(), all.end(), [](const Origin& a, const Origin& b) {
+    std::sort(all.begin(), all.end(), [](const CrossingOrigin& a, const CrossingOrigin& b) {
       return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
     });
     return all;
   }
 
-  /// Per edge: whether all its faces lie in grown gaps. Two gaps never share an edge, so that is one gap.
+  /// Per edge: whether all its faces lie in one grown gap. Two gaps never have an edge in common.
   std::vector<char> edges_inside() const {
     std::vector<char> inside(static_cast<std::size_t>(mesh_.edge_count()), 0);
     for (const ClosedGap& c : closed_) {
@@ -60,12 +60,12 @@ class GapInstaller {
     return inside;
   }
 
-  /// Gives the crossings their new ids, and finds the nodes that are crossings among them.
-  void renumber(const std::vector<Origin>& all) {
+  /// Gives the crossings their new ids, and so the nodes that are crossings.
+  void renumber(const std::vector<CrossingOrigin>& all) {
     IdVector<CrossingId, CrossingId> renamed(traced_.crossings.size());
     for (const ClosedGap& c : closed_) ends_.emplace_back(c.grown.nodes.size());
     std::vector<Crossing> items;
-    for (const Origin& origin : all) {
+    for (const CrossingOrigin& origin : all) {
       const CrossingId id(static_cast<std::int64_t>(items.size()));
       items.push_back(origin.crossing);
       if (origin.old.valid()) {
@@ -83,7 +83,7 @@ class GapInstaller {
     }
   }
 
-  /// Branch points, arcs and moved vertices of one gap, whose nodes are the arcs' ends.
+  /// Appends the branch points, arcs and moved vertices of one gap. `ends` has an entry for each of its nodes.
   void append(const GrownGap& grown, std::vector<ArcEnd>& ends) {
     for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
       const GapNode& node = grown.nodes[n];

@@ -7,14 +7,14 @@
 
 namespace gvd {
 
-/// A gap and what grew in it.
+/// A gap and the bisectors that grew in it.
 struct ClosedGap {
   const Gap* gap;
   GrownGap grown;
 };
 
 /// Replaces the crossings inside the grown gaps by those that grew, appends their arcs and branch points to
-/// `traced.faces`, and moves the vertices that growth moved. Cost: O(n + k log k) for k crossings.
+/// `traced.faces`, and gives the vertices that growth moved their new labels. Cost: O(n + k log k) for k crossings.
 void install_grown_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced);
 
 }  // namespace gvd

@@ -10,7 +10,7 @@ namespace {
 /// Progress is reported once in so many faces.
 constexpr std::size_t kProgressStride = 1 << 12;
 
-/// Parameter where the line of points equally far from p and q meets a + t (b - a); outside of [0, 1] where it misses.
+/// Parameter t of the point a + t (b - a) that is equally far from p and q; -1 if there is none or every point is.
 double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   const Vec2 normal = q - p;
   const double along = normal.dot(b - a);

@@ -8,7 +8,7 @@
 
 namespace gvd {
 
-/// Where one face says that a crossing lies.
+/// The position of a crossing as estimated by one of its faces.
 struct CrossingEstimate {
   CrossingId crossing;
   double t;  ///< parameter along the edge's halfedge

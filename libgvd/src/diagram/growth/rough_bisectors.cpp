@@ -17,11 +17,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Progress is reported once in so many edges.
 constexpr std::size_t kProgressStride = 1 << 10;
 
-/// A cell that owns less of the inside of an edge than this part of it is not seen there: the march's distances are off
-/// by about a hundredth of an edge, so that such a run says nothing.
+/// Shortest interval of a cell inside an edge, relative to the edge. The march's distances are off by about a hundredth
+/// of an edge, so shorter intervals have no meaning.
 constexpr double kShortestInterval = 1e-3;
 
-/// What one generator's distance is along an edge: at its first end, its midpoint and its second end.
+/// Distances of one generator along an edge: at its first end, its midpoint and its second end.
 struct EdgeCandidate {
   GeneratorId generator;
   std::array<double, 3> value{kInfinity, kInfinity, kInfinity};
@@ -37,7 +37,7 @@ class RoughEdgeEnvelope {
     const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
     if (at_most_once && first == last) return;
     collect_ends(e);
-    if (first == last && !may_be_poked(first, mesh_.length(e))) return;
+    if (first == last && !may_have_interval(first, mesh_.length(e))) return;
     collect_midpoints(e);
     if (at_most_once)
       std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
@@ -49,7 +49,7 @@ class RoughEdgeEnvelope {
   }
 
  private:
-  /// The entries of a side's face that count.
+  /// Visits the entries of the side's face that are not dominated.
   template <class Visit>
   void for_each_entry(HalfedgeId side, Visit visit) {
     table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
@@ -76,9 +76,9 @@ class RoughEdgeEnvelope {
     require_label(mesh_.to(h), 2, mesh_.length(e));
   }
 
-  /// Whether another cell could own the inside of an edge whose ends belong to `own`: a distance changes by half a
-  /// length at the most from an end to the midpoint.
-  bool may_be_poked(GeneratorId own, double length) {
+  /// Whether another cell could own an interval inside an edge whose two ends belong to `own`: from an end to the
+  /// midpoint a distance changes by half the edge's length at most.
+  bool may_have_interval(GeneratorId own, double length) {
     const EdgeCandidate mine = candidate(own);
     return std::any_of(candidates_.begin(), candidates_.end(), [&](const EdgeCandidate& c) {
       return c.generator != own && std::max(c.value[0], c.value[2]) < std::min(mine.value[0], mine.value[2]) + length;
@@ -97,7 +97,7 @@ class RoughEdgeEnvelope {
       });
     }
     for (EdgeCandidate& c : candidates_) {
-      // The midpoint is reached along the edge at the latest.
+      // Along the edge there is a path from each end to the midpoint.
       c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));
       for (double& value : c.value) value = form_value(front_, value);
     }
@@ -110,7 +110,8 @@ class RoughEdgeEnvelope {
     return candidates_.emplace_back(EdgeCandidate{g});
   }
 
-  /// The label of an end is the winner there whatever the tables say: it was chosen so that its cell is connected.
+  /// Makes the label of an end the nearest generator there, whatever the tables say: labels were chosen so that cells
+  /// are connected.
   void require_label(VertexId v, std::size_t end, double length) {
     EdgeCandidate& c = candidate(labels_.label[v]);
     double lowest = labels_.distance[v];
@@ -128,7 +129,8 @@ class RoughEdgeEnvelope {
     return best;
   }
 
-  /// Lower envelope of the candidates' linear forms over half `half` of the edge, from winner `first` to winner `last`.
+  /// Lower envelope of the candidates' linear distances over half `half` (0 or 1) of the edge, from cell `first` to
+  /// cell `last`.
   void walk(std::size_t half, GeneratorId first, GeneratorId last) {
     const double start = 0.5 * static_cast<double>(half);
     double s = 0;
@@ -140,7 +142,7 @@ class RoughEdgeEnvelope {
         const double at_start = other.value[half] - c.value[half], at_end = other.value[half + 1] - c.value[half + 1];
         if (other.generator == current || !(at_end < 0 || other.generator == last)) continue;
         const double where = at_start > 0 && at_end < 0 ? at_start / (at_start - at_end) : at_start > 0 ? 1.0 : s;
-        // Where two cross at one place, the one that falls faster wins: it is the lower one from there on.
+        // Of two that cross at the same point, the one that decreases faster is lower beyond it.
         if (std::tuple(where, at_end) < std::tuple(soonest, kInfinity)) {
           soonest = where;
           next = other.generator;
@@ -152,17 +154,17 @@ class RoughEdgeEnvelope {
     }
   }
 
-  /// Turns the breaks into crossings that keep their distance, dropping the runs inside the edge that are too short to
-  /// keep. The first run and the last one belong to the ends and stay.
+  /// Turns the breaks into crossings that keep kCrossingGap, without the intervals inside the edge that are too short.
+  /// The first interval and the last belong to the labels of the ends and stay.
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
-    std::vector<std::pair<double, GeneratorId>> runs{{0.0, first}};  // (start, generator)
+    std::vector<std::pair<double, GeneratorId>> intervals{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
-      while (runs.size() > 1 && t - runs.back().first < kShortestInterval) runs.pop_back();
+      while (intervals.size() > 1 && t - intervals.back().first < kShortestInterval) intervals.pop_back();
       const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
-      if (runs.back().second != g) runs.emplace_back(start, g);
+      if (intervals.back().second != g) intervals.emplace_back(start, g);
     }
-    for (std::size_t i = 1; i < runs.size(); ++i) {
-      crossings.push_back({e, runs[i].first, runs[i - 1].second, runs[i].second});
+    for (std::size_t i = 1; i < intervals.size(); ++i) {
+      crossings.push_back({e, intervals[i].first, intervals[i - 1].second, intervals[i].second});
     }
   }
 
@@ -174,14 +176,15 @@ class RoughEdgeEnvelope {
   std::vector<std::pair<double, GeneratorId>> breaks_;
 };
 
-/// Whether all but one of the generators in f's table are dominated.
+/// Whether all generators in the table of f but one are dominated.
 bool has_one_owner(const GeneratorTable& table, FaceId f) {
   int owners = 0;
   table.for_each(f, [&](const TableEntry& entry) { owners += entry.dominated ? 0 : 1; });
   return owners <= 1;
 }
 
-/// Edges of faces with several generators in their table, the dominated ones apart, or at their corners; ascending.
+/// Edges of the faces that have several generators at their corners, or several in their table that are not dominated;
+/// ascending.
 std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
   const Mesh& mesh = input.mesh();
   std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);

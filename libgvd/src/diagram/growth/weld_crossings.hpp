@@ -6,11 +6,10 @@
 
 namespace gvd {
 
-/// Puts every crossing at the mean of what its two faces estimate, so that the bisector's parts meet on the edge.
+/// Moves every crossing to the mean of the estimates of its two faces.
 ///
-/// Source: section 4.2 (the weld across edges). A crossing without an estimate stays; crossings keep their order and
-/// their gap on the edge.
-/// Cost: O(k).
+/// Source: section 4.2 (consistency enforcement). A crossing without an estimate stays. Deviation: crossings keep their
+/// order on the edge, and kCrossingGap from each other and from its ends. Cost: O(k) for k crossings and estimates.
 void weld_crossings(const std::vector<CrossingEstimate>& estimates, Crossings& crossings);
 
 }  // namespace gvd

@@ -1,0 +1,114 @@
+#include "diagram/evaluation/check_partition.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/barycentric.hpp"
+
+namespace gvd {
+namespace {
+
+/// Relative tolerance of areas: they are sums of up to a million rounded terms.
+constexpr double kAreaTolerance = 1e-9;
+
+/// Change of a triangle's area by rounding of a corner's coordinates, relative to the largest coordinate times the
+/// longest edge: one or two rounding steps a corner. It dominates for thin faces far from the origin.
+constexpr double kCornerRounding = 1e-15;
+
+class PartitionCheck {
+ public:
+  PartitionCheck(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations)
+      : mesh_(mesh), diagram_(diagram), reached_(reached), violations_(violations), owned_(diagram.cells.size(), 0.0) {}
+
+  void run() {
+    check_areas();
+    check_vertex_labels();
+  }
+
+ private:
+  void check_areas() {
+    double total = 0;
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
+      const FaceId f(i);
+      const double share = covered_share(f), expected = reached_.contains(f) ? 1 : 0;
+      if (std::abs(share - expected) > kAreaTolerance) {
+        violations_.add(2, "face", f.index(),
+                        "its label and pieces cover " + std::to_string(share) + " of its area instead of " +
+                            std::to_string(int(expected)));
+      }
+      total += expected * mesh_.area(f);
+    }
+    const double tolerance = kAreaTolerance * total + area_rounding();
+    for (const Cell& c : diagram_.cells) {
+      if (std::abs(c.area - owned_[c.generator]) <= tolerance) continue;
+      violations_.add(2, "cell", c.generator.index(), "its area is not that of its faces and pieces");
+    }
+    if (next_ < diagram_.pieces.size()) violations_.add(2, "piece", next_, "pieces are not sorted by face");
+  }
+
+  /// The share of f's area that its label or its pieces cover; credits it to the cells. Faces come in order.
+  double covered_share(FaceId f) {
+    double share = diagram_.face_label[f].valid() ? 1 : 0;
+    const bool cut = next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f;
+    if (cut && share > 0) violations_.add(2, "face", f.index(), "has a label and pieces");
+    if (share > 0) owned_[diagram_.face_label[f]] += mesh_.area(f);
+    for (; next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f; ++next_) {
+      const double part = area_share(diagram_.pieces[next_].corners);
+      if (part < -kAreaTolerance) violations_.add(2, "piece", next_, "its area is negative");
+      share += part;
+      owned_[diagram_.pieces[next_].generator] += part * mesh_.area(f);
+    }
+    return share;
+  }
+
+  /// Rounding of the areas of all faces and pieces, whose corners are rounded independently.
+  double area_rounding() const {
+    double edges = 0;
+    const auto longest = [&](FaceId f) {
+      const auto& length = mesh_.shape(f).length;
+      return *std::max_element(length.begin(), length.end());
+    };
+    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) edges += longest(FaceId(f));
+    for (const FacePiece& piece : diagram_.pieces) edges += longest(piece.face);
+    return kCornerRounding * mesh_.largest_coordinate() * edges;
+  }
+
+  void check_vertex_labels() {
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
+      const GeneratorId g = diagram_.face_label[FaceId(i)];
+      if (!g.valid()) continue;
+      for (const VertexId v : mesh_.vertices(FaceId(i))) check_vertex_label(v, g);
+    }
+    for (const FacePiece& piece : diagram_.pieces) {
+      for (const std::array<double, 3>& corner : piece.corners) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          // Exactly the vertex, since a crossing may be as close to it as rounding allows.
+          const bool at_vertex = corner[(k + 1) % 3] == 0 && corner[(k + 2) % 3] == 0;
+          if (at_vertex) check_vertex_label(mesh_.vertices(piece.face)[k], piece.generator);
+        }
+      }
+    }
+  }
+
+  void check_vertex_label(VertexId v, GeneratorId g) {
+    if (diagram_.vertex_label[v] == g) return;
+    violations_.add(2, "vertex", v.index(), "its label is not that of a face or piece at it");
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  const ReachedFaces& reached_;
+  Violations& violations_;
+  IdVector<GeneratorId, double> owned_;  // area of the faces and pieces of each cell
+  std::size_t next_ = 0;                 // first piece that is not yet counted
+};
+
+}  // namespace
+
+void check_partition(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
+  PartitionCheck(mesh, diagram, reached, violations).run();
+}
+
+}  // namespace gvd
