@@ -4,9 +4,8 @@
 
 namespace gvd::bench {
 
-/// Processor time of this thread in milliseconds. What is measured runs on one thread; wall time would also count the
-/// time that other processes take, and a run longer than a time slice more of it than a short one: ratios would be
-/// wrong.
+/// Processor time of this thread in milliseconds. Wall-clock time would also count the time slices of other processes,
+/// more of them for long runs than for short ones, and so distort ratios.
 inline double cpu_milliseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,10 +1,10 @@
-// gvd-bench: what a diagram and its steps cost, in multiples of a plain Dijkstra on the same mesh in the same run.
+// gvd-bench: the cost of a diagram and of its steps, in multiples of a plain Dijkstra on the same mesh in the same run.
 //
-// Each row is one mesh, one number of generators m (random vertices, seeded) and one method. Times are medians of
-// processor time; the Dijkstra runs on a graph that is built beforehand, the diagram starts from the mesh. Memory is
-// what the diagram holds at its peak, without the input mesh, counted in a run of its own. All of that is one thread's.
-// With --threads T, wall-clock times of one thread and of T threads follow, of runs that take turns, and their ratio.
-// With --peers, a table of what CGAL's geodesic distances cost follows.
+// Each row is one mesh, one number of generators m (random vertices, seeded) and one method, on one thread. Times are
+// medians of processor time. The Dijkstra runs on a graph that is built beforehand; the diagram starts from the mesh.
+// Memory is the peak of what the diagram holds, without the input mesh, counted in a run of its own.
+// --threads T adds the wall-clock times of one thread and of T threads, in alternating runs, and their ratio.
+// --peers adds a table with the cost of CGAL's geodesic distances.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -124,11 +124,11 @@ Row measure(const std::string& name, const Mesh& mesh, int count, const std::str
   options.threads = 1;
 
   Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method, 0, 0, {}, 0, 0, 0};
-  row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms the caches up
+  row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms up the caches
   const EdgeGraph graph = build_edge_graph(mesh);
   std::vector<double> dijkstra, diagram;
   std::vector<StepTimes> steps;
-  // The two take turns, so that a slow spell of the machine falls on both.
+  // Alternating, so that a slow phase of the machine affects both.
   for (int run = 0; run < settings.runs; ++run) {
     dijkstra.push_back(milliseconds([&] { compute_edge_distances(graph, vertices); }));
     StepClock clock;
@@ -177,7 +177,7 @@ void print_row(const Row& row) {
   std::cout << std::endl;
 }
 
-/// Calls `visit` with the name and the mesh of every file, refined as often as it is asked for.
+/// Calls `visit` with the name and the mesh of every file, at every level of refinement.
 void for_each_mesh(const Settings& settings, const std::function<void(const std::string&, const Mesh&)>& visit) {
   for (const std::string& path : settings.meshes) {
     Mesh mesh = build_mesh(read_soup(path)).mesh;
@@ -239,21 +239,23 @@ int run(int argc, char** argv) {
   app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  app.add_option("--runs", settings.runs, "runs of which the median is taken")->check(CLI::PositiveNumber);
-  app.add_option("--refine", settings.refinements, "also with every face cut in four, this many times over")
+  app.add_option("--runs", settings.runs, "runs; each time is their median")->check(CLI::PositiveNumber);
+  app.add_option("--refine", settings.refinements,
+                 "also measure the mesh with every face cut in four, up to this many times")
       ->check(CLI::Range(0, 6));
-  app.add_option("--seed", settings.seed, "for drawing the generators");
+  app.add_option("--seed", settings.seed, "seed for drawing the generators");
   app.add_option("--method", settings.methods, "exact, gbgvd or both (default: both)")
       ->delimiter(',')
       ->check(CLI::IsMember({"exact", "gbgvd"}));
-  app.add_option("--chord-tolerance", settings.chord_tolerance, "of exact diagrams, in mean edge lengths")
+  app.add_option("--chord-tolerance", settings.chord_tolerance,
+                 "chord tolerance of exact diagrams, in mean edge lengths")
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", settings.threads, "also compare the wall-clock times of one thread and of this many")
       ->check(CLI::PositiveNumber);
 #ifdef GVD_HAS_PEERS
   app.add_flag("--peers", settings.peers, "also time CGAL's exact shortest paths and its heat method");
 #endif
-  app.add_option("--front", settings.front, "of gbgvd: planar or circle")
+  app.add_option("--front", settings.front, "front of gbgvd: planar or circle")
       ->transform(CLI::CheckedTransformer(
           std::vector<std::pair<std::string, Front>>{{"planar", Front::planar}, {"circle", Front::circle}}));
   CLI11_PARSE(app, argc, argv);

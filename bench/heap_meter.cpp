@@ -32,7 +32,7 @@ void release(void* block) noexcept {
   std::free(block);
 }
 
-/// aligned_alloc wants the size to be a multiple of the alignment.
+/// aligned_alloc requires a size that is a multiple of the alignment.
 std::size_t padded(std::size_t size, std::size_t alignment) { return (size + alignment - 1) / alignment * alignment; }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace gvd::bench {
 
-/// Counts what this program's `new` holds while the meter lives; outside of that it costs next to nothing, so that it
-/// does not slow what is timed. Exact and repeatable, unlike the resident size; the allocator's own bookkeeping is not
-/// in it.
+/// Counts the bytes that this program's `new` holds while the meter exists. Without a meter the counting costs almost
+/// nothing, so that it does not slow down timed runs. Exact and repeatable, unlike the resident size; without the
+/// allocator's own bookkeeping.
 class HeapMeter {
  public:
   HeapMeter();

@@ -6,15 +6,15 @@
 
 namespace gvd::bench {
 
-/// Processor times in milliseconds of what CGAL offers: the distance to the nearest generator at every vertex. Neither
-/// tells cells apart or draws a bisector.
+/// Processor times in milliseconds of CGAL's distances to the nearest generator, at every vertex. Neither method yields
+/// labels or bisectors.
 struct PeerTimes {
-  double shortest_paths = 0;  ///< Surface_mesh_shortest_path: exact; the sequence tree, and a query for each vertex
-  double heat = 0;            ///< Heat_method_3: approximate; the factorisation, and one solution
-  double heat_again = 0;      ///< one more solution with the factorisation that is there
+  double shortest_paths = 0;  ///< Surface_mesh_shortest_path, exact: the sequence tree and a query for each vertex
+  double heat = 0;            ///< Heat_method_3, approximate: the factorisation and one solution
+  double heat_again = 0;      ///< one more solution with the same factorisation
 };
 
-/// Throws gvd::Error where CGAL can't hold the mesh.
+/// Throws gvd::Error if CGAL can't represent the mesh.
 PeerTimes time_peers(const Mesh& mesh, const std::vector<VertexId>& generators);
 
 /// The heat method's distances of all vertices from each generator, in mesh units: one list for each generator.

@@ -13,10 +13,11 @@ namespace gvd::bench {
 /// Processor times in milliseconds, by step.
 using StepTimes = std::vector<std::pair<std::string, double>>;
 
-/// Times the steps that a run names through its progress callback: a step lasts until another one is named.
+/// Times the steps that a run names through its progress callback (gvd/diagram_steps.hpp): a step lasts until another
+/// one is named.
 class StepClock {
  public:
-  /// Valid while the clock lives.
+  /// The callback; valid while the clock exists.
   Progress progress() {
     return [this](std::string_view step, double) {
       if (times_.empty() || times_.back().first != step) begin(step);
@@ -24,7 +25,7 @@ class StepClock {
     };
   }
 
-  /// Ends the last step. Steps in the order in which they were named; one that came back is added up.
+  /// Ends the last step. Returns the steps in the order in which they were first named, each with its total time.
   StepTimes finish() {
     end_step();
     StepTimes merged;

@@ -8,30 +8,28 @@
 
 namespace gvd {
 
-/// What `check_diagram` found.
+/// The findings of `check_diagram`.
 struct DiagramCheck {
-  std::vector<std::string> violations;  ///< one line each: the property's number, and the first element that breaks it
+  /// One line each: the number of the property, the element that violates it, and what is wrong with it.
+  std::vector<std::string> violations;
   bool ok() const { return violations.empty(); }
 };
 
-/// States every invariant of a diagram and tests it, from the public data alone.
+/// Tests every invariant of a diagram, from its public data alone.
 ///
 /// Properties:
-///  (1) every generator lies in its own cell;
-///  (2) every face belongs to one cell or is cut into pieces whose areas add up to the face's, so that the cells
-///  partition the
-///      area of the components that a generator reaches; a cell's area is that of its faces and pieces; faces and
-///      pieces at a vertex have its label;
-///  (3) consecutive points of a bisector lie in one face, and a bisector separates two cells;
-///  (4) every end of a bisector is a branch point or lies on the mesh's boundary: no end is unresolved;
-///  (5) every branch point joins at least three bisector ends and as many cells;
-///  (6) every cell is connected, and its Euler characteristic agrees with its boundary loops: 2 - 2 genus - loops;
-///  (7) Euler: the sum of the cells' characteristics, less the number of bisectors that have ends, plus the number of
-///  branch
-///      points, is that of the components that a generator reaches; genus and boundary included;
-///  (8) neighbours are mutual, and are those with a bisector in common.
-/// Sizes and ids that do not fit the mesh are findings too, under the property that they stand for; nothing else is
-/// looked at then. Never throws on a finding. Cost: O(n).
+///  (1) every generator lies in its own cell, whose area is not negative;
+///  (2) every face of a component with a generator has one label, or pieces whose areas sum up to its area; other faces
+///      have neither; a cell's area is that of its faces and pieces; vertices have the labels of their faces and pieces;
+///  (3) a bisector separates two cells, and consecutive points of it lie in a common face;
+///  (4) every end of a bisector is a branch point or lies on the mesh's boundary;
+///  (5) at every branch point at least three bisectors end, between the cells that it names;
+///  (6) every cell is connected, and its Euler characteristic is 2 - 2 genus - boundary loops for some genus >= 0;
+///  (7) Euler's formula: the sum of the cells' characteristics, minus the number of bisectors that are not closed, plus
+///      the number of branch points, is the characteristic of the components with a generator;
+///  (8) the neighbours of a cell are the cells with a bisector in common.
+/// Sizes and ids that do not match the mesh violate the property that they belong to; nothing else is tested then.
+/// Never throws on a violation. Cost: O(n log n).
 DiagramCheck check_diagram(const Mesh& mesh, const Diagram& diagram);
 
 }  // namespace gvd

@@ -14,19 +14,19 @@
 
 namespace gvd {
 
-/// What computes the distances.
+/// The algorithm that computes distances.
 enum class Solver {
-  windows,        ///< exact distances on the polyhedron, by propagation of windows
+  windows,        ///< exact distances on the polyhedron, by window propagation
   fast_marching,  ///< the paper's adapted fast marching (section 4.1)
 };
 
-/// What turns distances into bisectors.
+/// The algorithm that turns distances into bisectors.
 enum class Tracer {
-  envelope,  ///< the lower envelope of the distances, on every edge and in every face: as exact as they are
+  envelope,  ///< the lower envelope of the distances, on edges and in faces: as exact as they are
   growth,    ///< the paper's refinement by unfolding, and growth (sections 4.2 and 4.3)
 };
 
-/// Any solver goes with any tracer; two of the combinations have a name.
+/// Any solver works with any tracer; two of the combinations have a name.
 struct Method {
   Solver solver;
   Tracer tracer;
@@ -38,49 +38,49 @@ struct Method {
 inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 
-/// Least chord tolerance, in mean edge lengths. The distances to two generators are right to 1e-13 of themselves or so,
-/// and a point can be 10 to 100 times as far from the bisector as they differ: below this, rounding decides.
+/// Least chord tolerance, in mean edge lengths. Distances have a relative error of some 1e-13, and a point can be 10 to
+/// 100 times as far from the bisector as its two distances differ: below this limit rounding decides.
 inline constexpr double kLeastChordTolerance = 1e-10;
 
 struct DiagramOptions {
   Method method = Method::exact;
   Front front = Front::circle;  ///< of fast marching
-  /// How far a bisector's straight pieces may be from it, in mean edge lengths, >= kLeastChordTolerance. Of the
-  /// envelope tracer. Points grow with the square root of its inverse.
+  /// Largest distance of a bisector's segments from the curve, in mean edge lengths, >= kLeastChordTolerance. Only the
+  /// envelope tracer uses it. The number of points grows with the square root of its inverse.
   double chord_tolerance = 1e-4;
-  /// How many threads work at the same time, >= 1; 0: as many as there are cores. No bit of the result depends on it.
+  /// Number of threads, >= 1; 0 for one a core. The result does not depend on it, to the last bit.
   int threads = 0;
   Progress progress;  ///< may be empty
 };
 
-/// A point where three or more cells meet.
+/// A point that belongs to three or more cells.
 struct BranchPoint {
   SurfacePoint point;
   Vec3 position;                        ///< mesh units
-  std::vector<GeneratorId> generators;  ///< 3 or more, counter-clockwise round the point
+  std::vector<GeneratorId> generators;  ///< 3 or more, counter-clockwise around the point
   double distance = 0;                  ///< mean distance to the generators, mesh units
 };
 
 /// A bisector: the polyline between two cells, from end to end.
 struct Bisector {
-  GeneratorId left;   ///< the cell to the left when one walks along `points`, seen from outside the surface
-  GeneratorId right;  ///< equal to `left` where a cell meets itself
+  GeneratorId left;   ///< the cell on the left along `points`, seen from outside the surface
+  GeneratorId right;  ///< the cell on the right
   bool closed = false;
-  /// The branch points at its two ends; invalid where the end lies on the mesh's boundary, or where it is closed.
+  /// The branch points at its two ends; invalid for an end on the mesh's boundary, and if it is closed.
   std::array<BranchPointId, 2> ends;
   /// Points in order, both ends included; a closed one does not repeat its first point. Consecutive points share a
   /// face.
   std::vector<SurfacePoint> points;
 };
 
-/// The part of the surface that is nearest to one generator.
+/// The points of the surface that are nearest to one generator.
 struct Cell {
   GeneratorId generator;
   double area = 0;                        ///< square mesh units
   std::int32_t euler_characteristic = 0;  ///< 1 for a disc, 0 for an annulus, 2 for a sphere
-  std::int32_t components = 0;            ///< 1 where the cell is connected
+  std::int32_t components = 0;            ///< 1 if the cell is connected
   std::int32_t boundary_loops = 0;        ///< loops made of bisectors and of the mesh's boundary
-  std::vector<GeneratorId> neighbours;    ///< ascending, each once, without the cell itself
+  std::vector<GeneratorId> neighbours;    ///< cells with a bisector in common; ascending, each once, without itself
 };
 
 /// A polygon inside one face that belongs to one cell.
@@ -91,28 +91,28 @@ struct FacePiece {
   std::vector<std::array<double, 3>> corners;
 };
 
-/// What a run did, and what it could not do (zero being the normal case).
+/// Counts of a run. Those of what it could not do are normally zero.
 struct DiagramReport {
-  std::int64_t propagation_events = 0;   ///< triangles taken from fast marching's queue, or windows carried across one
-  std::int64_t table_entries = 0;        ///< (triangle, generator) pairs in the generator tables; 0 without them
-  std::int64_t relabelled_vertices = 0;  ///< vertices given to another generator to keep cells connected
-  std::int64_t gaps = 0;                 ///< groups of faces with three or more generators
+  std::int64_t propagation_events = 0;  ///< faces taken from fast marching's queue, or windows propagated across a face
+  std::int64_t table_entries = 0;       ///< (face, generator) pairs in the generator tables; 0 without tables
+  std::int64_t relabelled_vertices = 0;  ///< vertices with another label than the nearest generator, to connect cells
+  std::int64_t gaps = 0;                 ///< connected sets of faces with three or more generators
   std::int64_t gaps_grown = 0;           ///< of these, closed by growth
-  std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings instead
-  /// Faces with an exact arc that would have met itself or another one, and has lost its loops or is straight.
+  std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings
+  /// Faces with an exact arc that would have intersected itself or another arc; it lost its loops, or is straight.
   std::int64_t straightened_faces = 0;
-  std::int64_t unresolved_ends = 0;  ///< bisector ends that meet nothing; zero in a complete diagram
+  std::int64_t unresolved_ends = 0;  ///< ends of bisectors neither at a branch point nor on the boundary; always zero
 };
 
 /// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
 struct Diagram {
   std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId
-  IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid where none reaches
-  IdVector<VertexId, double> vertex_distance;    ///< mesh units; infinity where none reaches
+  IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid if none reaches the vertex
+  IdVector<VertexId, double> vertex_distance;    ///< mesh units; infinity if none reaches the vertex
   IdVector<BranchPointId, BranchPoint> branch_points;
   IdVector<BisectorId, Bisector> bisectors;
   IdVector<GeneratorId, Cell> cells;
-  /// The generator that owns the whole face; invalid where the face is cut or nothing reaches it.
+  /// The generator of the whole face; invalid if the face is cut into pieces or no generator reaches it.
   IdVector<FaceId, GeneratorId> face_label;
   std::vector<FacePiece> pieces;  ///< of the faces that are cut, ascending by face
   double length = 0;              ///< of all bisectors, mesh units
@@ -121,10 +121,11 @@ struct Diagram {
 
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
-/// Throws Error{precondition} where there is no generator, a generator lies in no face of the mesh, or two of them
-/// coincide (both are named), or exact distances take more than 2^31 windows (100 GB), Error{invalid_option} where the
-/// chord tolerance is not a finite number of at least kLeastChordTolerance or the number of threads is negative, and
-/// Error{interrupted} where the progress callback cancels. May be called from several threads at once.
+/// Throws Error{precondition} if there is no generator, a generator lies in no face of the mesh, two generators
+/// coincide (the message names both), or exact distances need more than 2^31 windows (100 GB); Error{invalid_option} if
+/// the chord tolerance is not a finite number of at least kLeastChordTolerance or the number of threads is negative;
+/// Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists the steps of progress. May be
+/// called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

@@ -96,7 +96,7 @@ void take_counts(const TracerCounts& counts, DiagramReport& report) {
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {
-    throw Error(ErrorCode::invalid_option, "the chord tolerance must be 1e-10 mean edge lengths or more, and finite");
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be finite and at least 1e-10 mean edge lengths");
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   const WorkingMesh working(mesh, generators, options.progress);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/coincidence.hpp"
 #include "mesh/mesh_editor.hpp"
@@ -51,7 +52,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
   const SortedGenerators sorted = sort_generators(input, generators);
   for (const auto& [v, g] : sorted.on_vertices) claim(v, g);
   if (!sorted.on_edges.empty() || !sorted.in_faces.empty()) {
-    report_progress(progress, "working mesh", 0);
+    report_progress(progress, steps::kWorkingMesh, 0);
     copy_input();
     insert_on_edges(sorted.on_edges, progress);
     for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, generators, progress);
@@ -61,7 +62,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
 
 void WorkingMesh::report_inserted(const Progress& progress) {
   if (++inserted_ % kProgressStride != 0) return;
-  report_progress(progress, "working mesh",
+  report_progress(progress, steps::kWorkingMesh,
                   static_cast<double>(inserted_) / static_cast<double>(generator_vertex_.size()));
 }
 

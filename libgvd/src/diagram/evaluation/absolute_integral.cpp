@@ -6,7 +6,7 @@
 namespace gvd {
 namespace {
 
-/// Halvings that bring an interval of length 1 down to the spacing of doubles near 1.
+/// Bisections that reduce an interval of length 1 to the spacing of doubles near 1.
 constexpr int kBisections = 53;
 
 /// The cubic through the four samples, in Lagrange's form.
@@ -32,7 +32,7 @@ double root_between(const std::array<double, 4>& samples, std::size_t node) {
   return (low + high) / 2;
 }
 
-/// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for it.
+/// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for cubics.
 double piece(const std::array<double, 4>& samples, double a, double b) {
   const double middle = (a + b) / 2, reach = (b - a) / 2 * std::numbers::inv_sqrt3;
   return std::abs(cubic(samples, middle - reach) + cubic(samples, middle + reach)) * (b - a) / 2;

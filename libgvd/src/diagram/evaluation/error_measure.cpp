@@ -21,7 +21,7 @@ struct Panel {
   double length;
 };
 
-/// A point at which both distances are wanted; the difference is filled in from two queries.
+/// A point with its two distances, which come from two queries.
 struct Sample {
   SurfacePoint point;
   BisectorId bisector;
@@ -33,7 +33,7 @@ struct Sample {
   throw Error(ErrorCode::precondition, "bisector " + std::to_string(bisector.value()) + " " + what, bisector.value());
 }
 
-/// The samples along all bisectors, neighbouring panels sharing the one between them.
+/// The samples along all bisectors. Neighbouring panels share the sample between them.
 class Sampling {
  public:
   Sampling(const Mesh& mesh, const Diagram& diagram, int panels) : mesh_(mesh), panels_(panels) {
@@ -74,7 +74,9 @@ class Sampling {
     const std::size_t segments = bisector.closed ? count : count - 1;
     for (std::size_t i = 0; i < segments; ++i) {
       const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % count]);
-      if (!view) refuse(id, "jumps from its point " + std::to_string(i) + " to one in another face");
+      if (!view)
+        refuse(id,
+               "has no face in common for its points " + std::to_string(i) + " and " + std::to_string((i + 1) % count));
       add_segment(id, view->first, view->second, last);
     }
   }
@@ -100,7 +102,7 @@ class Sampling {
   int panels_;
 };
 
-/// Asks for the distances of all samples, one query a generator, and stores them.
+/// Queries and stores the distances of all samples, in one query for each generator.
 void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
   std::vector<std::vector<double*>> slots(diagram.generators.size());
   std::vector<DistanceQuery> by_generator(diagram.generators.size());
@@ -129,7 +131,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
   }
 }
 
-/// d_left - d_right; infinite where either is, for infinity - infinity has no value.
+/// d_left - d_right; infinite if either is, since infinity - infinity has no value.
 double difference(const Sample& sample) {
   const double d = sample.left - sample.right;
   return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();

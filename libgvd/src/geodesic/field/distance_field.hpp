@@ -8,6 +8,7 @@
 #include "base/parallel_chunks.hpp"
 #include "base/plane.hpp"
 #include "geodesic/field/face_layout.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
@@ -78,7 +79,7 @@ class DistanceField {
 template <class Wanted>
 std::vector<EdgeId> find_edges(const Mesh& mesh, const ParallelChunks& parallel, const Wanted& is_wanted) {
   const auto edges = cut_into_chunks(static_cast<std::size_t>(mesh.edge_count()), kScanChunk);
-  return parallel.collect(edges, {"bisectors", 0, 0}, [&](const Chunk& chunk) {
+  return parallel.collect(edges, steps::kLabels, [&](const Chunk& chunk) {
     std::vector<EdgeId> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const EdgeId e(static_cast<std::int64_t>(i));

@@ -8,6 +8,7 @@
 #include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/local_update.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -192,7 +193,7 @@ class Marcher {
 
   void report() const {
     const double share = static_cast<double>(events_) / (1.3 * mesh_.face_count());
-    report_progress(progress_, "distances", std::min(0.99, share));
+    report_progress(progress_, steps::kDistances, std::min(0.99, share));
   }
 
   const Mesh& mesh_;
@@ -207,7 +208,7 @@ class Marcher {
 }  // namespace
 
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress) {
-  report_progress(progress, "distances", 0);
+  report_progress(progress, steps::kDistances, 0);
   return Marcher(working, front, progress).run();
 }
 

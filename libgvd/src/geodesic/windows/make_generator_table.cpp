@@ -6,6 +6,7 @@
 
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/windows/collect_sources.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -42,7 +43,7 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
   std::vector<FaceSource> sources;
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
-    if (i % kProgressStride == 0) report_progress(progress, "tables", double(i) / mesh.face_count());
+    if (i % kProgressStride == 0) report_progress(progress, steps::kTables, double(i) / mesh.face_count());
     const FaceLayout layout(mesh, f);
     collect_face_sources(mesh, field, f, layout, sources);
     while (!sources.empty()) {

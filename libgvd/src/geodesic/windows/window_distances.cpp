@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "geodesic/windows/collect_sources.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 
@@ -10,7 +11,7 @@ std::vector<EdgeId> WindowDistances::contested_edges(const ParallelChunks& paral
   // Of each halfedge, whether it has a window of another label than its start: each window is read once.
   std::vector<std::uint8_t> has_other(static_cast<std::size_t>(mesh_.halfedge_count()), 0);
   const auto faces = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kScanChunk);
-  parallel.run(faces.size(), {"bisectors", 0, 0}, [&](std::size_t chunk) {
+  parallel.run(faces.size(), steps::kLabels, [&](std::size_t chunk) {
     for (std::size_t f = faces[chunk].begin; f < faces[chunk].end; ++f) {
       field_.windows.for_each(FaceId(static_cast<std::int64_t>(f)), [&](const Window& w) {
         const GeneratorId label = field_.label[mesh_.from(w.halfedge)];
