@@ -17,10 +17,10 @@ using namespace gvd;
 
 namespace {
 
-/// Far above rounding, and far below what any of these bugs did.
+/// Far above rounding, and far below the error of any of these bugs.
 constexpr double kOff = 1e-9;
 
-/// An exact diagram that has passed its check.
+/// Computes an exact diagram and requires that it passes its check.
 Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double chord_tolerance = 1e-4) {
   DiagramOptions options;
   options.chord_tolerance = chord_tolerance;
@@ -29,7 +29,7 @@ Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   return diagram;
 }
 
-/// No piece's outline meets itself.
+/// Requires that no outline of a piece intersects itself.
 void check_outlines(const Diagram& diagram) {
   for (const FacePiece& piece : diagram.pieces) {
     std::vector<ArcSegment> outline;
@@ -43,7 +43,7 @@ void check_outlines(const Diagram& diagram) {
   }
 }
 
-/// The branch points are equally far from their generators, by one run a generator.
+/// Requires that branch points are equally far from their generators, by distances from each generator alone.
 void check_branch_points(const Mesh& mesh, const Diagram& diagram) {
   for (const BranchPoint& branch : diagram.branch_points) {
     for (const GeneratorId g : branch.generators) {
@@ -56,8 +56,8 @@ void check_branch_points(const Mesh& mesh, const Diagram& diagram) {
 }  // namespace
 
 TEST_CASE("a branch point between ridges of the distances is found") {
-  // Three generators 1e-3 apart, seen round both sides of a cube: Newton's method finds the point from 1e-4 around
-  // only.
+  // Three generators 1e-3 apart, with paths on both sides of a cube: Newton's method converges only from within 1e-4 of
+  // the point.
   const Mesh mesh = test::make_mesh(
       {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}},
       {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {0, 4, 7}, {0, 7, 1}, {3, 2, 6}, {3, 6, 5}, {0, 3, 5}});
@@ -70,8 +70,9 @@ TEST_CASE("a branch point between ridges of the distances is found") {
   check_branch_points(mesh, diagram);
 }
 
-TEST_CASE("a branch point whose path runs along the bisector of two generators that nearly coincide is taken") {
-  // 1e-8 apart: rounding moves the crossing of that bisector by 1e-6, the path comes in beyond it.
+TEST_CASE(
+    "a branch point whose shortest path lies along the bisector of two nearly coincident generators is accepted") {
+  // 1e-8 apart: rounding moves the crossing of that bisector by 1e-6, so that the path enters the face beyond it.
   const Mesh mesh = test::make_mesh(
       {{1000000, 1000000, -1000000},
        {1000000, 1000000, -999999},
@@ -92,8 +93,8 @@ TEST_CASE("a branch point whose path runs along the bisector of two generators t
   check_branch_points(mesh, diagram);
 }
 
-TEST_CASE("a triple of runs that meets in the face is contracted before one that meets outside of it") {
-  // Three pairs of generators that mirror each other, and a face on whose side all is a tie.
+TEST_CASE("three label intervals with a branch point inside the face are contracted before those with one outside") {
+  // Three pairs of generators that mirror each other, and a face with ties along one of its sides.
   const Mesh mesh = test::make_mesh({{3.2e-08, 2.4e-08, 0},
                                      {-3.6784609690826525e-08, 1.571281292110205e-08, 0},
                                      {2.6472135954999582e-08, 1.9854101966249684e-08, 9.510565162951535e-09},
@@ -125,7 +126,7 @@ TEST_CASE("a triple of runs that meets in the face is contracted before one that
   check_branch_points(mesh, compute_sound(mesh, generators));
 }
 
-TEST_CASE("arcs that would cross when they are bent keep apart") {
+TEST_CASE("arcs that would intersect when they are refined stay apart") {
   // No branch point in the face; a generator 1e-11 from a vertex.
   const Mesh mesh = test::make_mesh({{-0.16048672133459363, -0.12010143974368086, -0.1641401707111253},
                                      {0.7571880193076502, 0.5678996436247411, -0.15319297908646823},
@@ -141,7 +142,7 @@ TEST_CASE("arcs that would cross when they are bent keep apart") {
   check_outlines(compute_sound(mesh, generators, 2.4e-4));
 }
 
-TEST_CASE("in a face without width points of bisectors lie within it") {
+TEST_CASE("in a face without width the points of bisectors lie inside") {
   const Mesh mesh =
       test::make_mesh({{10000.138918542134, 0.10418890660015824, 0},
                        {9999.6, -0.2999999999999999, 0},

@@ -25,7 +25,7 @@ double area_sum(const Diagram& diagram) {
   return sum;
 }
 
-/// What is said when these generators are refused.
+/// The error message for these generators.
 Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   try {
     compute_diagram(mesh, generators);
@@ -124,8 +124,8 @@ TEST_CASE("two generators on closed surfaces: all bisectors are closed, and ther
   }
 }
 
-TEST_CASE("a closed bisector round a tube: both cells are annuli") {
-  const Mesh ring = test::make_ring(12, 8);  // 16 high after this, and 6.2 round
+TEST_CASE("a closed bisector around a tube: both cells are annuli") {
+  const Mesh ring = test::make_ring(12, 8);  // after this 16 high, with a circumference of 6.2
   std::vector<Vec3> positions = ring.positions();
   for (Vec3& p : positions) p.z() *= 32;
   std::vector<std::array<VertexId, 3>> faces;
@@ -199,14 +199,14 @@ TEST_CASE("mirror-symmetric generators: whole bisectors lie on edges and through
     // The bisector runs along the column of edges i = 4.
     const Diagram two = compute_sound(grid, test::at_vertices(grid, {at(2, 4), at(6, 4)}), front);
     CHECK(two.bisectors.size() == 1);
-    // Planar fronts interpolate distances, and their bisector strays from the column by up to a tenth of an edge.
+    // Planar fronts interpolate distances: their bisector deviates from the column by up to a tenth of an edge.
     CHECK(two.length == Approx(8).epsilon(front == Front::circle ? 1e-6 : 0.01));
-    // Along the diagonal, which half of the edges lie on.
+    // Along the diagonal, on which half of the edges lie.
     const Diagram diagonal = compute_sound(grid, test::at_vertices(grid, {at(2, 5), at(5, 2)}), front);
     CHECK(diagonal.bisectors.size() == 1);
-    // Four cells that meet in one vertex.
+    // Four cells with a common vertex.
     const Diagram four = compute_sound(grid, test::at_vertices(grid, {at(2, 2), at(6, 2), at(2, 6), at(6, 6)}), front);
-    // The march finds the distances of a generator beyond its cell less exactly than inside: circles 0.4 %.
+    // Distances of a generator are less accurate beyond its cell: 0.4 % with circles.
     for (const Cell& cell : four.cells) CHECK(cell.area == Approx(16).epsilon(front == Front::circle ? 0.01 : 0.2));
     std::vector<int> all;
     for (int v = 0; v < grid.vertex_count(); ++v) all.push_back(v);
@@ -304,7 +304,7 @@ TEST_CASE("a needle, a cap and nearly coincident generators") {
   }
 }
 
-TEST_CASE("what is refused: no generator, a face that does not exist, coincident generators") {
+TEST_CASE("no generator, a face that does not exist and coincident generators are refused") {
   const Mesh mesh = test::make_sphere(1);
   const auto at = [&](int v) { return vertex_point(mesh, VertexId(v)); };
   CHECK(refusal(mesh, {}).code() == ErrorCode::precondition);

@@ -1,4 +1,4 @@
-// How whole runs behave: under scale, under repetition, and towards whoever waits for them.
+// Properties of whole runs: scaling, repetition, progress and cancelling.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,7 +25,7 @@ using test::kFronts;
 
 namespace {
 
-/// The callback of `options` ends the run.
+/// Requires that the callback of `options` cancels the run.
 void require_cancelled(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   try {
     compute_diagram(mesh, generators, options);
@@ -35,8 +35,8 @@ void require_cancelled(const Mesh& mesh, const std::vector<SurfacePoint>& genera
   }
 }
 
-/// The same diagram at 2^-exponent and at 2^exponent times the size: but for its length's last digits, nothing changes,
-/// for powers of two scale every number exactly.
+/// Requires the same diagram at 2^-exponent and at 2^exponent times the size, up to the last digits of its length:
+/// powers of two scale every number exactly.
 void check_scaled(const Mesh& mesh, Method method, int exponent, double epsilon) {
   DiagramOptions options;
   options.method = method;
@@ -60,8 +60,8 @@ TEST_CASE("very small and very large coordinates give the same diagram") {
     const Diagram diagram = compute_sound(mesh, generators);
     INFO(name);
     check_scaled(mesh, Method::gbgvd, 40, 1e-12);
-    // Others round. That may exchange triangle events with equal keys, and with them what the domination test keeps of
-    // a generator beyond its own cell: the nearest distances stay, and bisectors move a little (measured: 0.1 % in
+    // Other factors round. Rounding may exchange face events with equal keys, and so change what the domination test
+    // keeps of a generator beyond its cell. The nearest distances stay, and bisectors move a little (measured: 0.1 % in
     // length).
     for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
       INFO(name << ", scale " << scale);
@@ -86,7 +86,7 @@ TEST_CASE("exact diagrams keep their figures far beyond the range of floats") {
   }
 }
 
-TEST_CASE("progress goes through the three steps, and every call can cancel") {
+TEST_CASE("progress begins with the working mesh and ends with the cells, and every step can cancel") {
   const Mesh mesh = test::make_sphere(3);
   const auto generators = test::random_generators(mesh, 30, 4);
   std::vector<std::string> steps;
@@ -119,7 +119,7 @@ TEST_CASE("every long step of an exact diagram can be cancelled while it runs") 
   for (const std::string step : {"distances", "bisectors", "faces"}) {
     INFO(step);
     DiagramOptions options;
-    // The first call of a step is its beginning; with the tracing over, "bisectors" is at its half.
+    // The first call of a step has fraction 0; after the faces are closed, "bisectors" is at 0.5.
     options.progress = [&](std::string_view current, double fraction) {
       return current != step || fraction == 0 || fraction == 0.5;
     };

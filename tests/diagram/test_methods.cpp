@@ -26,7 +26,7 @@ Diagram diagram_by(const Mesh& mesh, const std::vector<SurfacePoint>& generators
 
 }  // namespace
 
-TEST_CASE("every solver goes with every tracer, on every family") {
+TEST_CASE("every solver works with every tracer, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int m : {1, 2, 7, 40}) {
       const auto generators = test::random_generators(mesh, m, 3);
@@ -57,7 +57,7 @@ TEST_CASE("on a flat mesh all four find the same straight bisector") {
   }
 }
 
-TEST_CASE("areas by exact distances do not depend on the tracer beyond its straight pieces") {
+TEST_CASE("areas by exact distances depend on the tracer only by its straight segments") {
   const Mesh mesh = test::make_bumpy_sphere(3, 1);
   const auto generators = test::random_generators(mesh, 12, 8);
   const Diagram envelope = diagram_by(mesh, generators, Method::exact);
@@ -68,10 +68,10 @@ TEST_CASE("areas by exact distances do not depend on the tracer beyond its strai
     apart += std::abs(cell.area - growth.cells[cell.generator].area);
   }
   CHECK(apart < 0.01 * total);
-  CHECK(apart > 0);  // another tracer has been at work
+  CHECK(apart > 0);  // it was another tracer
 }
 
-TEST_CASE("a chord tolerance that is no number, or below what rounding leaves, is refused") {
+TEST_CASE("a chord tolerance that is not a number, or below the limit of rounding, is refused") {
   const Mesh mesh = test::make_grid(2, 2);
   for (const double tolerance : {0.0, -1.0, 0.99 * kLeastChordTolerance, std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::infinity()}) {
@@ -86,14 +86,14 @@ TEST_CASE("a chord tolerance that is no number, or below what rounding leaves, i
   }
 }
 
-TEST_CASE("the least chord tolerance is reached: finer pieces than rounding allows are not asked for") {
+TEST_CASE("the least chord tolerance ends after a bounded number of segments") {
   const Mesh mesh = test::make_bumpy_sphere(1, 3);
   DiagramOptions options;
   options.chord_tolerance = kLeastChordTolerance;
   const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 3, 1), options);
   std::size_t points = 0;
   for (const Bisector& bisector : diagram.bisectors) points += bisector.points.size();
-  // The square root of 1 / 1e-10 for each mean edge, and not the 2^40 of endless halving.
+  // Some sqrt(1 / 1e-10) points for each mean edge, not the 2^40 of unlimited halving.
   CHECK(points > 10'000);
   CHECK(points < 10'000'000);
 }

@@ -1,4 +1,4 @@
-// The number of threads changes nothing but the time.
+// The result does not depend on the number of threads.
 #include <limits>
 #include <string>
 #include <string_view>
@@ -30,7 +30,7 @@ Diagram compute(const Mesh& mesh, const std::vector<SurfacePoint>& generators, M
   return compute_diagram(mesh, generators, options);
 }
 
-/// Knows nothing of the faces from one on.
+/// Throws for every face from a given one on.
 class FailingField final : public DistanceField {
  public:
   FailingField(const DistanceField& field, FaceId from) : field_(field), from_(from) {}
@@ -82,7 +82,7 @@ TEST_CASE("every number of threads gives the same diagram of a larger mesh, agai
   });
 }
 
-TEST_CASE("a step is cancelled while several threads are at it") {
+TEST_CASE("a step can be cancelled while several threads work on it") {
   test::with_many_threads([] {
     const Mesh mesh = test::make_sphere(5);
     const auto generators = test::random_generators(mesh, 300, 4);

@@ -1,4 +1,4 @@
-// From arcs in faces to bisectors: the traced diagram's properties, and what is made of it.
+// From arcs in faces to bisectors: properties of the traced diagram and of its bisectors.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -35,7 +35,7 @@ Vec3 place(const Traced& t, const ArcEnd& end) {
   return position(t.working.mesh(), edge_point(t.working.mesh().halfedge(c.edge), c.t));
 }
 
-/// Properties (1) to (3) of FaceDiagram; (4) is test_face_assembly's and check_growth's.
+/// Requires properties (1) to (3) of FaceDiagram; test_face_assembly.cpp and test_check_growth.cpp test (4).
 void require_sound(const Traced& t) {
   const Mesh& mesh = t.working.mesh();
   const auto& arcs = t.traced.faces.arcs;
@@ -90,7 +90,7 @@ void require_bisectors(const Traced& t, const Mesh& mesh) {
   REQUIRE(bisectors == Approx(arcs).epsilon(1e-9));
   REQUIRE(t.diagram.length == Approx(bisectors).epsilon(1e-12));
   for (std::size_t i = 0; i < spokes.size(); ++i) {
-    // Counter-clockwise: from the spoke with cell g on its right, the one with g on its left comes before it.
+    // Counter-clockwise: a spoke with cell g on its left precedes the one with g on its right.
     const BranchPointId id(static_cast<std::int64_t>(i));
     const auto& named = t.diagram.branch_points[id].generators;
     for (std::size_t k = 0; k < named.size(); ++k) {
@@ -102,7 +102,7 @@ void require_bisectors(const Traced& t, const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("traced diagrams hold properties (1) to (3), and every arc ends up in one bisector, on every family") {
+TEST_CASE("traced diagrams have properties (1) to (3), and every arc belongs to one bisector, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : {Front::circle, Front::planar}) {
       for (const int count : {2, 5, 30, 150}) {

@@ -11,7 +11,7 @@
 
 namespace gvd::test {
 
-/// The gaps of a mesh, each with what has grown in it.
+/// The gaps of a mesh, each with the result of its growth.
 struct GrownGaps {
   Stages stages;
   std::vector<Gap> gaps;

@@ -12,7 +12,7 @@
 
 namespace gvd::test {
 
-/// A grid of 4 x 4 squares whose vertices have the labels, and the edges the crossings, that a test says.
+/// A grid of 4 x 4 squares with labels, crossings and a grown gap that a test sets.
 struct HandMade {
   static constexpr int kSquares = 4;
 
@@ -40,7 +40,7 @@ struct HandMade {
     return HalfedgeId();
   }
 
-  /// On the way from vertex u to vertex v.
+  /// A crossing at t on the way from vertex u to vertex v.
   Crossing crossing(int u, int v, double t, int before, int after) const {
     const HalfedgeId h = halfedge(u, v);
     const EdgeId e = mesh.edge(h);
@@ -82,7 +82,7 @@ struct HandMade {
   }
 };
 
-/// One face a, b, c; cell 3 holds its corner a, cut off by an arc; beyond it 0, 1 and 2 meet in a branch point.
+/// One face a, b, c. An arc cuts off its corner a, which belongs to cell 3; the cells 0, 1 and 2 have a branch point.
 struct CornerAndBranch : HandMade {
   const int a = at(1, 1), b = at(2, 1), c = at(2, 2);
   const FaceId f = Mesh::face(halfedge(a, b));
@@ -104,7 +104,7 @@ struct CornerAndBranch : HandMade {
     add_arc(f, 3, 5, 2, 0);
   }
 
-  /// Barycentric coordinates by the names of the corners.
+  /// Barycentric coordinates at the corners a, b and c.
   std::array<double, 3> at_corners(double at_a, double at_b, double at_c) const {
     std::array<double, 3> bary{};
     bary[static_cast<std::size_t>(first)] = at_a;
@@ -114,7 +114,7 @@ struct CornerAndBranch : HandMade {
   }
 };
 
-/// One face a, b, c with four cells and two branch points: 0, 1, 2 meet in the first one, 0, 2, 3 in the second one.
+/// One face a, b, c with four cells and two branch points: of 0, 1, 2 and of 0, 2, 3.
 struct TwoBranches : HandMade {
   const int a = at(1, 1), b = at(2, 1), c = at(2, 2);
   const FaceId f = Mesh::face(halfedge(a, b));
@@ -160,7 +160,7 @@ struct TwoAcross : HandMade {
   }
 };
 
-/// The six faces round a vertex, with one bisector 0 | 1 from the rim below to the rim above, on the vertex's left.
+/// The six faces around a vertex, with one bisector 0 | 1 from the rim below to the rim above, left of the vertex.
 struct Fan : HandMade {
   const int middle = at(2, 2), low = at(1, 1), right = at(2, 1), left = at(1, 2), up = at(2, 3);
 
@@ -177,7 +177,7 @@ struct Fan : HandMade {
     add_rim_nodes();
   }
 
-  /// Arcs across these spokes, in this order, each on its way from the first vertex to the second from cell 0 to 1.
+  /// Adds the arcs of the bisector across these edges in order; each edge leads from cell 0 to cell 1.
   void cross(const std::vector<std::pair<int, int>>& spokes) {
     HalfedgeId entry = halfedge(low, right);
     if (!gap.contains(Mesh::face(entry))) entry = mesh.twin(entry);

@@ -45,7 +45,7 @@ inline bool same_diagram(const Diagram& a, const Diagram& b) {
          a.length == b.length && same(a.report, b.report);
 }
 
-/// Whether two diagrams agree in all that has no length: labels, and who meets whom where.
+/// Whether two diagrams agree in all but lengths: labels, incidences, faces of branch points, numbers of points.
 inline bool same_topology(const Diagram& a, const Diagram& b) {
   const auto agree = [](const auto& x, const auto& y, auto equal) {
     if (x.size() != y.size()) return false;

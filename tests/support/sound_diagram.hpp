@@ -12,7 +12,7 @@ namespace gvd::test {
 
 inline constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 
-/// A diagram that has passed its check.
+/// Computes a diagram and requires that it passes its check.
 inline Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              const DiagramOptions& options) {
   Diagram diagram = compute_diagram(mesh, generators, options);

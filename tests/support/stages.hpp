@@ -12,7 +12,7 @@
 
 namespace gvd::test {
 
-/// The first steps of a diagram, each as the next one gets it. The mesh must outlive it.
+/// The results of the first steps of a diagram. The mesh must outlive it.
 struct Stages {
   Stages(const Mesh& input, const std::vector<SurfacePoint>& generators, Front which)
       : front(which),

@@ -1,4 +1,4 @@
-// Breaks each invariant of a sound diagram in turn: the check has to name the property's number.
+// Violates each property of a sound diagram in turn: the check has to name its number.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Sound {
   Diagram diagram;
   explicit Sound(Mesh input, int count = 12) : mesh(std::move(input)) {
     DiagramOptions options;
-    options.method = Method::gbgvd;  // one straight piece of a bisector in a face: some of what is broken counts on it
+    options.method = Method::gbgvd;  // one straight arc of a bisector in a face: some cases depend on it
     diagram = compute_diagram(mesh, test::random_generators(mesh, count, 16), options);
     REQUIRE(check_diagram(mesh, diagram).ok());
   }
@@ -41,7 +41,8 @@ bool names(const DiagramCheck& check, int property) {
                      [&](const auto& v) { return v.starts_with(start); });
 }
 
-/// Breaks copies of the sound diagrams. `tamper` returns false where a diagram has no place for it; one must have.
+/// Changes copies of the sound diagrams. `tamper` returns false if it can't be applied to a diagram; it must apply to
+/// one.
 void require_named(int property, const std::function<bool(const Mesh&, Diagram&)>& tamper) {
   int tampered = 0;
   for (const Sound& sound : sound_diagrams()) {
@@ -67,7 +68,7 @@ bool ends_on_boundary(const Bisector& b) { return !b.closed && !b.ends[0].valid(
 
 }  // namespace
 
-TEST_CASE("(1) a generator outside of its cell") {
+TEST_CASE("(1) a generator outside its cell") {
   SECTION("at a vertex of another label") {
     require_named(1, [](const Mesh& mesh, Diagram& d) {
       const auto at_vertex = std::find_if(d.generators.begin(), d.generators.end(),
@@ -89,7 +90,7 @@ TEST_CASE("(1) a generator outside of its cell") {
   require_named(1, [](const Mesh&, Diagram& d) { return d.cells[GeneratorId(0)].area = -1, true; });
 }
 
-TEST_CASE("(1) generators and cells that do not fit each other or the mesh") {
+TEST_CASE("(1) generators and cells that do not match each other or the mesh") {
   require_named(1, [](const Mesh&, Diagram& d) { return d.cells.raw().pop_back(), true; });
   require_named(
       1, [](const Mesh&, Diagram& d) { return std::swap(d.cells[GeneratorId(0)], d.cells[GeneratorId(1)]), true; });
@@ -127,7 +128,7 @@ TEST_CASE("(2) a face, a piece or a vertex with another cell's label") {
     GeneratorId& label = d.vertex_label[VertexId(7)];
     return label = other_than(label), true;
   });
-  require_named(2, [](const Mesh& mesh, Diagram& d) {  // of the same area, so that no sum tells
+  require_named(2, [](const Mesh& mesh, Diagram& d) {  // of the same area, so that no sum changes
     for (int i = 0; i < mesh.face_count(); ++i) {
       for (int j = 0; j < i; ++j) {
         GeneratorId &a = d.face_label[FaceId(i)], &b = d.face_label[FaceId(j)];
@@ -144,7 +145,7 @@ TEST_CASE("(2) a face, a piece or a vertex with another cell's label") {
   });
 }
 
-TEST_CASE("(2) labels that do not fit the mesh or the cells") {
+TEST_CASE("(2) labels that do not match the mesh or the cells") {
   require_named(2, [](const Mesh&, Diagram& d) { return d.vertex_label.raw().pop_back(), true; });
   require_named(2, [](const Mesh&, Diagram& d) { return d.vertex_distance.raw().pop_back(), true; });
   require_named(2, [](const Mesh&, Diagram& d) { return d.face_label.raw().pop_back(), true; });
@@ -154,7 +155,7 @@ TEST_CASE("(2) labels that do not fit the mesh or the cells") {
   require_named(2, [](const Mesh& m, Diagram& d) { return d.pieces.back().face = FaceId(m.face_count()), true; });
 }
 
-TEST_CASE("(3) a bisector that separates nothing or leaves its faces") {
+TEST_CASE("(3) a bisector that separates no cells, or whose points have no common face") {
   require_named(3, [](const Mesh&, Diagram& d) {
     Bisector& b = d.bisectors[BisectorId(1)];
     return b.left = b.right, true;
@@ -174,7 +175,7 @@ TEST_CASE("(3) a bisector that separates nothing or leaves its faces") {
   require_named(3, [](const Mesh&, Diagram& d) { return d.bisectors[BisectorId(0)].points[0].face = FaceId(), true; });
 }
 
-TEST_CASE("(4) an end that meets nothing") {
+TEST_CASE("(4) an end neither at a branch point nor on the boundary") {
   require_named(
       4, [](const Mesh&, Diagram& d) { return first_bisector(d, joins_branches)->ends[0] = BranchPointId(), true; });
   require_named(
@@ -182,7 +183,7 @@ TEST_CASE("(4) an end that meets nothing") {
   require_named(4, [](const Mesh&, Diagram& d) {
     return first_bisector(d, joins_branches)->ends[1] = BranchPointId(1000), true;
   });
-  require_named(4, [](const Mesh&, Diagram& d) {  // pulled off the boundary
+  require_named(4, [](const Mesh&, Diagram& d) {  // moved away from the boundary
     Bisector* b = first_bisector(d, ends_on_boundary);
     if (!b) return false;
     b->points.front() = make_surface_point(b->points.front().face, {0.3, 0.3, 0.4});
@@ -235,7 +236,7 @@ TEST_CASE("(6) cells that are not connected, or have an impossible Euler charact
 }
 
 TEST_CASE("(7) a sum that is not the surface's Euler characteristic") {
-  // A handle too many keeps the cell possible: the sum alone tells.
+  // One more handle keeps the cell possible: only the sum changes.
   require_named(7, [](const Mesh&, Diagram& d) { return d.cells[GeneratorId(2)].euler_characteristic -= 2, true; });
   require_named(7, [](const Mesh&, Diagram& d) {
     Bisector* b = first_bisector(d, joins_branches);
@@ -259,7 +260,7 @@ TEST_CASE("(8) neighbours that are not mutual, or not those with a bisector in c
   });
   require_named(
       8, [](const Mesh&, Diagram& d) { return d.cells[GeneratorId(0)].neighbours.push_back(GeneratorId(0)), true; });
-  require_named(8, [](const Mesh&, Diagram& d) {  // both sides agree, and no bisector does
+  require_named(8, [](const Mesh&, Diagram& d) {  // mutual, but against the bisectors
     const GeneratorId a(0), b = d.cells[a].neighbours.front();
     std::erase(d.cells[a].neighbours, b);
     std::erase(d.cells[b].neighbours, a);
@@ -267,7 +268,7 @@ TEST_CASE("(8) neighbours that are not mutual, or not those with a bisector in c
   });
 }
 
-TEST_CASE("an empty diagram, and one of another mesh, are findings and no crash") {
+TEST_CASE("an empty diagram, and one of another mesh, violate properties and do not crash") {
   const Mesh mesh = test::make_sphere(2), other = test::make_torus(24, 12);
   CHECK_FALSE(check_diagram(mesh, Diagram()).ok());
   CHECK_FALSE(check_diagram(other, compute_diagram(mesh, test::at_vertices(mesh, {0, 5}))).ok());

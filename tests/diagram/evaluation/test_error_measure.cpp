@@ -52,7 +52,7 @@ std::array<double, 4> samples_of(double (*f)(double)) {
 
 }  // namespace
 
-TEST_CASE("the absolute integral is exact for what it claims") {
+TEST_CASE("the absolute integral is exact for polynomials as documented") {
   CHECK(integrate_absolute({0, 0, 0, 0}) == 0);
   CHECK(integrate_absolute(samples_of([](double x) { return x * x * x * x * x; })) == Approx(1.0 / 6).epsilon(1e-14));
   CHECK(integrate_absolute(samples_of([](double x) { return x - 0.5; })) == Approx(0.25).epsilon(1e-14));
@@ -105,7 +105,7 @@ TEST_CASE("the quadrature does not suffer from a change of sign") {
   CHECK(plane.measure(16).error_integral == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("a closed bisector is integrated all round") {
+TEST_CASE("a closed bisector is integrated around its whole loop") {
   const Mesh mesh = test::make_sphere(2);
   Diagram diagram;
   diagram.generators = {vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(3))};
@@ -131,7 +131,7 @@ TEST_CASE("a bisector between a cell and itself is left out, and no bisector giv
   CHECK(plane.measure().error_max == 0);
 }
 
-TEST_CASE("what can't be reached makes E infinite and never no number") {
+TEST_CASE("a sample that can't be reached makes E infinite, never NaN") {
   Plane plane;
   plane.add_section(Vec3(1, 0, 0), 4.2);
   const ExactDistances nothing = [](const std::vector<DistanceQuery>& queries) {
@@ -148,7 +148,7 @@ TEST_CASE("what can't be reached makes E infinite and never no number") {
   CHECK(measure.length == Approx(6));
 }
 
-TEST_CASE("the solver is asked once, with one query a generator that owns a bisector, in order") {
+TEST_CASE("the solver is called once, with one query for each generator of a bisector, in order") {
   Plane plane;
   plane.diagram.generators.insert(plane.diagram.generators.begin() + 1, vertex_point(plane.mesh, VertexId(0)));
   plane.diagram.bisectors.push_back(
@@ -166,7 +166,7 @@ TEST_CASE("the solver is asked once, with one query a generator that owns a bise
   CHECK(calls == 1);
 }
 
-TEST_CASE("what does not fit is refused with the bisector named") {
+TEST_CASE("a diagram that does not match the mesh is refused, and the bisector is named") {
   const auto refused = [](const Plane& plane, const ExactDistances& exact, int panels) {
     try {
       compute_error_measure(plane.mesh, plane.diagram, exact, {panels});

@@ -131,7 +131,7 @@ TEST_CASE("a vertex of another cell in the middle of a cell is an island") {
   CHECK(parts.island_vertices() == std::vector<VertexId>{v});
 }
 
-TEST_CASE("loops are counted for cells and for the mesh's boundary alike") {
+TEST_CASE("loops of bisectors and of the mesh's boundary agree with the Euler characteristics") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     for (const int count : {1, 2, 20}) {

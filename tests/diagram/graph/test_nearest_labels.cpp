@@ -45,7 +45,7 @@ struct Strip {
 
 }  // namespace
 
-TEST_CASE("a label is the nearest generator's, and all but the unsupported have a neighbour that is nearer to it") {
+TEST_CASE("labels are the nearest generators, and all but unsupported vertices have a neighbour nearer to theirs") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : {Front::circle, Front::planar}) {
       for (const int count : {1, 3, 30, 200}) {
@@ -73,7 +73,7 @@ TEST_CASE("a label is the nearest generator's, and all but the unsupported have 
   }
 }
 
-TEST_CASE("after relabel_unsupported every label has a chain of falling distance, on every family") {
+TEST_CASE("after relabel_unsupported every vertex has a chain of decreasing distance, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const Front front : {Front::circle, Front::planar}) {
       for (const int count : {3, 30, 200}) {
@@ -101,7 +101,7 @@ TEST_CASE("ties go to the least generator") {
   for (int v = 0; v < 10; ++v) CHECK(labels.label[VertexId(v)] == GeneratorId(v == 4 ? 1 : 0));
 }
 
-TEST_CASE("a generator owns its vertex, though another one is nearer than the symbolic offsets") {
+TEST_CASE("a generator owns its vertex, even if another one is nearer than the symbolic offsets") {
   const Mesh mesh = test::make_triangle();
   const HalfedgeId h = Mesh::halfedge(FaceId(0), 0);
   for (const double apart : {1e-8, 1e-9, 1e-10, 1e-11}) {
@@ -118,7 +118,7 @@ TEST_CASE("a generator owns its vertex, though another one is nearer than the sy
   }
 }
 
-TEST_CASE("an island is listed as unsupported, and relabelled to a neighbour's generator") {
+TEST_CASE("an island is listed as unsupported, and takes the label of a neighbour") {
   const Strip strip;
   NearestLabels labels = compute_nearest_labels(strip.working, strip.table);
   CHECK(labels.label[VertexId(5)] == GeneratorId(1));
@@ -134,7 +134,7 @@ TEST_CASE("an island is listed as unsupported, and relabelled to a neighbour's g
   }
 }
 
-TEST_CASE("a vertex that the new generator's march never reached gets the way along the edge") {
+TEST_CASE("a vertex that the march of its new generator did not reach gets the distance along the edge") {
   Strip strip;
   strip.table = GeneratorTable(strip.mesh.vertex_count(), strip.mesh.face_count());
   for (int v = 0; v < 10; ++v) {

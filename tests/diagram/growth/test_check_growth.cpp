@@ -1,4 +1,4 @@
-// The check of what has grown refuses whatever breaks one of its invariants: in gaps made by hand, and in real ones.
+// The check of growth refuses every violation of its properties, in gaps made by hand and in real ones.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -25,13 +25,13 @@ TEST_CASE("gaps made by hand pass as they are") {
   CHECK(TwoAcross().check());
 }
 
-TEST_CASE("an arc across another one is refused, though cells and degrees are right") {
+TEST_CASE("an arc that crosses another one is refused, even if cells and degrees are right") {
   CornerAndBranch x;
   x.grown.nodes[5].bary = x.at_corners(0.94, 0.03, 0.03);
   CHECK_FALSE(x.check());
 }
 
-TEST_CASE("a branch point outside of its face, or in another face, is refused") {
+TEST_CASE("a branch point outside its face, or in another face, is refused") {
   CornerAndBranch x;
   x.grown.nodes[5].bary = x.at_corners(-0.01, 0.51, 0.5);
   CHECK_FALSE(x.check());
@@ -40,7 +40,7 @@ TEST_CASE("a branch point outside of its face, or in another face, is refused") 
   CHECK_FALSE(y.check());
 }
 
-TEST_CASE("cells that do not go round a branch point in the order of its arcs are refused") {
+TEST_CASE("cells that are not in the order of the arcs around a branch point are refused") {
   TwoBranches swapped;
   std::swap(swapped.grown.arcs[2].left, swapped.grown.arcs[2].right);
   CHECK_FALSE(swapped.check());
@@ -52,8 +52,8 @@ TEST_CASE("cells that do not go round a branch point in the order of its arcs ar
   CHECK_FALSE(exchanged.check());
 }
 
-TEST_CASE("crossings that come too close to each other, or to the ends of their edge, are refused") {
-  // The new crossings run from a to c or the other way round, as their edge does.
+TEST_CASE("crossings too close to each other, or to the ends of their edge, are refused") {
+  // The parameters of the new crossings count from a to c, or from c to a, as their edge does.
   const auto place = [](TwoAcross& x, std::size_t n, double t) {
     const bool along = x.mesh.from(x.mesh.halfedge(x.grown.nodes[n].crossing.edge)) == VertexId(x.a);
     x.grown.nodes[n].crossing.t = along ? t : 1 - t;
@@ -83,7 +83,7 @@ TEST_CASE("crossings of one edge whose cells do not follow each other are refuse
 }
 
 TEST_CASE("an arc whose cells are not those of the crossing where it begins is refused") {
-  CornerAndBranch x;  // in the order of the branch point they are still right: all three turned by one
+  CornerAndBranch x;  // their order around the branch point is still right: all three are rotated by one
   const std::array<std::pair<int, int>, 3> turned{std::pair(1, 2), {2, 0}, {0, 1}};
   for (std::size_t i = 0; i < 3; ++i) {
     x.grown.arcs[i + 1].left = GeneratorId(turned[i].first);
@@ -92,13 +92,13 @@ TEST_CASE("an arc whose cells are not those of the crossing where it begins is r
   CHECK_FALSE(x.check());
 }
 
-TEST_CASE("a rim crossing that is left out, or whose arc runs outside of the gap, is refused") {
+TEST_CASE("a rim crossing that is left out, or whose arc lies outside the gap, is refused") {
   HandMade sound, outside, left_out;
   const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
   for (HandMade* x : {&sound, &outside, &left_out}) {
     const HalfedgeId h = x->halfedge(a, b);
     x->gap.faces = {Mesh::face(h)};
-    x->add_rim(a, b, 0.3, 0, 1);  // cell 1 pokes into the gap
+    x->add_rim(a, b, 0.3, 0, 1);  // cell 1 reaches into the gap
     x->add_rim(a, b, 0.6, 1, 0);
     if (x != &left_out) x->add_rim_nodes();
     if (x == &sound) x->add_arc(Mesh::face(h), 0, 1, 0, 1);
@@ -109,13 +109,13 @@ TEST_CASE("a rim crossing that is left out, or whose arc runs outside of the gap
   CHECK_FALSE(left_out.check());
 }
 
-TEST_CASE("a new crossing with both arcs in one face, and a rim crossing that stands for two, are refused") {
+TEST_CASE("a new crossing with both arcs in one face, and a rim crossing used twice, are refused") {
   for (const bool both_below : {false, true}) {
     HandMade x;
     const int a = HandMade::at(1, 1), b = HandMade::at(2, 1), c = HandMade::at(2, 2), d = HandMade::at(1, 2);
     const FaceId below = Mesh::face(x.halfedge(a, b)), above = Mesh::face(x.halfedge(c, d));
     x.gap.faces = {std::min(below, above), std::max(below, above)};
-    x.add_inside(a, c, 0.4, 0, 1);  // cell 1 lies round the middle of the edge
+    x.add_inside(a, c, 0.4, 0, 1);  // cell 1 contains the middle of the edge
     x.add_inside(a, c, 0.6, 1, 0);
     x.add_arc(below, 0, 1, 1, 0);
     if (both_below) {
@@ -143,7 +143,7 @@ TEST_CASE("an edge that contradicts the labels of its ends is refused") {
   CHECK_FALSE(plain.check());
 }
 
-TEST_CASE("growth may pass a vertex on its other side, and then says that it moved") {
+TEST_CASE("growth may pass a vertex on its other side, and reports that the vertex moved") {
   Fan as_labelled;
   as_labelled.cross({{as_labelled.low, as_labelled.middle}, {as_labelled.left, as_labelled.middle}});
   CHECK(as_labelled.check());
@@ -155,14 +155,15 @@ TEST_CASE("growth may pass a vertex on its other side, and then says that it mov
   on_its_right(moved);
   CHECK(moved.check());
   CHECK(moved.grown.labels == std::vector{std::pair(VertexId(moved.middle), GeneratorId(0))});
-  Fan generator(HandMade::at(2, 2));  // whose vertex can't move
+  Fan generator(HandMade::at(2, 2));  // the vertex of a generator can't move
   on_its_right(generator);
   CHECK_FALSE(generator.check());
 }
 
 namespace {
 
-/// Calls tamper(result, k) for k = 0, 1, .. on copies of a sound result until it says that there is no k-th place.
+/// Calls tamper(result, k) for k = 0, 1, .. on copies of a sound result until it returns false: there is no k-th
+/// element.
 void require_refused(const test::GrownGaps& g, std::size_t i,
                      const std::function<bool(GrownGap&, std::size_t)>& tamper) {
   for (std::size_t k = 0;; ++k) {
@@ -176,7 +177,7 @@ void require_refused(const test::GrownGaps& g, std::size_t i,
   }
 }
 
-/// The first gap that closed with at least two branch points and four crossings, or how many gaps there are.
+/// The first gap that closed with at least two branch points and four crossings, or the number of gaps.
 std::size_t find_rich_gap(const test::GrownGaps& g) {
   std::size_t i = 0;
   while (i < g.gaps.size() && !(g.grown[i] && test::count_nodes(*g.grown[i], GapNode::Kind::branch) >= 2 &&
@@ -186,7 +187,7 @@ std::size_t find_rich_gap(const test::GrownGaps& g) {
   return i;
 }
 
-/// Generators on a mesh that leave such a gap.
+/// Growth on a mesh with generators for which there is such a gap.
 test::GrownGaps grow_with_rich_gap(const Mesh& mesh) {
   unsigned seed = 0;
   while (true) {
@@ -205,7 +206,7 @@ GapNode* node_of(GrownGap& grown, GapNode::Kind kind, std::size_t k) {
 
 }  // namespace
 
-TEST_CASE("real gaps: whatever arc or node is tampered with, the check refuses it") {
+TEST_CASE("real gaps: the check refuses every changed arc or node") {
   const Mesh mesh = test::make_torus(24, 12);
   const test::GrownGaps g = grow_with_rich_gap(mesh);
   const std::size_t i = find_rich_gap(g);

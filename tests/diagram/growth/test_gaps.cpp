@@ -49,7 +49,7 @@ TEST_CASE("gaps are the connected groups of faces with three or more competing g
     for (int i = 0; i < stages.mesh().face_count(); ++i) {
       const FaceId f(i);
       REQUIRE((owner[f.index()] >= 0) == (competing(stages.table(), f) >= 3));
-      for (int corner = 0; corner < 3; ++corner) {  // two gaps never touch along an edge
+      for (int corner = 0; corner < 3; ++corner) {  // two gaps never have an edge in common
         const HalfedgeId twin = stages.mesh().twin(Mesh::halfedge(f, corner));
         if (!twin.valid() || owner[f.index()] < 0 || owner[Mesh::face(twin).index()] < 0) continue;
         REQUIRE(owner[f.index()] == owner[Mesh::face(twin).index()]);
@@ -58,13 +58,13 @@ TEST_CASE("gaps are the connected groups of faces with three or more competing g
   }
 }
 
-TEST_CASE("two generators leave no gap") {
+TEST_CASE("two generators have no gap") {
   const Mesh mesh = test::make_grid(12, 9);
   const test::Stages stages(mesh, test::at_vertices(mesh, {3, 90}), Front::circle);
   CHECK(find_gaps(stages.mesh(), stages.table()).empty());
 }
 
-TEST_CASE("a gap contains its faces alone") {
+TEST_CASE("a gap contains its faces and no others") {
   const Gap gap{{FaceId(2), FaceId(5), FaceId(9)}};
   for (int f = 0; f < 12; ++f) CHECK(gap.contains(FaceId(f)) == (f == 2 || f == 5 || f == 9));
 }

@@ -38,7 +38,7 @@ TEST_CASE("on a flat grid growth closes gaps, and its branch points are the circ
       REQUIRE(cells.size() == 3);
       const Vec3 p = position(mesh, {node.face, node.bary});
       for (const GeneratorId c : cells) {
-        // The circumcentre is the one point at one distance from the three.
+        // Only the circumcentre is equally far from the three.
         const double distance = (p - mesh.position(g.stages.working.vertex(c))).norm();
         CHECK(std::abs(distance - node.distance) < 1e-6);
       }
@@ -48,8 +48,8 @@ TEST_CASE("on a flat grid growth closes gaps, and its branch points are the circ
   CHECK(branches >= 2);
 }
 
-/// The arcs of the bisector between two cells, from rim to rim: how many there are, where no branch point interrupts
-/// them.
+/// The number of arcs of the bisector that starts with arc `first`, if it goes from rim to rim without a branch point;
+/// else 0.
 std::size_t chain_length(const GrownGap& grown, std::size_t first) {
   int node = grown.arcs[first].end;
   std::size_t length = 1, last = first;
@@ -88,7 +88,7 @@ TEST_CASE("ends of one bisector that face each other are joined: a chain of arcs
   CHECK(longest >= 3);
 }
 
-TEST_CASE("most gaps of the families close by growth, and what has grown passes its check a second time") {
+TEST_CASE("growth closes most gaps of the families, and its results pass the check a second time") {
   for (const auto& [name, mesh] : test::small_family()) {
     std::size_t gaps = 0, closed = 0;
     for (const Front front : {Front::circle, Front::planar}) {
@@ -104,7 +104,7 @@ TEST_CASE("most gaps of the families close by growth, and what has grown passes 
     }
     INFO(name << ": " << closed << " of " << gaps << " gaps");
     CHECK(gaps > 20);
-    // Where distances unfold badly growth closes fewer: measured 41 % with slivers, 65 to 95 % elsewhere.
+    // Growth closes fewer gaps if distances unfold inaccurately: measured 41 % with slivers, 65 to 95 % elsewhere.
     CHECK(10 * closed >= (name == "sliver sphere" ? 3 : 5) * gaps);
   }
 }
@@ -128,12 +128,12 @@ TEST_CASE("a gap that growth does not close is assembled, and the diagram is com
   CHECK(assembled > 20);
 }
 
-TEST_CASE("growth takes gaps of up to 200 faces, whatever their tables say, and leaves larger ones to assembly") {
+TEST_CASE("growth takes gaps of up to 200 faces and leaves larger ones to assembly") {
   constexpr int kWide = 30;
   const Mesh mesh = test::make_grid(kWide, kWide);
   const auto at = [](int i, int j) { return j * (kWide + 1) + i; };
   const test::Stages stages(mesh, test::at_vertices(mesh, {at(2, 3), at(27, 4), at(14, 28)}), Front::circle);
-  Gap gap;  // 10 x 10 squares round the circumcentre
+  Gap gap;  // 10 x 10 squares around the circumcentre
   for (int j = 9; j < 19; ++j) {
     for (int f = 2 * (j * kWide + 10); f < 2 * (j * kWide + 20); ++f) gap.faces.emplace_back(f);
   }
@@ -143,6 +143,6 @@ TEST_CASE("growth takes gaps of up to 200 faces, whatever their tables say, and 
   CHECK(test::count_nodes(*grown, GapNode::Kind::rim) == 3);
   CHECK(test::count_nodes(*grown, GapNode::Kind::branch) == 1);
   CHECK(test::count_nodes(*grown, GapNode::Kind::crossing) > 10);
-  gap.faces.emplace_back(2 * (19 * kWide + 10));  // one more, which no bisector meets
+  gap.faces.emplace_back(2 * (19 * kWide + 10));  // one more, which no bisector crosses
   CHECK_FALSE(grow_gap(stages.input(), stages.rough, gap));
 }

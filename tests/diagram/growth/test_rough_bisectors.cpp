@@ -92,12 +92,12 @@ TEST_CASE("with circles the crossings on a flat grid lie on the perpendicular bi
   }
 }
 
-TEST_CASE("one generator crosses nothing, and neither does what is not reached") {
+TEST_CASE("one generator crosses no edge, and neither does a component that it does not reach") {
   const Mesh mesh = test::make_two_components();
   CHECK(test::Stages(mesh, test::at_vertices(mesh, {0}), Front::circle).rough.size() == 0);
 }
 
-TEST_CASE("a cell that pokes through the inside of an edge shows there") {
+TEST_CASE("a cell that owns only the inside of an edge is found there") {
   // Generator 2 sits just below the middle of a long edge whose ends belong to 0 and 1.
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -0.5, 0}}, {{0, 1, 2}, {1, 0, 3}});
   const test::Stages stages(mesh, test::at_vertices(mesh, {0, 1, 3}), Front::circle);
@@ -114,7 +114,7 @@ TEST_CASE("a cell that pokes through the inside of an edge shows there") {
   }
 }
 
-TEST_CASE("a cell that pokes through an edge between two vertices of one cell shows there too") {
+TEST_CASE("a cell that owns the inside of an edge between two vertices of one cell is found too") {
   // Rare: it takes paths on both sides of a hole, or of a thin plate. Twelve times in these 40 diagrams when it was
   // written.
   int poked = 0;

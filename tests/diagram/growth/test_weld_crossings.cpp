@@ -22,7 +22,7 @@ CrossingEstimate estimate(int crossing, double t) { return {CrossingId(crossing)
 
 }  // namespace
 
-TEST_CASE("the weld takes the mean, and leaves a crossing without an estimate alone") {
+TEST_CASE("the weld takes the mean, and keeps a crossing without an estimate") {
   Crossings crossings = sample_crossings();
   weld_crossings({estimate(1, 0.4), estimate(3, 0.7), estimate(1, 0.46)}, crossings);
   CHECK(crossings.items()[0].t == 0.2);
@@ -31,7 +31,7 @@ TEST_CASE("the weld takes the mean, and leaves a crossing without an estimate al
   CHECK(crossings.items()[3].t == 0.7);
 }
 
-TEST_CASE("the weld keeps order and gaps whatever the estimates say") {
+TEST_CASE("the weld keeps the order and the least distances for any estimates") {
   Crossings crossings = sample_crossings();
   weld_crossings({estimate(0, 0.95), estimate(1, 0.01), estimate(2, 0.99999999), estimate(3, 1e-12)}, crossings);
   require_same_order(sample_crossings(), crossings);
@@ -48,7 +48,7 @@ TEST_CASE("the weld keeps order and gaps whatever the estimates say") {
   }
 }
 
-TEST_CASE("two crossings at their least distance stay where they are") {
+TEST_CASE("two crossings at their least distance stay") {
   const Crossings before(1, {{EdgeId(0), 0.5, kA, kB}, {EdgeId(0), 0.5 + kCrossingGap, kB, kC}});
   Crossings after = before;
   weld_crossings({estimate(0, 0.9), estimate(1, 0.1)}, after);
