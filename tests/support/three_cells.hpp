@@ -11,14 +11,14 @@
 
 namespace gvd::test {
 
-/// A flat grid with three cells and one branch point.
+/// A flat grid with three cells and one branch point at (3.5, 2.9), without ties.
 struct ThreeCells {
   Mesh mesh = test::make_grid(8, 8);
   Diagram diagram;
 
   ThreeCells() {
     std::vector<SurfacePoint> generators;
-    for (const int v : {1 * 9 + 1, 1 * 9 + 7, 7 * 9 + 4}) generators.push_back(vertex_point(mesh, VertexId(v)));
+    for (const int v : {1 * 9 + 1, 1 * 9 + 6, 6 * 9 + 4}) generators.push_back(vertex_point(mesh, VertexId(v)));
     diagram = compute_diagram(mesh, generators);
     REQUIRE(diagram.branch_points.size() == 1);
   }

@@ -36,7 +36,7 @@ TEST_CASE("crossings inside the gap are replaced, and those on its rim keep thei
   traced.crossings.replace({inner}, {{inner, 0.9, GeneratorId(0), GeneratorId(2)}});
   for (GapNode& node : x.grown.nodes) {  // the ids of the crossings with that one among them
     if (node.kind != GapNode::Kind::rim) continue;
-    const Crossing& c = x.crossings()[node.rim];
+    const Crossing c = x.crossings()[node.rim];
     const auto& items = traced.crossings.items();
     const auto it = std::find_if(items.begin(), items.end(),
                                  [&](const Crossing& other) { return other.edge == c.edge && other.t == c.t; });
