@@ -101,7 +101,7 @@ struct DiagramReport {
   std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings
   /// Faces with an exact arc that would have intersected itself or another arc; it lost its loops, or is straight.
   std::int64_t straightened_faces = 0;
-  std::int64_t unresolved_ends = 0;  ///< ends of bisectors neither at a branch point nor on the boundary; always zero
+  std::int64_t unresolved_ends = 0;  ///< ends of bisectors neither at a branch point nor on the boundary
 };
 
 /// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
