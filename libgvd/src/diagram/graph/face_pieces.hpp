@@ -18,8 +18,8 @@ struct WorkingPiece {
 /// All pieces of one face.
 struct WorkingPieces {
   std::vector<WorkingPiece> pieces;
-  std::vector<int>
-      piece_of_interval;  ///< the piece that touches each run of the face's boundary: run i follows crossing i
+  /// For each label interval of the face's boundary the piece along it; interval i follows boundary crossing i.
+  std::vector<int> piece_of_interval;
 };
 
 /// The pieces of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
