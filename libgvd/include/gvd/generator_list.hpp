@@ -65,9 +65,11 @@ struct ResolvedGenerators {
 /// The entries as points of `mesh`.
 ///
 /// Barycentric coordinates of a SurfacePoint are kept bit by bit: a written list comes back unchanged.
-/// Throws Error{precondition} with name and line where an index is out of range, a vertex of the file is in no face,
-/// the coordinates are no point of a triangle, a snap is longer than `max_snap`, or two entries coincide and
-/// `merge_coincident` is not set.
+/// Throws Error{precondition} with name and line:
+/// - an index is out of range, or a vertex of the file is in no face;
+/// - the coordinates are no point of a triangle;
+/// - a snap is longer than `max_snap`;
+/// - two entries coincide and `merge_coincident` is not set.
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 

@@ -20,8 +20,7 @@ inline constexpr Rgb kUnlabelledColor{160, 160, 160};
 /// The colour of a generator's region, the same in every file and page; kUnlabelledColor for an invalid id.
 ///
 /// Properties: (1) it depends on the id alone and is the same on every machine; (2) the hues of consecutive ids differ
-/// by the golden angle (137.5 degrees), those of any two of the first 13 by at least 20; (3) no label is
-/// grey.
+/// by the golden angle (137.5 degrees), those of any two of the first 13 by at least 20; (3) no label is grey.
 /// Cost: O(1), no allocation.
 Rgb label_color(GeneratorId generator);
 
