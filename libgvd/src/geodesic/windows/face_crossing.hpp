@@ -61,8 +61,9 @@ class FaceCrossing {
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
   /// target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for each of the two sides that the
   /// window continues to. At the boundary these windows have no valid halfedge.
+  /// Always inlined: it belongs to the innermost loop.
   template <class Target>
-  void cross(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
+  [[gnu::always_inline]] void cross(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
     const Window& w = entering.window;
     const FaceFrame& f = entry.frame;
     const ApexView apex(w, f.length[entry.top] * f.cosine[entry.start], f.length[entry.top] * f.sine[entry.start]);

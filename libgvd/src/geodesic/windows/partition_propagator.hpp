@@ -156,12 +156,13 @@ class PartitionPropagator {
     const FaceEntry entry(frames_, h);
     const FaceId f = Mesh::face(h);
     const auto faces = static_cast<std::int32_t>(frames_.frame.size());
-    waiting_.take(h, [&](const PropagatedWindow& entering) {
-      if (has_thin_faces_ && enters_face_twice(entering.history, f, faces)) return;
-      keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
-      ++carried_;
-      crossing_.cross(entering, entry, *this);
-    });
+    waiting_.take(
+        h, [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
+          if (has_thin_faces_ && enters_face_twice(entering.history, f, faces)) return;
+          keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
+          ++carried_;
+          crossing_.cross(entering, entry, *this);
+        });
   }
 
   void send_from_vertex(VertexEventId id) {
