@@ -19,10 +19,14 @@ class HandMadeField final : public DistanceField {
   std::vector<FaceSource> sources_;
 };
 
-/// Straight paths from `image`, `offset` away from the generator, that come in between `begin` and `end` on side i of
-/// face 0.
-inline FaceSource through_side(int generator, int i, const Vec2& image, const Vec2& begin, const Vec2& end,
-                               double offset) {
+/// The ends of an opening, as FaceSource has them.
+struct Opening {
+  Vec2 begin, end;
+};
+
+/// Straight paths from `image`, at `offset` from the generator, that enter through an opening on side i of face 0.
+inline FaceSource through_side(int generator, int i, const Vec2& image, const Opening& opening, double offset) {
+  const auto& [begin, end] = opening;
   return {image,
           begin,
           end,

@@ -10,8 +10,12 @@ using namespace gvd;
 
 namespace {
 
-EdgeSource source(int generator, double begin, double end, double x, double depth, double offset) {
-  return {begin, end, x, depth, offset, GeneratorId(generator)};
+struct Interval {
+  double begin, end;
+};
+
+EdgeSource source(int generator, const Interval& interval, double x, double depth, double offset) {
+  return {interval.begin, interval.end, x, depth, offset, GeneratorId(generator)};
 }
 
 /// Length of the straight path of the source that an envelope says is the nearest at t.
@@ -26,7 +30,7 @@ double straight_at(const EdgeEnvelope& envelope, const std::vector<EdgeSource>& 
 
 TEST_CASE("two equal sources: the first one is the nearest everywhere") {
   EdgeEnvelope envelope;
-  envelope.build({source(4, 0, 2, 1, 1, 0), source(2, 0, 2, 1, 1, 0)}, 2, {});
+  envelope.build({source(4, {0, 2}, 1, 1, 0), source(2, {0, 2}, 1, 1, 0)}, 2, {});
   REQUIRE(envelope.segments().size() == 1);
   CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(4));
   CHECK(envelope.segments()[0].end == 2);
@@ -35,7 +39,7 @@ TEST_CASE("two equal sources: the first one is the nearest everywhere") {
 TEST_CASE("with symbolic offsets, the lower generator wins a tie in any order of the sources") {
   for (const int first : {2, 4}) {
     EdgeEnvelope envelope;
-    envelope.build({source(first, 0, 2, 1, 1, 0), source(6 - first, 0, 2, 1, 1, 0)}, 2, {1e-12});
+    envelope.build({source(first, {0, 2}, 1, 1, 0), source(6 - first, {0, 2}, 1, 1, 0)}, 2, {1e-12});
     REQUIRE(envelope.segments().size() == 1);
     CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(2));
     CHECK(envelope.distance(GeneratorId(4), 1) - envelope.distance(GeneratorId(2), 1) == Approx(2e-12).epsilon(1e-3));
@@ -44,8 +48,8 @@ TEST_CASE("with symbolic offsets, the lower generator wins a tie in any order of
 
 TEST_CASE("a source with an empty interval, or one outside of the edge, has no segment") {
   EdgeEnvelope envelope;
-  envelope.build({source(0, 0, 1, 0.5, 5, 0), source(1, 0.5, 0.5, 0.5, 0, 0), source(2, 1.2, 1.5, 1.3, 0, 0),
-                  source(3, -1, 0, 0, 0, 0)},
+  envelope.build({source(0, {0, 1}, 0.5, 5, 0), source(1, {0.5, 0.5}, 0.5, 0, 0), source(2, {1.2, 1.5}, 1.3, 0, 0),
+                  source(3, {-1, 0}, 0, 0, 0)},
                  1, {});
   REQUIRE(envelope.segments().size() == 1);
   CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(0));
@@ -53,14 +57,14 @@ TEST_CASE("a source with an empty interval, or one outside of the edge, has no s
 
 TEST_CASE("a generator without a source is infinitely far") {
   EdgeEnvelope envelope;
-  envelope.build({source(0, 0, 1, 0, 0, 0), source(0, 0, 1, 1, 0, 0)}, 1, {});
+  envelope.build({source(0, {0, 1}, 0, 0, 0), source(0, {0, 1}, 1, 0, 0)}, 1, {});
   CHECK(std::isinf(envelope.distance(GeneratorId(1), 0.5)));
   CHECK(envelope.distance(GeneratorId(0), 0.25) == 0.25);
 }
 
 TEST_CASE("a source that is nearer inside its interval cuts a segment in three") {
   EdgeEnvelope envelope;
-  envelope.build({source(0, 0, 1, 0.5, 2, 0), source(1, 0.4, 0.6, 0.5, 1, 0)}, 1, {});
+  envelope.build({source(0, {0, 1}, 0.5, 2, 0), source(1, {0.4, 0.6}, 0.5, 1, 0)}, 1, {});
   REQUIRE(envelope.segments().size() == 3);
   CHECK(envelope.segments()[0].end == 0.4);
   CHECK(envelope.segments()[1].end == 0.6);
@@ -72,11 +76,11 @@ TEST_CASE("segments ascend to the edge's end, and none of the sources is nearer 
   test::Random random(4);
   for (int round = 0; round < 1000; ++round) {
     const double length = std::pow(10, random.real(-6, 6));
-    std::vector<EdgeSource> sources{source(0, 0, length, 0, 0, random.real(0, 1) * length),
-                                    source(1, 0, length, length, 0, random.real(0, 1) * length)};
+    std::vector<EdgeSource> sources{source(0, {0, length}, 0, 0, random.real(0, 1) * length),
+                                    source(1, {0, length}, length, 0, random.real(0, 1) * length)};
     for (int g = random.below(8); g > 0; --g) {
       const double begin = random.real(0, length), end = random.real(begin, length);
-      sources.push_back(source(g + 1, begin, end, random.real(-1, 2) * length, random.real(0, 1) * length,
+      sources.push_back(source(g + 1, {begin, end}, random.real(-1, 2) * length, random.real(0, 1) * length,
                                random.below(2) * random.real(0, 0.5) * length));
     }
     EdgeEnvelope envelope;

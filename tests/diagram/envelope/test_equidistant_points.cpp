@@ -11,7 +11,7 @@ using namespace gvd;
 namespace {
 
 FaceSource source(const Vec2& image, double offset) {
-  return test::through_side(0, 0, image, image + Vec2(1, 1), image + Vec2(1, -1), offset);
+  return test::through_side(0, 0, image, {image + Vec2(1, 1), image + Vec2(1, -1)}, offset);
 }
 
 double nearest_to(const std::vector<Vec2>& points, const Vec2& p) {

@@ -80,12 +80,12 @@ struct RefinedArc {
 
 /// A hyperbola from side 0 to side 2.
 std::vector<FaceSource> hyperbola() {
-  return {through_side(0, 2, {-0.3, 0.4}, k2, k0, 0.4), through_side(1, 1, {1.9, 0.7}, k1, k2, 0)};
+  return {through_side(0, 2, {-0.3, 0.4}, {k2, k0}, 0.4), through_side(1, 1, {1.9, 0.7}, {k1, k2}, 0)};
 }
 
 /// A hyperbola that is a tenth of its chord's length away from the chord.
 std::vector<FaceSource> strong_hyperbola() {
-  return {through_side(0, 2, {-0.356, 1.074}, k2, k0, 0), through_side(1, 0, {0.167, -0.0337}, k0, k1, 0.956)};
+  return {through_side(0, 2, {-0.356, 1.074}, {k2, k0}, 0), through_side(1, 0, {0.167, -0.0337}, {k0, k1}, 0.956)};
 }
 
 }  // namespace
@@ -125,7 +125,8 @@ TEST_CASE("the inner points are in order along the arc") {
 TEST_CASE("with equal offsets the bisector is straight, and gets no inner points") {
   for (const double offset : {0.0, 0.3}) {
     const RefinedArc arc(
-        {through_side(0, 2, {-0.3, 0.4}, k2, k0, offset), through_side(1, 1, {1.9, 0.7}, k1, k2, offset)}, 0, 1, 1e-10);
+        {through_side(0, 2, {-0.3, 0.4}, {k2, k0}, offset), through_side(1, 1, {1.9, 0.7}, {k1, k2}, offset)}, 0, 1,
+        1e-10);
     CHECK(arc.inner.empty());
   }
 }
@@ -133,8 +134,8 @@ TEST_CASE("with equal offsets the bisector is straight, and gets no inner points
 TEST_CASE("a bisector with a corner, where the nearest source of a generator changes, is traced on both sides of it") {
   // Side 0, y = 0: the left one sees the left half and the right one the right half of what lies behind it.
   const auto sources = [] {
-    return std::vector{through_side(1, 1, {1.4, 1.3}, k1, k2, 0), through_side(0, 0, {0.4, -0.5}, k0, k1, 0),
-                       through_side(0, 0, {1.6, -0.2}, k0, k1, 0.1)};
+    return std::vector{through_side(1, 1, {1.4, 1.3}, {k1, k2}, 0), through_side(0, 0, {0.4, -0.5}, {k0, k1}, 0),
+                       through_side(0, 0, {1.6, -0.2}, {k0, k1}, 0.1)};
   };
   const RefinedArc rough(sources(), 1, 2, 1e-2), fine(sources(), 1, 2, 1e-6);
   CHECK(rough.farthest() <= 1e-2);
@@ -157,7 +158,7 @@ TEST_CASE("a source that sees the bisector but nothing near its chord is used") 
   auto sources = strong_hyperbola();
   const double clearance = 0.01, known = sources[0].distance(apex);
   sources.push_back(
-      through_side(0, 1, image, on_side(0.02), on_side(-0.02), known - clearance - (apex - image).norm()));
+      through_side(0, 1, image, {on_side(0.02), on_side(-0.02)}, known - clearance - (apex - image).norm()));
   const RefinedArc arc(sources, 2, 0, 1e-4);
   REQUIRE(arc.distances.nearest(kA, apex).distance < known - 0.9 * clearance);
   CHECK(arc.farthest() <= 1e-4);
@@ -166,7 +167,7 @@ TEST_CASE("a source that sees the bisector but nothing near its chord is used") 
 TEST_CASE("a generator whose sources see nothing of the arc is used by its paths round the ends of their openings") {
   // A sees the corner k0 alone, past the slit from (0.05, 0) to (0.1, 0).
   const RefinedArc arc(
-      {through_side(0, 0, {1.5, -0.05}, {0.05, 0}, {0.1, 0}, 0), through_side(1, 1, {1.9, 0.7}, k1, k2, 1.2)}, 0, 2,
+      {through_side(0, 0, {1.5, -0.05}, {{0.05, 0}, {0.1, 0}}, 0), through_side(1, 1, {1.9, 0.7}, {k1, k2}, 1.2)}, 0, 2,
       1e-4);
   CHECK_FALSE(arc.inner.empty());
   CHECK(arc.farthest() <= 1e-4);

@@ -19,14 +19,14 @@ const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle,
 
 /// One generator behind each side, through all of it.
 std::vector<FaceSource> three_behind_sides(double offset_a, double offset_b, double offset_c) {
-  return {through_side(0, 0, {0.9, -0.4}, k0, k1, offset_a), through_side(1, 1, {1.8, 1.1}, k1, k2, offset_b),
-          through_side(2, 2, {-0.3, 0.9}, k2, k0, offset_c)};
+  return {through_side(0, 0, {0.9, -0.4}, {k0, k1}, offset_a), through_side(1, 1, {1.8, 1.1}, {k1, k2}, offset_b),
+          through_side(2, 2, {-0.3, 0.9}, {k2, k0}, offset_c)};
 }
 
 }  // namespace
 
 TEST_CASE("the path is straight where the source sees the point, and bends round an end of the opening elsewhere") {
-  const HandMadeField field({through_side(0, 0, {1, -1}, {0.9, 0}, {1.1, 0}, 0.25)});
+  const HandMadeField field({through_side(0, 0, {1, -1}, {{0.9, 0}, {1.1, 0}}, 0.25)});
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
   CHECK(distances.nearest(kA, {1, 0.5}).distance == Approx(0.25 + 1.5).epsilon(1e-15));
@@ -38,8 +38,8 @@ TEST_CASE("the path is straight where the source sees the point, and bends round
 }
 
 TEST_CASE("the distance of a generator is that over its own sources, the nearest of them") {
-  const HandMadeField field({through_side(1, 0, {1, -0.1}, k0, k1, 0), through_side(0, 0, {1, -1}, k0, k1, 0.5),
-                             from_corner(0, 2, k2, 0.7), through_side(0, 1, {1.8, 1.1}, k1, k2, 2)});
+  const HandMadeField field({through_side(1, 0, {1, -0.1}, {k0, k1}, 0), through_side(0, 0, {1, -1}, {k0, k1}, 0.5),
+                             from_corner(0, 2, k2, 0.7), through_side(0, 1, {1.8, 1.1}, {k1, k2}, 2)});
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
   test::Random random(1);
@@ -59,8 +59,8 @@ TEST_CASE("the distance of a generator is that over its own sources, the nearest
 }
 
 TEST_CASE("the entry is where the path crosses the side") {
-  const HandMadeField field({through_side(0, 0, {1, -1}, {0.2, 0}, {1.8, 0}, 0), from_corner(1, 2, k2, 0.1),
-                             through_side(2, 1, {2, 1.5}, k1, k2, 0)});
+  const HandMadeField field({through_side(0, 0, {1, -1}, {{0.2, 0}, {1.8, 0}}, 0), from_corner(1, 2, k2, 0.1),
+                             through_side(2, 1, {2, 1.5}, {k1, k2}, 0)});
   SourceDistances distances(field);
   const Mesh mesh = test::make_triangle();
   distances.enter(mesh, FaceId(0));
@@ -141,8 +141,8 @@ TEST_CASE("a branch point lies inside, has its cells counter-clockwise, and no g
 
 TEST_CASE("three generators with parallel bisectors have no branch point") {
   // All on one line, behind one side: their bisectors are parallel.
-  const HandMadeField field({through_side(0, 0, {0.5, -1}, k0, k1, 0), through_side(1, 0, {1, -1}, k0, k1, 0),
-                             through_side(2, 0, {1.5, -1}, k0, k1, 0)});
+  const HandMadeField field({through_side(0, 0, {0.5, -1}, {k0, k1}, 0), through_side(1, 0, {1, -1}, {k0, k1}, 0),
+                             through_side(2, 0, {1.5, -1}, {k0, k1}, 0)});
   SourceDistances distances(field);
   distances.enter(test::make_triangle(), FaceId(0));
   const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
@@ -164,7 +164,7 @@ TEST_CASE("the error of a crossing grows as its two generators approach each oth
   for (const double apart : {1e-2, 1e-5, 1e-8}) {
     CAPTURE(apart);
     const HandMadeField field(
-        {through_side(0, 0, {1 - apart / 2, -1}, k0, k1, 0), through_side(1, 0, {1 + apart / 2, -1}, k0, k1, 0)});
+        {through_side(0, 0, {1 - apart / 2, -1}, {k0, k1}, 0), through_side(1, 0, {1 + apart / 2, -1}, {k0, k1}, 0)});
     SourceDistances distances(field);
     distances.enter(test::make_triangle(), FaceId(0));
     const double error = distances.crossing_error({CrossingId(0), 0, 0.5, kA, kB});

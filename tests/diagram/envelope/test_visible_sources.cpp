@@ -42,7 +42,7 @@ TEST_CASE("without sources nothing is visible, and the nearest path is infinite"
 
 TEST_CASE("corners are visible from everywhere, and every source where the band is the whole plane") {
   const std::vector<FaceSource> sources{test::from_corner(0, 0, {0, 0}, 1),
-                                        test::through_side(0, 0, {5, -1}, {5, 0}, {5.1, 0}, 0)};
+                                        test::through_side(0, 0, {5, -1}, {{5, 0}, {5.1, 0}}, 0)};
   std::vector<VisibleSource> visible;
   collect_visible_sources(sources, band_between({0, 1}, {1, 1}, 0.01), visible);
   REQUIRE(visible.size() == 1);
@@ -59,7 +59,7 @@ TEST_CASE("every source that sees a point of a random band is visible at its pos
   for (int round = 0; round < 2000; ++round) {
     const double begin = random.real(0, 2), end = begin + random.real(0.01, 1);
     const Vec2 image(random.real(-1, 3), random.real(-2, -0.1));
-    const std::vector<FaceSource> sources{test::through_side(0, 0, image, {begin, 0}, {end, 0}, 0)};
+    const std::vector<FaceSource> sources{test::through_side(0, 0, image, {{begin, 0}, {end, 0}}, 0)};
     const Vec2 from(random.real(0, 2), random.real(0.1, 2)), to(random.real(0, 2), random.real(0.1, 2));
     const SearchBand band = band_between(from, to, 0.05 * (to - from).norm());
     std::vector<VisibleSource> visible;

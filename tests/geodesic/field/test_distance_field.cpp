@@ -10,7 +10,7 @@ using namespace gvd;
 namespace {
 
 /// The image (1, -1) behind an opening from (0.5, 0) to (1.5, 0), 0.25 from the generator.
-FaceSource make_source() { return test::through_side(0, 0, {1, -1}, {0.5, 0}, {1.5, 0}, 0.25); }
+FaceSource make_source() { return test::through_side(0, 0, {1, -1}, {{0.5, 0}, {1.5, 0}}, 0.25); }
 
 }  // namespace
 
