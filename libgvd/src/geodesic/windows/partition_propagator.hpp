@@ -68,8 +68,8 @@ class PartitionPropagator {
   /// but the last one holds anything. `settled` as above.
   void end_bucket(double settled, std::size_t steps) {
     pruning_.review_border(settled);
-    // Other partitions can use the memory. Windows and events that wait are queued, so with an empty queue none do.
-    // Only after much work, compared with which the cost of visiting all buckets is negligible.
+    // With an empty queue nothing waits, and other partitions can use the memory. Only after much work, compared with
+    // which the cost of visiting all buckets is negligible.
     if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
     queue_.advance(steps);
   }
@@ -154,15 +154,14 @@ class PartitionPropagator {
 
   void cross_halfedge(HalfedgeId h) {
     const FaceEntry entry(frames_, h);
-    const FaceId f = Mesh::face(h);
     const auto faces = static_cast<std::int32_t>(frames_.frame.size());
-    waiting_.take(
-        h, [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
-          if (has_thin_faces_ && enters_face_twice(entering.history, f, faces)) return;
-          keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
-          ++carried_;
-          crossing_.cross(entering, entry, *this);
-        });
+    const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
+      if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
+      keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
+      ++carried_;
+      crossing_.cross(entering, entry, *this);
+    };
+    waiting_.take(h, cross);
   }
 
   void send_from_vertex(VertexEventId id) {
