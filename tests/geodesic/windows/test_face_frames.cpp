@@ -10,8 +10,8 @@ using namespace gvd;
 
 namespace {
 
-/// `corners` equal triangles, an even number, round vertex 0 with the given total angle; their rim goes up and down. In
-/// an open fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
+/// An even number of equal triangles round vertex 0 with the given total angle; their rim goes up and down. In an open
+/// fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
 Mesh make_fan(int corners, double total, bool closed) {
   // Neighbours on the rim are 2 pi / corners apart seen from above, one up and one down.
   const double step = 2 * std::numbers::pi / corners;
@@ -37,7 +37,7 @@ VertexKind kind_in_fan(int corners, double half_turns, bool closed) {
 
 }  // namespace
 
-// Rounding says on which side of a multiple of pi the sum of the angles comes out, so every case is met with many fans.
+// Rounding decides on which side of a multiple of pi the sum of the angles falls, so each case tries many fans.
 
 TEST_CASE("an inner vertex is flat at two pi only") {
   for (int corners = 8; corners <= 60; corners += 2) {

@@ -68,7 +68,7 @@ TEST_CASE("partitions change no distance") {
           if (field.distance.raw()[v] == expected) continue;  // infinity, too
           REQUIRE(std::abs(field.distance.raw()[v] - expected) <= 1e-13 * expected);
         }
-        // What comes a round late costs some windows where nearly every vertex is shared.
+        // Messages come a round late, which costs some windows where nearly every vertex is shared.
         if (partition_faces >= 20)
           CHECK(static_cast<double>(field.carried) <= 1.25 * static_cast<double>(whole.carried));
       }
@@ -100,7 +100,7 @@ TEST_CASE("partitions change no label, and of generators that tie the first one 
       }
       if (name != "grid") continue;
       for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-        // Whole numbers are compared: of straight lines on a plane, no rounding hides which are equally long.
+        // Squares are whole numbers, so no rounding hides which straight lines on the plane are equally long.
         const VertexId v(i);
         const auto squared = [&](VertexId g) { return (mesh.position(g) - mesh.position(v)).squaredNorm(); };
         const auto nearest = std::min_element(generators.begin(), generators.end(),

@@ -1,4 +1,4 @@
-// Where straight paths bend, and what else can be told of windows without a reference.
+// Where paths bend, and properties of windows that need no reference.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ using namespace gvd;
 
 namespace {
 
-/// Faces round vertex 0, its `count` neighbours up and down in turn: a saddle where `height` is large enough.
+/// Faces round vertex 0, whose `count` neighbours lie up and down alternately: a saddle if `height` is large enough.
 Mesh make_crown(int count, double height) {
   std::vector<Vec3> positions{{0, 0, 0}};
   std::vector<std::array<int, 3>> faces;
@@ -79,7 +79,7 @@ TEST_CASE("a path that can't be continued from a vertex is not complete") {
   REQUIRE(path.points.size() == 3);
   CHECK(vertex(mesh, path.points[1]) == saddle);
   CHECK(vertex(mesh, path.points[2]) == generator);
-  // As rounding may do it: the saddle is nearer than all that leads to it.
+  // As rounding may cause: the saddle is nearer than all paths to it.
   field.distance[saddle] = 0;
   const ShortestPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
   CHECK_FALSE(broken.complete);
@@ -104,7 +104,7 @@ TEST_CASE("one face, two faces, and a generator on every vertex") {
       CHECK(field.label[v].value() == v.value());
       const WindowField single = propagate(mesh, {v});
       for (const VertexId other : all) {
-        // Faces back to back, and those of the tetrahedron: no way is shorter than the edge.
+        // On these meshes no path is shorter than the edge.
         const double straight = (mesh.position(v) - mesh.position(other)).norm();
         CHECK(single.distance[other] == Approx(straight).epsilon(1e-15).margin(0));
       }

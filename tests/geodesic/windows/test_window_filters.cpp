@@ -1,4 +1,4 @@
-// Each rule that drops windows: what it drops is beaten, and what it must keep stays.
+// Each rule that drops windows: what it drops is beaten by a shorter path, and other windows stay.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -121,7 +121,7 @@ TEST_CASE("what one angle, one split drops is beaten by the path that it is drop
       for (const bool left : {true, false}) {
         if (left ? exits.left : exits.right) continue;
         const double px = left ? ax * (1 - t) : ax + t * (1 - ax), at = x2 + (px - x2) * y2 / (y2 + py);
-        // Rays on the far side of the other path's may come from behind its image: then that lies in this window.
+        // The proof holds for rays on this side of the other path's crossing; rays beyond it may pass its image.
         if (left ? at < path.crossing : at > path.crossing) continue;
         REQUIRE(offset + std::hypot(px - x1, py + y1) <= std::hypot(px - x2, py + y2) + 1e-12);
       }

@@ -1,4 +1,4 @@
-// Needles, faces without area, and what rounding parts.
+// Needles and faces without area, where rounding separates what should touch.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -86,7 +86,7 @@ TEST_CASE("windows do not wind round thin tubes for ever, and stay few where all
 }
 
 TEST_CASE("paths along vertices that lie on a line up to rounding are found") {
-  // On the plane, vertices along a straight cut, off it by 1e-10: windows pass between them that are as narrow.
+  // A plane with vertices within 1e-10 of a straight line: windows as narrow as that pass between them.
   std::vector<Vec3> positions{{0, 1, 0}, {0, -1, 0}};
   std::vector<std::array<int, 3>> faces;
   std::mt19937 random(4);
@@ -122,8 +122,8 @@ TEST_CASE("vertices behind faces without area are reached") {
 
 namespace {
 
-/// Upper bounds on the distances from vertex g, by all paths over the points of edges that lie beside a vertex: on a
-/// mesh whose vertices lie on one line, these are the distances.
+/// Distances from vertex g along paths over those points of edges that are the nearest to some vertex. They are upper
+/// bounds; on a mesh whose vertices lie on one line, they are exact.
 std::vector<double> measure_by_graph(const Mesh& mesh, int g) {
   std::vector<Vec3> points = mesh.positions();
   std::vector<std::vector<std::size_t>> on_face(static_cast<std::size_t>(mesh.face_count()));
@@ -180,8 +180,8 @@ TEST_CASE("distances between points of one line, over faces without area") {
 }
 
 TEST_CASE("paths go round a boundary vertex whose corners are folded flat") {
-  // The corners at vertex 1 add up to three times pi in the first mesh, and to pi but for rounding in the second one:
-  // what lies beyond is not reached by turning back, and is reached.
+  // The corners at vertex 1 add up to three times pi in the first mesh, and to pi up to rounding in the second one. No
+  // path may turn back there, but the vertices beyond must be reached.
   check_by_graph(test::make_mesh({{0.3026, 0, 0}, {0.2936, 0, 0}, {0.3467, 0, 0}, {0, 0, 0}}, {{0, 1, 3}, {1, 2, 3}}));
   std::vector<Vec3> positions;
   for (const double x : {0.4703, 0.3983, 0.0, 1.0, 0.3327, 0.2988, 0.1992, 0.2352, 0.6027, 0.7352, 0.6992}) {
@@ -265,7 +265,7 @@ TEST_CASE("a box that is pressed flat has the distances of one that is nearly fl
 }
 
 TEST_CASE("paths through the gap that thin faces open behind a vertex") {
-  // Boxes that are pressed flat, turned so that their corners are rounded: distances there and back.
+  // Flat boxes, turned so that the coordinates of their corners are rounded: distances in both directions agree.
   for (const double height : {1.135e-5, 4.871e-5, 2.4897e-4}) {
     CAPTURE(height);
     const Mesh box = make_turned_box(4, height);
@@ -280,7 +280,7 @@ TEST_CASE("paths through the gap that thin faces open behind a vertex") {
 }
 
 TEST_CASE("paths round a spindle are found past needles that share a vertex") {
-  // Six points on a small ring, two tips, and a point on each long side: the ways between these go round the ring.
+  // Seven points on a small ring, two tips, and a point on each long side: paths between these go round the ring.
   std::vector<Vec3> positions{{0, 0, 1}, {0, 0, -1}};
   std::vector<std::array<int, 3>> faces;
   const double radius = 5e-8;
@@ -303,7 +303,7 @@ TEST_CASE("paths round a spindle are found past needles that share a vertex") {
   const Mesh mesh = test::make_mesh(std::move(positions), faces);
   for (int g = 9; g < 16; ++g) {
     const WindowField field = propagate(mesh, {VertexId(g)});
-    // Along the ring from point to point, the shorter way round.
+    // Along the ring from point to point, in the shorter direction.
     const double step = (mesh.position(VertexId(10)) - mesh.position(VertexId(9))).norm();
     for (int v = 9; v < 16; ++v) {
       const int steps = std::min((v - g + 7) % 7, (g - v + 7) % 7);
