@@ -8,6 +8,7 @@
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/block_list.hpp"
 #include "geodesic/windows/window.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -25,7 +26,7 @@ class EdgeWindows {
       const std::size_t begin = windows_.append(std::move(list));
       ranges.push_back({begin, windows_.size()});
     }
-    const StepPart end{"distances"};
+    const StepPart end{steps::kDistances};
     parallel.run(ranges.size(), end, [&](std::size_t list) {
       for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) ++first_[face(i) + 1];
     });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geodesic/windows/window_geometry.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -100,7 +101,7 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
 FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
     : frame(static_cast<std::size_t>(mesh.face_count())), kind(static_cast<std::size_t>(mesh.vertex_count())) {
   const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kChunkFaces);
-  parallel.run(chunks.size(), {"distances"}, [&](std::size_t i) {
+  parallel.run(chunks.size(), {steps::kDistances}, [&](std::size_t i) {
     for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) {
       const FaceId face(static_cast<std::int64_t>(f));
       frame[face] = make_face_frame(mesh, face);

@@ -8,6 +8,7 @@
 
 #include "geodesic/windows/partition_propagator.hpp"
 #include "geodesic/windows/propagation_rounds.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -58,12 +59,12 @@ class Propagation {
     if (carried < next_report_) return;
     next_report_ = carried + kProgressStride;
     const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
-    report_progress(progress_, "distances", share / (1 + share));
+    report_progress(progress_, steps::kDistances, share / (1 + share));
   }
 
   EdgeWindows collect_windows() {
     std::vector<BlockList<Window>> kept(partitions_.size());
-    parallel_.run(partitions_.size(), {"distances"}, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
+    parallel_.run(partitions_.size(), {steps::kDistances}, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
     return EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
   }
 
@@ -93,7 +94,7 @@ class Propagation {
 
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress) {
-  report_progress(progress, "distances", 0);
+  report_progress(progress, steps::kDistances, 0);
   Propagation propagation(mesh, options, progress);
   for (std::size_t g = 0; g < generators.size(); ++g) {
     propagation.start(generators[g], GeneratorId(static_cast<std::int64_t>(g)),

@@ -10,6 +10,7 @@
 
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/partition_messages.hpp"
+#include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 
@@ -88,7 +89,7 @@ class PropagationRounds {
     // The largest first, so that threads end at about the same time.
     std::sort(busy_.begin(), busy_.end(), [](const Busy& a, const Busy& b) { return a.work > b.work; });
     const ParallelChunks& parallel = work < kWorthSharing ? alone_ : parallel_;
-    parallel.run(busy_.size(), {"distances"},
+    parallel.run(busy_.size(), {steps::kDistances},
                  [&](std::size_t i) { partitions_[busy_[i].partition]->run_round(settled); });
     mailboxes_.deliver();
   }
