@@ -20,7 +20,8 @@ struct DiagramCheck {
 /// Properties:
 ///  (1) every generator lies in its own cell, whose area is not negative;
 ///  (2) every face of a component with a generator has one label, or pieces whose areas sum up to its area; other faces
-///      have neither; a cell's area is that of its faces and pieces; vertices have the labels of their faces and pieces;
+///      have neither; a cell's area is that of its faces and pieces; vertices have the labels of their faces and
+///      pieces;
 ///  (3) a bisector separates two cells, and consecutive points of it lie in a common face;
 ///  (4) every end of a bisector is a branch point or lies on the mesh's boundary;
 ///  (5) at every branch point at least three bisectors end, between the cells that it names;
