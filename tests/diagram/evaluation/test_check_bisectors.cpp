@@ -18,7 +18,7 @@ Lines find(const ThreeCells& x) { return x.run(check_bisectors); }
 
 }  // namespace
 
-TEST_CASE("a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
+TEST_CASE("the bisectors of a sound diagram have no violation") { CHECK(find(ThreeCells()).empty()); }
 
 TEST_CASE("points, sides, ends and branch points") {
   ThreeCells sides;

@@ -18,7 +18,7 @@ Lines find(const ThreeCells& x) { return x.run(check_generators); }
 
 }  // namespace
 
-TEST_CASE("a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
+TEST_CASE("the generators of a sound diagram lie in their cells") { CHECK(find(ThreeCells()).empty()); }
 
 TEST_CASE("one in another cell, and an area that is not a number") {
   ThreeCells broken;

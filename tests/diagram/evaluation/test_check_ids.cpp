@@ -18,7 +18,7 @@ Lines find(const ThreeCells& x) { return x.run(check_ids); }
 
 }  // namespace
 
-TEST_CASE("a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
+TEST_CASE("ids of a sound diagram are valid") { CHECK(find(ThreeCells()).empty()); }
 
 TEST_CASE("an end at a branch point that does not exist") {
   ThreeCells broken;

@@ -18,7 +18,7 @@ Lines find(const ThreeCells& x) { return x.run(check_partition, ReachedFaces(x.m
 
 }  // namespace
 
-TEST_CASE("a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
+TEST_CASE("the cells of a sound diagram are a partition") { CHECK(find(ThreeCells()).empty()); }
 
 TEST_CASE("a cell's area, a vertex's label and a piece that is missing") {
   ThreeCells area;

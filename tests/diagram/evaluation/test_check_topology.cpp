@@ -22,7 +22,7 @@ bool one_begins(const Lines& lines, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
+TEST_CASE("the topology of a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
 
 TEST_CASE("components, genus, Euler's formula and neighbours") {
   ThreeCells components;
