@@ -9,7 +9,7 @@ namespace gvd::bench {
 
 /// The mesh's edges as a graph: compressed rows of neighbours and edge lengths.
 struct EdgeGraph {
-  std::vector<std::int32_t> first;      ///< per vertex, and one more: begin of its row
+  std::vector<std::int32_t> first;      ///< per vertex, and one more: beginning of its row
   std::vector<std::int32_t> neighbour;  ///< vertices
   std::vector<double> length;           ///< mesh units
 };

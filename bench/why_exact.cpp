@@ -37,7 +37,7 @@
 namespace gvd::bench {
 namespace {
 
-/// Generators whose distances differ by less than this part of them are equally near.
+/// Generators whose distances differ by less than this fraction of them are equally near.
 constexpr double kTie = 1e-9;
 
 /// The nearest generator of every vertex, by its place in the list, and the distance; -1 and infinity where none

@@ -20,7 +20,7 @@ struct Call {
 };
 
 std::vector<Call> calls() {
-  // gvd-remesh guarantees a proper mesh. Slivers and components of a few faces do not always have one.
+  // gvd-remesh guarantees a proper mesh. Thin faces and components of a few faces do not always have one.
   return {{"gvd-segment", "-n 30", "regions.ply", {3, 4}},
           {"gvd-segment", "-n 30 --cut", "pieces.ply", {3, 4}},
           {"gvd-lloyd", "-n 12 --iterations 5", "relaxed.txt", {3, 4}},

@@ -16,7 +16,7 @@
 namespace gvd::test {
 namespace {
 
-/// Error of a distance. Different windows give distances of one point that differ by 1e-13 relative without slivers
+/// Error of a distance. Different windows give distances of one point that differ by 1e-13 relative without thin faces
 /// (exact_field.hpp), and positions far from the origin are rounded. Crossings are equidistant to 1e-12 of the bounding
 /// box diagonal; the exact fields add their own error.
 constexpr double kDistanceError = 1e-11, kPositionError = 1e-14;

@@ -49,7 +49,7 @@ TEST_CASE("an angle of 30 degrees is not below 30 degrees") {
   CHECK(compute_triangle_quality(below).percent_below_30 == 100);
 }
 
-TEST_CASE("the figures of every family are in their ranges, and slivers lower them") {
+TEST_CASE("the figures of every family are in their ranges, and thin faces lower them") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const TriangleQuality quality = compute_triangle_quality(mesh);

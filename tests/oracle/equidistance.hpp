@@ -12,7 +12,7 @@
 
 namespace gvd::test {
 
-/// Crossings and branch points of exact diagrams are equidistant to this part of the bounding box's diagonal. The
+/// Crossings and branch points of exact diagrams are equidistant to this fraction of the bounding box's diagonal. The
 /// oracle's own error is 1e-9 of the distance at worst; on the meshes of the tests it is much less.
 inline constexpr double kEquidistant = 1e-12;
 

@@ -95,7 +95,7 @@ TEST_CASE("on an open cylinder the distance is that of the unrolled strip") {
   }
 }
 
-TEST_CASE("distances are symmetric on every family, and where slivers and flat parts are hard") {
+TEST_CASE("distances are symmetric on every family, and where thin faces and flat parts are hard") {
   std::vector<test::NamedMesh> meshes = test::small_family();
   if (const auto shared = test::shared_folder()) {
     meshes.push_back({"rotor", test::read_simple_obj(*shared / "reference" / "rotor.m15.obj")});

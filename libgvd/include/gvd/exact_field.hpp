@@ -24,8 +24,8 @@ struct GeodesicPath {
   std::vector<SurfacePoint> points;  ///< from the point that was asked for to the generator; neighbours share a face
   GeneratorId generator;             ///< invalid, and no points, where no generator reaches
   double length = 0;                 ///< mesh units, the generator's offset apart; infinity where no generator reaches
-  /// Whether the points lead all the way to the generator. Rounding can end them at a vertex before it, where slivers
-  /// leave no way that is shorter; `generator` and `length` hold all the same. False where no generator reaches.
+  /// Whether the points lead all the way to the generator. Rounding can end them at a vertex before it, where thin
+  /// faces leave no shorter way; `generator` and `length` are valid nevertheless. False where no generator reaches.
   bool complete = false;
 };
 
@@ -34,7 +34,7 @@ struct GeodesicPath {
 /// The metric is that of the polyhedron itself, not of its edges, and not an approximation: straight lines over
 /// unfolded faces, round saddles and round corners of the boundary. Source: window propagation after Mitchell, Mount
 /// and Papadimitriou (1987), Chen and Han (1990), Xin and Wang (2009). Properties: (1) distances are right to 1e-13 of
-/// themselves, and a little less where slivers abound; (2) what no generator reaches is infinitely far, and has no
+/// themselves, and slightly less where many faces are thin; (2) what no generator reaches is infinitely far, and has no
 /// label; (3) of generators that are equally near to a vertex, to 2e-14 of the distance, the first one is its label.
 /// Memory: 50 bytes a window, about 10 windows a face on curved meshes and 2 on refined flat ones, and 10 bytes a face;
 /// 130 a face while it is made.

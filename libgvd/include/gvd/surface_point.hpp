@@ -39,9 +39,9 @@ SurfacePoint vertex_point(const Mesh& mesh, VertexId v);
 /// The point (1 - t) from(h) + t to(h), in h's face. t in [0, 1].
 SurfacePoint edge_point(HalfedgeId h, double t);
 
-/// Surface points closer than this part of the bounding box's diagonal coincide. Dimensionless. The rounding error of a
-/// position is about 1e-15 of the box, and this is a thousand times as much. Far from the origin the rounding error is
-/// larger: see `coincidence`.
+/// Surface points closer than this fraction of the bounding box's diagonal coincide. Dimensionless. The rounding error
+/// of a position is about 1e-15 of the box, and this is a thousand times as much. Far from the origin the rounding
+/// error is larger: see `coincidence`.
 inline constexpr double kCoincidence = 1e-12;
 
 /// Position in mesh units.

@@ -98,7 +98,7 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
 
 bool FaceTiling::fit() {
   // Most pieces share their corners already. Splitting at every corner near a segment is only the second attempt: in a
-  // sliver thinner than kCutWeld it would fold one side onto the other.
+  // piece thinner than kCutWeld it would fold one side onto the other.
   for (const double tolerance : {0.0, kCutWeld}) {
     std::vector<Polygon> fitted;
     for (const Polygon& polygon : polygons_) {

@@ -27,7 +27,7 @@ Value interpolate(const Bary& bary, const Value& a, const Value& b, const Value&
 /// at (1, 0) and corner 2 at (0, 1). It keeps orientations, and areas up to the factor 2 area(face).
 inline Vec2 affine_point(const Bary& bary) { return {bary[1], bary[2]}; }
 
-/// Signed area of a polygon, as a part of its face's; < 0 where it is clockwise.
+/// Signed area of a polygon, as a fraction of its face's; < 0 where it is clockwise.
 inline double area_share(const std::vector<Bary>& polygon) {
   return twice_signed_area(polygon.size(), [&](std::size_t i) { return affine_point(polygon[i]); });
 }

@@ -12,8 +12,8 @@ namespace {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// Three corners count as collinear where twice their signed area is below this part of the square of the triangle's
-/// longest side: far above the rounding of collinear points with coordinates in [0, 1]. Dimensionless.
+/// Three corners count as collinear where twice their signed area is below this fraction of the square of the
+/// triangle's longest side: far above the rounding of collinear points with coordinates in [0, 1]. Dimensionless.
 constexpr double kCollinear = 1e-12;
 
 double longest_square(const Vec2& a, const Vec2& b, const Vec2& c) {

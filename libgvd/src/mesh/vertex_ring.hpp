@@ -4,7 +4,7 @@
 
 namespace gvd {
 
-// The only place that knows how to go round a vertex. Two kinds of meshes have rings of their own, because they are no
+// All ways round a vertex of a `Mesh` are here. Two kinds of meshes have rings of their own, because they are not a
 // `Mesh`: the window propagation (geodesic/windows/vertex_fan.hpp), whose faces lie together for the cache's sake, and
 // the repair of soups, whose vertices may have several fans (mesh/repair/repair_nonmanifold_vertices.cpp).
 

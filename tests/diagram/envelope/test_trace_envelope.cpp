@@ -25,7 +25,7 @@ using namespace gvd;
 
 namespace {
 
-/// Crossings and branch points are equidistant to this part of the bounding box's diagonal.
+/// Crossings and branch points are equidistant to this fraction of the bounding box's diagonal.
 constexpr double kEquidistant = 1e-12;
 
 Diagram compute_sound(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Method method,

@@ -189,7 +189,7 @@ TEST_CASE("on a fine sphere a geodesic follows the great circle") {
   }
 }
 
-TEST_CASE("a reversed geodesic returns to its start, on every family and with slivers") {
+TEST_CASE("a reversed geodesic returns to its start, on every family and with thin faces") {
   for (const auto& [name, mesh] : test::small_family()) {
     std::mt19937 random(11);
     for (const SurfacePoint& start : test::random_generators(mesh, 60, 9)) {

@@ -32,8 +32,8 @@ class FaceDistances {
   /// Where the shortest path from g to p enters the face: corner + t on the halfedge of that corner, in [0, 3]; nothing
   /// where it is unknown. The path stays in g's cell, so p and the boundary there belong to one piece.
   virtual std::optional<double> entry(GeneratorId g, const Bary& p) const = 0;
-  /// How far rounding may have moved a crossing along its edge, as a part of the edge. Large where the two generators
-  /// nearly coincide.
+  /// How far rounding may have moved a crossing along its edge, as a fraction of the edge. Large where the two
+  /// generators nearly coincide.
   virtual double crossing_error(const BoundaryCrossing& crossing) const = 0;
   /// Whether p is a branch point of the diagram, with the cells of a, b, c counter-clockwise round it. Such a point is
   /// used as it is.

@@ -10,8 +10,8 @@ namespace gvd {
 
 /// Two label intervals of one generator, by the corners i < j of a polygon that they begin at.
 struct IntervalPair {
-  double
-      excess;  ///< how much farther their generator is than the nearest other one, halfway between the two; < 0: nearer
+  /// How much farther their generator is than the nearest other one, halfway between the two; < 0: nearer.
+  double excess;
   std::size_t i, j;
 
   /// Whether arcs that unite the one pair must cross those that unite the other.

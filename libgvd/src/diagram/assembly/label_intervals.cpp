@@ -6,7 +6,7 @@
 namespace gvd {
 namespace {
 
-/// A path that enters this near to a crossing may belong to the cell on either side of it. As a part of the edge.
+/// A path that enters this near to a crossing, as a fraction of the edge, may belong to the cell on either side of it.
 constexpr double kNearCrossing = 1e-9;
 
 }  // namespace

@@ -22,7 +22,7 @@ class ArcIntersections {
 
   /// The pairs of arcs (also of an arc with itself) of which two segments may intersect elsewhere than at a common end.
   /// All other pairs are disjoint, except for segments of the same direction from a common end.
-  /// `segments`: the arcs one after the other, each from its begin to its end.
+  /// `segments`: the arcs one after the other, each from its beginning to its end.
   /// Returns: ascending, each pair once; valid until the next call.
   /// Cost: O(n log n) for n segments of which few are near each other, by a tree of bounding boxes.
   const std::vector<Pair>& find(const std::vector<ArcSegment>& segments);

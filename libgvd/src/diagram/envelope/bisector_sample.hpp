@@ -11,7 +11,7 @@ namespace gvd {
 
 /// The shortest paths of two generators to a point, compared: how far the point is from their bisector. Mesh units.
 struct BisectorSample {
-  /// Rounding of a difference of two distances, as a part of them.
+  /// Rounding of a difference of two distances, as a fraction of them.
   static constexpr double kRounding = 1e-15;
 
   Vec2 point;

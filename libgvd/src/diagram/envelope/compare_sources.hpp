@@ -23,9 +23,9 @@ struct EndPaths {
   EndPaths(const EdgeSource& s, double from, double to) : begin(s, from), end(s, to) {}
 };
 
-/// Whether a source that is farther than another one at both ends of an interval is farther all over it. Both distances
-/// are convex: the one lies above its tangents at the ends, the other one below its chord. So this is so where the
-/// tangents intersect above the chord.
+/// Whether a source that is farther than another one at both ends of an interval is farther everywhere in it. Both
+/// distances are convex: the one lies above its tangents at the ends, the other one below its chord. So the answer is
+/// yes if the tangents intersect above the chord.
 inline bool is_farther_between(const EndPaths& paths, const EndPaths& others, double width) {
   const double first = paths.begin.slope(), last = paths.end.slope();
   if (!(last > first)) return true;

@@ -8,19 +8,19 @@
 namespace gvd {
 namespace {
 
-/// Shortest label interval, as a part of its edge. A shorter one is a rounding error where windows end. The points of a
-/// cell lost by this are as near to the neighbouring cell, within twice the interval's length.
+/// Shortest label interval, as a fraction of its edge. A shorter one is a rounding error where windows end. The points
+/// of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
 constexpr double kShortestInterval = 1e-9;
 
-/// Widest gap between two windows, as a part of the edge. Windows end at rays past a vertex, and rays unfolded over
+/// Widest gap between two windows, as a fraction of the edge. Windows end at rays past a vertex, and rays unfolded over
 /// hundreds of thin faces are off by up to 1e-9 of the edge.
 constexpr double kWidestGap = 1e-6;
 
-/// Distance between crossings and the ends of their edge, as a part of it: above the snapping of surface points.
+/// Distance between crossings and the ends of their edge, as a fraction of it: above the snapping of surface points.
 constexpr double kEndGap = 2e-12;
 
-/// Two distances that differ by less than this part of themselves are equal. A bracket narrower than this part of the
-/// edge is a point.
+/// Two distances that differ by less than this fraction of themselves are equal. A bracket narrower than this fraction
+/// of the edge is a point.
 constexpr double kEqual = 1e-14;
 
 /// Whether the interval of g after one of `before` is only a gap that rounding left between two windows of `before`. It

@@ -23,7 +23,7 @@ class EdgeCrossings {
                             std::vector<Crossing>& crossings);
 
  private:
-  /// A part of the edge with one label, up to the begin of the next interval.
+  /// A part of the edge with one label, up to the beginning of the next interval.
   struct LabelInterval {
     double begin;  // mesh units
     GeneratorId generator;

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPoints = 1000;
 
 PlaneSegment segment(const Bary& from, const Bary& to) { return {affine_point(from), affine_point(to)}; }
 
-/// The intersection of two segments; the second one's begin where they are collinear.
+/// The intersection of two segments; the second one's beginning where they are collinear.
 Bary intersection_point(const Bary& from, const Bary& to, const Bary& begin, const Bary& end) {
   const PlaneSegment s = segment(from, to), o = segment(begin, end);
   const double t = intersect_lines(s.from, s.to - s.from, o.from, o.to - o.from).t;
@@ -27,7 +27,7 @@ bool erase_once(std::vector<Bary>& polyline) {
   std::vector<Bary> kept{polyline.front()};
   for (std::size_t i = 1; i < n; ++i) {
     const Bary from = kept.back(), to = polyline[i];
-    std::size_t last = n;  // begin of the last segment that intersects the one to point i
+    std::size_t last = n;  // beginning of the last segment that intersects the one to point i
     for (std::size_t j = i + 1; j + 1 < n; ++j) {
       if (may_intersect(segment(from, to), segment(polyline[j], polyline[j + 1]))) last = j;
     }

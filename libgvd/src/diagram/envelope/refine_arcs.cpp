@@ -10,8 +10,8 @@
 namespace gvd {
 namespace {
 
-/// Where a segment is compared with the bisector, as parts of it. The quarters show three quarters of the height of a
-/// curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
+/// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
+/// a curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
 constexpr std::array<double, 2> kSamples{0.25, 0.75};
 constexpr double kShown = 0.5;
 
@@ -20,17 +20,18 @@ constexpr int kMostHalvings = 40;
 
 constexpr int kMostSteps = 60;
 
-/// Distance of an inner point from the bisector, as a part of the tolerance.
+/// Distance of an inner point from the bisector, as a fraction of the tolerance.
 constexpr double kOnBisector = 1e-3;
 
-/// A corner nearer than this to an end of the segment, as a part of it, is not used: the segment must become shorter.
+/// A corner nearer than this to an end of the segment, as a fraction of it, is not used: the segment must become
+/// shorter.
 constexpr double kNearEnd = 0.01;
 
-/// Error accepted where the coordinates of two points can't be told apart any more, as a part of the distance.
+/// Error accepted where the coordinates of two points can't be told apart any more, as a fraction of the distance.
 constexpr double kIndistinguishable = 1e-13;
 
-/// Half width of the first search band, as a part of the arc's length. Samples in it only look at sources visible from
-/// it. A band twice as wide has 2 or 3 % more sources. Less than half as wide (0.02), three to five times as many
+/// Half width of the first search band, as a fraction of the arc's length. Samples in it only look at sources visible
+/// from it. A band twice as wide has 2 or 3 % more sources. Less than half as wide (0.02), three to five times as many
 /// bisectors leave it and are traced again with all sources.
 constexpr double kBandWidth = 0.05;
 

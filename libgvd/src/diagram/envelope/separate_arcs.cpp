@@ -10,8 +10,8 @@
 namespace gvd {
 namespace {
 
-/// Largest negative area of a piece, and largest overlap of straight arcs, that counts as rounding: as a part of the
-/// face's area, or in twice the area of barycentric coordinates.
+/// Largest negative area of a piece, and largest overlap of straight arcs, that counts as rounding: as a fraction of
+/// the face's area, or in twice the area of barycentric coordinates.
 constexpr double kInverted = 1e-11;
 
 /// Whether every segment of the arc leads towards its end.

@@ -10,22 +10,22 @@
 namespace gvd {
 namespace {
 
-/// Three distances that differ by less than this part of themselves are equal: a few units in the last place of sums of
-/// three terms.
+/// Three distances that differ by less than this fraction of themselves are equal: a few units in the last place of
+/// sums of three terms.
 constexpr double kEqual = 1e-14;
 
-/// Difference accepted where Newton's steps no longer improve it, as a part of the distance: the rounding of a point
-/// far from its images.
+/// Difference accepted where Newton's steps no longer improve it, as a fraction of the distance: the rounding of a
+/// point far from its images.
 constexpr double kResidual = 1e-12;
 
-/// Another generator nearer by up to this part of the distance is equally far: the branch point has degree four.
+/// Another generator nearer by up to this fraction of the distance is equally far: the branch point has degree four.
 constexpr double kTie = 1e-12;
 
-/// Difference of the two distances at a crossing, as a part of them. The envelope takes them for equal within a quarter
-/// of it, and they are rounded sums.
+/// Difference of the two distances at a crossing, as a fraction of them. The envelope takes them for equal within a
+/// quarter of it, and they are rounded sums.
 constexpr double kCrossingError = 4e-14;
 
-/// Candidates for branch points: points whose three distances differ by less than this part of themselves. Newton's
+/// Candidates for branch points: points whose three distances differ by less than this fraction of themselves. Newton's
 /// method starts there.
 constexpr double kNearlyEqual = 1e-6;
 

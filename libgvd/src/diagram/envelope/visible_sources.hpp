@@ -14,7 +14,7 @@ namespace gvd {
 /// A band along a chord, in which a bisector is searched: all points within `width` of it, and up to `width` beyond its
 /// two ends. Mesh units.
 struct SearchBand {
-  Vec2 from;           ///< begin of the chord
+  Vec2 from;           ///< beginning of the chord
   Vec2 along, across;  ///< unit vectors, the second one to the left of the first
   double length;       ///< of the chord
   double width;        ///< infinite for a band that is the whole plane

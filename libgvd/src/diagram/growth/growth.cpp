@@ -155,7 +155,7 @@ class GapGrowth {
     return true;
   }
 
-  /// Ends `end` at a new crossing, and lets it go on in the next face, if there is one.
+  /// Ends `end` at a new crossing, and continues it in the next face, if there is one.
   void cross_edge(GrowingEnd& end) {
     const HalfedgeId h = end.exit->halfedge;
     const double t = end.exit->t;

@@ -45,7 +45,7 @@ struct FaceSource {
 
   struct Path {
     double distance;  ///< length of the whole path
-    Vec2 from;        ///< begin of its last straight piece
+    Vec2 from;        ///< beginning of its last straight piece
   };
   /// The shortest path of this source to p: straight where the image sees p through the opening, round an end of the
   /// opening elsewhere. Always a path of the surface, so its length is an upper bound of the distance; continuous in p.

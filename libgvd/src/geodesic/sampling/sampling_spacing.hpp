@@ -14,7 +14,7 @@ inline constexpr double kMaxEdgeSpacings = 2;
 double even_spacing(double area, std::int64_t count);
 
 /// The largest number of vertices that splitting long edges may add. The number is proportional to the mesh and to the
-/// generators. It bounds the memory where faces are slivers, and takes effect nowhere else.
+/// generators. It bounds the memory where faces are thin, and takes effect nowhere else.
 std::int64_t max_splits(const Mesh& mesh, std::int64_t count);
 
 }  // namespace gvd

@@ -24,8 +24,8 @@ class GeodesicWalker {
 
   GeodesicTrace run() {
     const double wanted = left_;
-    // A line of finite length crosses finitely many faces. The bound guards against cycles caused by rounding in
-    // slivers.
+    // A line of finite length crosses finitely many faces. The bound guards against cycles caused by rounding in thin
+    // faces.
     const std::int64_t max_faces = 1000 + 100 * std::int64_t{mesh_.face_count()};
     for (std::int64_t i = 0; walking_ && i < max_faces; ++i) cross_face();
     trace_.length = wanted - left_;

@@ -57,12 +57,12 @@ VertexKind kind_of(const AngleSum& total, bool boundary) {
 /// are: the height's square is 1e-24 of theirs. Paths become longer by at most 1e-12 of the shorter side.
 constexpr double kLeastSine = 1e-12;
 
-/// A face whose doubled area is a smaller part of its longest side's square than this is a sliver. The area that the
+/// A face whose doubled area is a smaller fraction of its longest side's square than this is thin. The area that the
 /// mesh stores has an error of 1e-16 of that square, so faces above this bound keep 12 digits.
 constexpr double kSliverArea = 1e-4;
 
-/// Twice a sliver's area, from its two shortest sides. Its error is 1e-16 of their product, so that the angles of a
-/// needle keep all digits. Never zero unless a side has no length.
+/// Twice the area of a thin face, from its two shortest sides. Its error is 1e-16 of their product, so that the angles
+/// of a needle keep all digits. Never zero unless a side has no length.
 double sliver_twice_area(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
   const auto longest = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   const std::size_t i = (longest + 1) % 3, j = (longest + 2) % 3;

@@ -87,8 +87,8 @@ class PartitionPropagator {
   std::int64_t carried() const { return carried_; }     ///< windows carried across a face
   std::int64_t events() const { return events_sent_; }  ///< vertices that sent windows
 
-  /// From FaceCrossing and PseudoSources: a path to a vertex. If it is better than the known one, other partitions hear
-  /// of it, and if paths can bend at v, v will send windows.
+  /// From FaceCrossing and PseudoSources: a path to a vertex. A path that is better than the known one is sent to the
+  /// other partitions with a copy of v. If paths can bend at v, v will send windows.
   void reach_vertex(VertexCopyId v, const VertexPath& path) {
     if (!labels_.is_improved_by(v, path.distance, path.generator)) return;
     take_path(v, path);
@@ -194,7 +194,7 @@ class PartitionPropagator {
                               w.squared_image_distance(w.begin)));
   }
 
-  /// Keeps a window on the edge between two vertex copies, as far as the options ask for it.
+  /// Keeps a window on the edge between two vertex copies, if the options ask for that.
   [[gnu::always_inline]] void keep(const Window& w, VertexCopyId start, VertexCopyId end) {
     const bool other_start = labels_.has_other_label(start, w.generator);
     const bool other_end = labels_.has_other_label(end, w.generator);

@@ -97,7 +97,7 @@ class WaitingWindows {
 
   static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
-  /// Interval ends that differ by less than this part of the edge are the same.
+  /// Interval ends that differ by less than this fraction of the edge are the same.
   static constexpr double kSameEnd = 1e-9;
 
   const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
@@ -136,7 +136,7 @@ class WaitingWindows {
       if (known.generator != w.generator || known.offset != w.offset) continue;
       if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
       const std::uint32_t known_ends = entry.history.joinable_ends, ends = history.joinable_ends;
-      const std::uint32_t open = known_ends & ((ends >> 1) | (ends << 1));  // at its begin, if our end is joinable
+      const std::uint32_t open = known_ends & ((ends >> 1) | (ends << 1));  // at its beginning, if our end is joinable
       if ((open & kEnd) && std::abs(known.end - w.begin) <= kSameEnd * length) {
         unite(entry, w, history);
         entry.history.joinable_ends = ((known_ends & kBegin) | (ends & kEnd)) & 3u;

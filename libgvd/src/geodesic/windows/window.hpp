@@ -56,8 +56,8 @@ struct PropagatedWindow {
 };
 static_assert(sizeof(PropagatedWindow) == 56);
 
-/// Images that differ by less than this part of their distance are the same, and so are the rays from them through one
-/// point. It is a thousand times the rounding error of a distance that was unfolded over a thousand faces.
+/// Images that differ by less than this fraction of their distance are the same, and so are the rays from them through
+/// one point. It is a thousand times the rounding error of a distance that was unfolded over a thousand faces.
 inline constexpr double kSameImage = 3e-13;
 
 }  // namespace gvd

@@ -11,19 +11,18 @@ namespace gvd {
 // Rules that drop windows, or sides of them, that hold no shortest path. Each rule is valid for any upper bounds on the
 // vertices' distances that real paths have. So the order in which windows are propagated changes no result.
 
-/// A path must be shorter by this part of its length to drop another one. It is far above the rounding error of a
-/// distance that was unfolded over a thousand faces (1e-13), so that equal paths never drop
-/// each other.
+/// A path must be shorter by this fraction of its length to drop another one. It is far above the rounding error of a
+/// distance that was unfolded over a thousand faces (1e-13), so that equal paths never drop each other.
 inline constexpr double kTie = 1e-13;
 
-/// A distance counts as improved if it falls by more than this part of itself. Two paths of the same length differ by
-/// rounding, a few units in the last place, and propagating the second one would only repeat the first.
+/// A distance counts as improved if it falls by more than this fraction of itself. Two paths of the same length differ
+/// by rounding, a few units in the last place, and propagating the second one would only repeat the first.
 inline constexpr double kLengthRounding = 4e-15;
 
 /// Whether a path of length `d` is shorter than one of length `known`, and not by rounding alone.
 inline bool is_shorter_beyond_rounding(double d, double known) { return d < known * (1 - kLengthRounding); }
 
-/// Paths whose lengths differ by less than this part of themselves count as equally long. Equal paths of different
+/// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equal paths of different
 /// generators, through different faces, differ by less. It is below half of kTie, so that no window is dropped before
 /// it has offered a path that is equally long.
 inline constexpr double kSameLength = 2e-14;

@@ -18,7 +18,8 @@ namespace gvd {
 /// another label was ever on its sides. The windows on an edge are needed as long as one of its two faces may turn out
 /// to have several labels: points inside of a face see the windows on all of its sides.
 /// Each partition decides about its own faces, and tells the others of windows with another label on edges to theirs.
-/// About windows on such an edge it decides while no other partition runs, so that it can read their faces' states.
+/// It decides about windows on such an edge while no other partition runs, so that it can read the states of their
+/// faces.
 class WindowPruning {
  public:
   /// Of the state, only the states of the partition's own faces are written. Both have to outlive this.
@@ -88,11 +89,11 @@ class WindowPruning {
   }
 
  private:
-  /// A distance counts as settled this part of itself later, because the queue's keys are floats.
+  /// Relative distance by which a distance counts as settled later, because the queue's keys are floats.
   static constexpr double kKeyRounding = 1e-6;
   static constexpr double kCornerRadius = 0.5773503;  // 1 / sqrt(3), rounded up
 
-  /// Windows that are not decided about yet, in the order in which they were added.
+  /// Windows that are neither kept nor dropped yet, in the order in which they were added.
   struct Undecided {
     BlockQueue<Window> windows;
     std::size_t patience = 2;  // number of blocks up to which none is reviewed

@@ -22,7 +22,7 @@
 namespace gvd {
 namespace {
 
-/// A triangle counts as one without area if its height is at most this part of its longest side. Dimensionless. Ten
+/// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
 /// times the rounding error of a position on the side.
 constexpr double kFlatTriangle = 1e-15;
 
