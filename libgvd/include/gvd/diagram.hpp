@@ -121,11 +121,11 @@ struct Diagram {
 
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
-/// Throws Error{precondition} if there is no generator, a generator lies in no face of the mesh, two generators
-/// coincide (the message names both), or exact distances need more than 2^31 windows (100 GB); Error{invalid_option} if
-/// the chord tolerance is not a finite number of at least kLeastChordTolerance or the number of threads is negative;
-/// Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists the steps of progress. May be
-/// called from several threads at once.
+/// Throws Error{precondition} if there is no generator, a generator lies in no face of the mesh, or two generators
+/// coincide (the message names both). Also if exact distances need more than 2^31 windows (100 GB).
+/// Throws Error{invalid_option} if the chord tolerance is not a finite number of at least kLeastChordTolerance, or the
+/// number of threads is negative; Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists
+/// the steps of progress. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

@@ -13,10 +13,10 @@ namespace gvd {
 
 /// One side of a face, seen from a window that enters through another side.
 ///
-/// `near` is the corner that the side shares with the window's edge. With u the distance from `near` along the window's
-/// edge, the image at (u_image, -depth), and the angle at `near` between the two sides, the ray through u meets the
-/// side at distance u depth / (depth cos + (u_image - u) sin) from `near`. This takes one division, and loses no digits
-/// unless the ray runs along the side.
+/// `near` is the corner that the side shares with the window's edge. Let u be the distance from `near` along the
+/// window's edge. The image is at (u_image, -depth). Cosine and sine are those of the angle at `near`. Then the ray
+/// through u intersects the side at distance u depth / (depth cos + (u_image - u) sin) from `near`. This takes one
+/// division, and loses no digits unless the ray runs along the side.
 struct SideView {
   double cosine, sine;  ///< of the angle at `near`
   double along;         ///< position of the image's foot on the side, from `near`
@@ -31,7 +31,7 @@ struct SideView {
         image(u_image),
         below(image_depth) {}
 
-  /// Distance from `near` at which the ray through u meets the side.
+  /// Distance from `near` at which the ray through u intersects the side.
   double hit(double u) const { return u * below / (below * cosine + (image - u) * sine); }
 };
 
@@ -61,7 +61,7 @@ inline constexpr double kGrazingAngle = 1e-9;
 
 /// Whether the apex, which is not covered, lies on the continuation of the window's outermost ray: within kGrazingAngle
 /// of it, or within the rounding of the interval's end on an edge of this length. The path to it is then too short by
-/// no more than that. The path must go forwards: one that turns back into a face without area bends by no sine either.
+/// no more than that. The path must go forwards: in a face without area, a path that turns back has a sine of 0 too.
 inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
@@ -72,8 +72,8 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
 
-/// Whether the window misses the apex, which is not covered, by no more than the angle `drift` at its image, while the
-/// path over the end of the interval is as long as the straight one up to rounding.
+/// Whether the window misses the apex, which is not covered, by no more than the angle `drift` at its image. The path
+/// over the end of the interval must be as long as the straight one, up to rounding.
 ///
 /// Thin faces open a gap between two windows that pass a vertex on both sides: the rounding of a long side, seen over a
 /// short one, is an angle of kRounding over the least sine. The gap widens along the paths. An apex in it that is a

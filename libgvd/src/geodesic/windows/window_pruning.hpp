@@ -11,8 +11,8 @@
 
 namespace gvd {
 
-/// Keeps the windows of one partition that have been carried across their face, and drops those that no bisector can
-/// need while the propagation is still running, so that they never fill the memory.
+/// Keeps the windows of one partition that have been carried across their face. Those that no bisector can need are
+/// dropped while the propagation is still running, so that they never fill the memory.
 ///
 /// A face has a single label if all distances in it are settled, its corners' labels are equal, and no window with
 /// another label was ever on its sides. The windows on an edge are needed as long as one of its two faces may turn out
