@@ -6,8 +6,8 @@
 
 namespace gvd {
 
-// A ray past an end of an opening separates the visible from the hidden points. In the band, the side of the ray depends
-// on the position along it. The distance from the chord changes it by at most a bound.
+// A ray past an end of an opening separates the visible from the hidden points. In the band, the side of the ray
+// depends on the position along it. The distance from the chord changes it by at most a bound.
 void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
                              std::vector<VisibleSource>& visible) {
   visible.clear();

@@ -21,7 +21,7 @@ class LocalMarch {
   /// given. The ring of vertices round these gets distances too, because they improve those inside.
   ///
   /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
-  /// Where updates lower each other again and again, it stops close to one. Cost: O(k log k) for k vertices reached.
+  /// Where updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 
   /// The vertices that the last run reached, each once, in the order in which it first reached them.

@@ -8,7 +8,8 @@
 
 namespace gvd::io {
 
-/// The scene's entry in the manifest of the page; its arrays go into `blobs`. docs/developer/viewer.md lists the members.
+/// The scene's entry in the manifest of the page; its arrays go into `blobs`. docs/developer/viewer.md lists the
+/// members.
 /// Cost: O(n), and the triangulation of the pieces.
 nlohmann::json make_scene_entry(const ViewScene& scene, const ViewFrame& frame, ViewBlobs& blobs);
 
