@@ -58,8 +58,9 @@ TEST_CASE("vertex ring: the steps counter-clockwise and clockwise undo each othe
 }
 
 TEST_CASE("vertex ring: each neighbour once, with a halfedge of the edge between") {
-  for (const auto& [name, mesh] : test::small_family()) {
-    INFO(name);
+  for (const auto& member : test::small_family()) {
+    INFO(member.name);
+    const Mesh& mesh = member.mesh;
     for (int i = 0; i < mesh.vertex_count(); ++i) {
       const VertexId v(i);
       std::set<VertexId> expected, found;
