@@ -93,8 +93,7 @@ void register_compute(CommandLine& line, ComputeOptions& compute) {
                           DiagramOptions{}.chord_tolerance, kLeastChordTolerance),
               kComputing},
              compute.chord_tolerance, kPositive);
-  add_choice(line,
-             {"--front", "", "Wavefront of --method gbgvd: the paper's planar one, or circles (default)", kComputing},
+  add_choice(line, {"--front", "", "Front of --method gbgvd: the paper's planar one, or circles (default)", kComputing},
              compute.front, Choices<Front>{{"planar", Front::planar}, {"circle", Front::circle}});
   add_number(
       line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},

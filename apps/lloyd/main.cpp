@@ -39,18 +39,18 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
   app::add_number(
       line,
       text("--tolerance",
-           fmt::format("Stop once an iteration lowers the energy by less than this part of it (default: {})",
+           fmt::format("Stop once an iteration lowers the energy by less than this fraction of it (default: {})",
                        options.energy_tolerance)),
       options.energy_tolerance, app::kNotNegative);
   app::add_number(line,
                   text("--move-tolerance", fmt::format("Stop once no generator is farther from its centroid than this "
-                                                       "part of the mean cell radius (default: {})",
+                                                       "fraction of the mean cell radius (default: {})",
                                                        options.move_tolerance)),
                   options.move_tolerance, app::kNotNegative);
   app::add_number(
       line,
-      text("--step",
-           fmt::format("Part of the way to its centroid that a generator goes, below 2 (default: {})", options.step)),
+      text("--step", fmt::format("Fraction of the way to its centroid that a generator moves, below 2 (default: {})",
+                                 options.step)),
       options.step, kStep);
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("alternating steps are reported once each, as sums, in the order of th
   REQUIRE(times.size() == 2);
   CHECK(times.begin().key() == "slow");
   CHECK(times["slow"].get<double>() >= 15);
-  CHECK(times["fast"].get<double>() >= 0);
+  CHECK(times.contains("fast"));
 }
 
 TEST_CASE("steps that never start are not reported, and none starts after a signal") {
