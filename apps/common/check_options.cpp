@@ -38,7 +38,7 @@ void check_method(const ComputeOptions& compute) {
     refuse("--chord-tolerance: only --method exact has one; choose it or leave --chord-tolerance out");
   }
   if (compute.chord_tolerance && *compute.chord_tolerance < kLeastChordTolerance) {
-    refuse(fmt::format("--chord-tolerance {}: below {} of a mean edge rounding errors are larger; give at least that",
+    refuse(fmt::format("--chord-tolerance {}: a bisector is known to {} mean edge lengths only; give at least that",
                        *compute.chord_tolerance, kLeastChordTolerance));
   }
 }

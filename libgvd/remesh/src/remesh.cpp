@@ -105,7 +105,7 @@ class Remesher {
     }
     const auto points = propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
     if (points.empty())
-      refuse(defects, "every place to add a generator is too close to another one: give other generators there");
+      refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     result_.generators.insert(result_.generators.end(), points.begin(), points.end());
     result_.added += static_cast<std::int64_t>(points.size());
   }

@@ -60,7 +60,7 @@ TEST_CASE("PLY: an element may continue on the next lines") {
   require_tetrahedron(parse(replaced(kPly, "3 0 3 1", "3 0\r\n3 1")));
   require_refused(replaced(wrapped, "3\n0\n3\n1", "3\n0\n9\n1"), MeshFormat::ply, "face 1 refers to vertex 9");
   require_refused(wrapped.substr(0, wrapped.size() - 2), MeshFormat::ply,
-                  "should have 3 entries, and the file has room for 2");
+                  "announces 3 entries, but the file has room for 2");
 }
 
 TEST_CASE("PLY: lists in binary files are skipped") {
@@ -112,7 +112,7 @@ TEST_CASE("PLY: bad data are refused with their line") {
   refused("3 0 3 1", "3 0 1.5 1", "file:16: face 1 refers to vertex 1.5");
   refused("3 0 3 1", "-3 0 3 1", "file:16: the list 'vertex_indices' should have -3 entries");
   refused("3 0 3 1", "4000000000 0 3 1",
-          "file:16: the list 'vertex_indices' should have 4000000000 entries, and the file has room");
+          "file:16: the list 'vertex_indices' announces 4000000000 entries, but the file has room");
   refused("face 4", "face 5", "the file ends after line 18, and face 4 of 5 is missing");
   refused("face 4", "face 4000000000", "promises 4000000000 of element 'face'");
   refused("face 4", "face 0", "no face");

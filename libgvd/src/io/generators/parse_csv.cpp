@@ -60,7 +60,8 @@ Columns read_header(const Fields& names, const ListLocation& location) {
 /// The entry of a row: the first of face, vertex and position that the row fills.
 GeneratorEntry read_row(const Columns& columns, const Fields& fields, const ListLocation& location) {
   if (fields.size() != columns.count) {
-    location.refuse(fmt::format("{} fields; the header has {}", fields.size(), columns.count));
+    location.refuse(
+        fmt::format("{} fields, but the header has {}; give as many as the header", fields.size(), columns.count));
   }
   const auto field = [&](std::ptrdiff_t column) {
     return column < 0 ? std::string_view() : fields[static_cast<std::size_t>(column)];

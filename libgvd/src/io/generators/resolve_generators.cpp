@@ -95,7 +95,7 @@ class Resolver {
       refuse(error.what());
     }
     if (options_.max_snap && closest.distance > *options_.max_snap) {
-      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it or allow more",
+      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise max_snap",
                          closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
@@ -112,8 +112,9 @@ class Resolver {
         kept.points.push_back(result_.points[i]);
         kept.snap_distance.push_back(result_.snap_distance[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, fmt::format("generator {} is in the same place as generator {} ({}); remove one, or merge them", i,
-                              twin, location(twin)));
+        refuse(i, fmt::format(
+                      "generator {} is in the same place as generator {} ({}); remove one, or set merge_coincident", i,
+                      twin, location(twin)));
       }
     }
     kept.merged = static_cast<std::int32_t>(first.size() - kept.points.size());

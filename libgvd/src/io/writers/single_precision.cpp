@@ -21,8 +21,8 @@ void check_single_precision(const Mesh& mesh, std::string_view format) {
   // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
   const double step = std::max<double>(largest * Float::epsilon(), Float::min());
   if (mesh.bbox_diagonal() <= step) {
-    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than their step", mesh.bbox_diagonal(),
-                       largest));
+    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+                       mesh.bbox_diagonal(), largest));
   }
 }
 

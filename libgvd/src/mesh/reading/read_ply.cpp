@@ -177,7 +177,7 @@ class BodyParser {
     const double count = source_.read(*property.count_type, property);
     if (!(count >= 0) || count != std::floor(count) || count > static_cast<double>(source_.most_entries())) {
       refuse(ErrorCode::unreadable_input,
-             fmt::format("the list '{}' should have {} entries, and the file has room for {}", property.name, count,
+             fmt::format("the list '{}' announces {} entries, but the file has room for {}", property.name, count,
                          source_.most_entries()),
              i);
     }
