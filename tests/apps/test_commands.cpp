@@ -115,7 +115,7 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
     require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
     require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
-                  "--chord-tolerance 1e-11: below 1e-10 of a mean edge");
+                  "--chord-tolerance 1e-11: a bisector is known to 1e-10 mean edge lengths only");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
     require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
     require_error(name, "- -n 5", 2, "--input-format");

@@ -36,8 +36,9 @@ TEST_CASE("a coordinate beyond a float's range is refused") {
 
 TEST_CASE("a mesh smaller than the step of floats is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(refusal(triangle(1, 1e9)), Contains("smaller than their step") && Contains("choose PLY"));
-  CHECK_THAT(refusal(triangle(1e-40, 0)), Contains("smaller than their step"));
+  CHECK_THAT(refusal(triangle(1, 1e9)),
+             Contains("smaller than the step between two of them") && Contains("choose PLY"));
+  CHECK_THAT(refusal(triangle(1e-40, 0)), Contains("smaller than the step between two of them"));
 }
 
 }  // namespace gvd::test
