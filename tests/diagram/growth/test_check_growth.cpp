@@ -254,7 +254,6 @@ TEST_CASE("real gaps: the check refuses every changed arc or node") {
     });
   }
   SECTION("a branch point out of its face") {
-    using Bary = std::array<double, 3>;
     for (const Bary& far : {Bary{3, -1, -1}, Bary{-1, 3, -1}, Bary{-1, -1, 3}, Bary{0.6, 0.6, -0.2}}) {
       require_refused(g, i, [&](GrownGap& grown, std::size_t k) {
         if (GapNode* node = node_of(grown, GapNode::Kind::branch, k)) return node->bary = far, true;
