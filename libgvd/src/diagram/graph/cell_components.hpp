@@ -15,10 +15,10 @@ namespace gvd {
 
 /// The connected components of every cell, by union-find over the pieces of the crossed faces.
 ///
-/// Vertices far from the bisectors need no look: one with label g that is not unsupported has a neighbour of label g
-/// nearer to g (see NearestLabels), so a chain of uncrossed edges connects it to the vertex of g. That chain may be
-/// missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex that growth
-/// moved. There vertices are loose: members of their own, united with their neighbours one by one.
+/// Vertices far from the bisectors need no look. A vertex of label g, unless it is unsupported, has a neighbour of
+/// label g that is nearer to g (see NearestLabels). So a chain of uncrossed edges connects it to the vertex of g. That
+/// chain may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex
+/// that growth moved. There vertices are loose: members of their own, united with their neighbours one by one.
 /// Cost: O(k) for k crossings, and 4 bytes a face.
 class CellComponents {
  public:

@@ -88,8 +88,8 @@ inline bool is_cycle_check_step(std::uint32_t crossed_faces) { return (crossed_f
 /// beats it.
 /// Windows wind round a thin tube as often as it is longer than thick. All these paths are equally long up to rounding,
 /// so that no comparison of lengths ends them. A path that winds repeats a cycle of faces. A cycle_check_face within
-/// the cycle is entered again one cycle later, and the last power of two comes no later than after twice the length of
-/// the cycle (Brent's cycle detection). The number of faces bounds all other repetitions.
+/// the cycle is entered again one cycle later. Such a face is chosen after at most twice the length of the cycle, since
+/// the steps are powers of two (Brent's cycle detection). The number of faces bounds all other repetitions.
 inline bool enters_face_twice(const WindowHistory& history, FaceId face, std::int32_t face_count) {
   return (face == history.cycle_check_face) | (static_cast<std::int32_t>(history.crossed_faces) >= face_count);
 }
