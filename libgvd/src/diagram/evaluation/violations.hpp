@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -10,9 +12,9 @@ namespace gvd {
 /// The findings of a check, one line each: "(property) element id: what is wrong".
 class Violations {
  public:
-  void add(int property, const std::string& text) { lines_.push_back("(" + std::to_string(property) + ") " + text); }
+  void add(int property, const std::string& text) { lines_.push_back(fmt::format("({}) {}", property, text)); }
   void add(int property, const char* element, std::size_t id, const std::string& text) {
-    add(property, std::string(element) + " " + std::to_string(id) + ": " + text);
+    lines_.push_back(fmt::format("({}) {} {}: {}", property, element, id, text));
   }
 
   bool empty() const { return lines_.empty(); }
