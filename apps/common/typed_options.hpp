@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,7 +20,7 @@ void add_number(CommandLine& line, OptionText option, Target& target, const Rang
   option.type = std::numeric_limits<T>::is_integer ? "N" : "NUMBER";
   line.add_value(option, [&target, range](const std::string& text) -> std::optional<std::string> {
     const std::optional<T> value = parse_number_in(text, range);
-    if (!value) return "'" + text + "' is not " + std::string(range.text);
+    if (!value) return fmt::format("'{}' is not {}", text, range.text);
     target = *value;
     return std::nullopt;
   });
@@ -40,7 +42,7 @@ void add_choice(CommandLine& line, OptionText option, Target& target, const Choi
       target = value;
       return std::optional<std::string>();
     }
-    return std::optional<std::string>("'" + text + "' is none of " + listed);
+    return std::optional<std::string>(fmt::format("'{}' is none of {}", text, listed));
   });
 }
 
