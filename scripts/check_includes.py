@@ -23,6 +23,9 @@ FLOORS = [
     ["libgvd/src/geodesic/field"],
     ["libgvd/src/geodesic/marching"],
     ["libgvd/src/geodesic/tracing", "libgvd/src/geodesic/sampling"],
+    ["libgvd/src/geodesic/windows/geometry"],
+    ["libgvd/src/geodesic/windows/field"],
+    ["libgvd/src/geodesic/windows/propagation"],
     ["libgvd/src/geodesic/windows"],
     ["libgvd/src/diagram/graph"],
     ["libgvd/src/diagram/assembly"],
@@ -33,7 +36,9 @@ FLOORS = [
     ["libgvd/src/io/view"],
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
     ["libgvd/remesh"],
-    ["apps/common"],
+    ["apps/common/options"],
+    ["apps/common/run"],
+    ["apps/common/steps"],
     ["apps/segment", "apps/lloyd", "apps/remesh"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}

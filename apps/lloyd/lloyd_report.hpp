@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/run.hpp"
+#include "common/run/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 

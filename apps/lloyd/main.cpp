@@ -4,13 +4,13 @@
 
 #include <limits>
 
-#include "common/build_diagram.hpp"
-#include "common/command.hpp"
-#include "common/load_input.hpp"
-#include "common/make_generators.hpp"
-#include "common/typed_options.hpp"
-#include "common/verify.hpp"
-#include "common/write_outputs.hpp"
+#include "common/options/typed_options.hpp"
+#include "common/run/command.hpp"
+#include "common/steps/build_diagram.hpp"
+#include "common/steps/load_input.hpp"
+#include "common/steps/make_generators.hpp"
+#include "common/steps/verify.hpp"
+#include "common/steps/write_outputs.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/lloyd.hpp"
 #include "lloyd/lloyd_report.hpp"

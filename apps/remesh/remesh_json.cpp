@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "common/diagram_members.hpp"
+#include "common/steps/diagram_members.hpp"
 
 namespace gvd::app {
 

@@ -1,11 +1,11 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 
-#include "common/build_diagram.hpp"
-#include "common/command.hpp"
-#include "common/load_input.hpp"
-#include "common/make_generators.hpp"
-#include "common/verify.hpp"
-#include "common/write_outputs.hpp"
+#include "common/run/command.hpp"
+#include "common/steps/build_diagram.hpp"
+#include "common/steps/load_input.hpp"
+#include "common/steps/make_generators.hpp"
+#include "common/steps/verify.hpp"
+#include "common/steps/write_outputs.hpp"
 #include "gvd/segment.hpp"
 #include "segment/segment_json.hpp"
 #include "segment/segment_report.hpp"

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "common/run.hpp"
+#include "common/run/run.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "geodesic/windows/collect_sources.hpp"
-#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/field/collect_sources.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/verify.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/exact_field.hpp"
 #include "support/catch.hpp"
 #include "support/exact_fields.hpp"

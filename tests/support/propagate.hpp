@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 
 namespace gvd::test {
 

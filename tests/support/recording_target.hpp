@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geodesic/windows/face_crossing.hpp"
+#include "geodesic/windows/propagation/face_crossing.hpp"
 
 namespace gvd::test {
 

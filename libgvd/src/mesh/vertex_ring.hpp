@@ -5,8 +5,8 @@
 namespace gvd {
 
 // All ways round a vertex of a `Mesh` are here. Two kinds of meshes have rings of their own, because they are not a
-// `Mesh`: the window propagation (geodesic/windows/vertex_fan.hpp), whose faces lie together for the cache's sake, and
-// the repair of soups, whose vertices may have several fans (mesh/repair/repair_nonmanifold_vertices.cpp).
+// `Mesh`: the window propagation (geodesic/windows/geometry/vertex_fan.hpp), whose faces lie together for the cache's
+// sake, and the repair of soups, whose vertices may have several fans (mesh/repair/repair_nonmanifold_vertices.cpp).
 
 /// From a halfedge that leaves a vertex to the one of the next face counter-clockwise; invalid at the boundary.
 inline HalfedgeId next_outgoing(const Mesh& mesh, HalfedgeId outgoing) { return mesh.twin(Mesh::previous(outgoing)); }

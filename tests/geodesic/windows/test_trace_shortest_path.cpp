@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "geodesic/windows/collect_sources.hpp"
-#include "geodesic/windows/propagate_windows.hpp"
+#include "geodesic/windows/field/collect_sources.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/trace_shortest_path.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"

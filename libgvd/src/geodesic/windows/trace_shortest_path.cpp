@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "geodesic/tracing/locate_in_face.hpp"
-#include "geodesic/windows/collect_sources.hpp"
-#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/field/collect_sources.hpp"
+#include "geodesic/windows/geometry/face_frames.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

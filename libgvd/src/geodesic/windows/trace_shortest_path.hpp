@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geodesic/windows/window_field.hpp"
+#include "geodesic/windows/field/window_field.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 

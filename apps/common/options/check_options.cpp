@@ -1,0 +1,142 @@
+#include "common/options/check_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "common/options/file_extension.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/view.hpp"
+
+namespace gvd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+void check_generator_source(const GeneratorOptions& generators) {
+  std::vector<std::string> given;
+  if (generators.count) given.push_back("-n");
+  if (!generators.file.empty()) given.push_back("--generators");
+  if (generators.vertices) given.push_back("--vertices");
+  if (generators.radius) given.push_back("--radius");
+  if (given.empty()) refuse("no generators: give one of -n, --generators, --vertices or --radius");
+  if (given.size() > 1) {
+    refuse(fmt::format("generators come from one option, not from {}: keep one", fmt::join(given, " and ")));
+  }
+}
+
+/// Refuses options that the chosen method would ignore.
+void check_method(const ComputeOptions& compute) {
+  if (compute.front && compute.method != Method::gbgvd) {
+    refuse("--front: only --method gbgvd has a front; add --method gbgvd or leave --front out");
+  }
+  if (compute.chord_tolerance && compute.method != Method::exact) {
+    refuse("--chord-tolerance: only --method exact has one; choose it or leave --chord-tolerance out");
+  }
+  if (compute.chord_tolerance && *compute.chord_tolerance < kLeastChordTolerance) {
+    refuse(fmt::format("--chord-tolerance {}: a bisector is known to {} mean edge lengths only; give at least that",
+                       *compute.chord_tolerance, kLeastChordTolerance));
+  }
+}
+
+/// Refuses options of features that this build lacks.
+void check_build(const Options& options) {
+#ifndef GVD_HAS_VERIFY
+  if (options.compute.verify) refuse("--verify: this build lacks it; configure with -DGVD_WITH_CGAL_GPL=ON");
+#endif
+  if (!options.output.view.empty() && !has_viewer()) {
+    refuse("--view: this build lacks the viewer; configure with -DGVD_WITH_VIEWER=ON");
+  }
+}
+
+/// Refuses, before the run starts, a target that can't be written.
+void check_target(const std::string& option, const std::string& path) {
+  std::error_code ignored;
+  const fs::path target(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (fs::is_directory(target, ignored)) {
+    throw Error(ErrorCode::unwritable_output, fmt::format("{} {}: is a directory; name a file", option, path));
+  }
+  if (!fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} {}: there is no directory {}; create it first", option, path, folder.string()));
+  }
+}
+
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it): no target may overwrite another.
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  const fs::path target = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  return failed ? path : target.string();
+}
+
+/// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
+/// symbolic and hard links are found.
+void check_not_read(const std::string& option, const std::string& path, const Options& options) {
+  const std::string input = options.input.path == "-" ? "/dev/stdin" : options.input.path;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return;
+  for (const std::string& read : {input, options.generators.file}) {
+    if (read.empty() || !fs::equivalent(path, read, ignored)) continue;
+    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
+  }
+}
+
+/// The targets of a run: each one is claimed once.
+class Targets {
+ public:
+  explicit Targets(const Options& options) : options_(options) {}
+
+  void claim(const std::string& option, const std::string& path) {
+    if (path.empty()) return;
+    if (!names_.insert(path == "-" ? path : one_name(path)).second) {
+      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
+    }
+    if (path != "-") {
+      check_target(option, path);
+      check_not_read(option, path, options_);
+    } else if (option != "-o") {
+      refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+    }
+  }
+
+ private:
+  const Options& options_;
+  std::set<std::string> names_;
+};
+
+void check_format(const std::string& file, const std::vector<std::string>& formats) {
+  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file == "-" || std::find(formats.begin(), formats.end(), file_extension(file)) != formats.end()) return;
+  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
+}
+
+void check_output(const Options& options, const std::vector<std::string>& formats) {
+  const OutputOptions& output = options.output;
+  Targets targets(options);
+  for (const std::string& file : output.files) {
+    check_format(file, formats);
+    targets.claim("-o", file);
+  }
+  targets.claim("--report", output.report);
+  targets.claim("--diagram", output.diagram);
+  targets.claim("--view", output.view);
+}
+
+}  // namespace
+
+void check_options(const Options& options, const std::vector<std::string>& output_formats) {
+  if (options.input.path == "-" && options.input.format.empty()) {
+    refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
+  }
+  check_generator_source(options.generators);
+  check_method(options.compute);
+  check_build(options);
+  check_output(options, output_formats);
+}
+
+}  // namespace gvd::app

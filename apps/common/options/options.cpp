@@ -1,0 +1,14 @@
+#include "common/options/options.hpp"
+
+namespace gvd::app {
+
+DiagramOptions make_diagram_options(const ComputeOptions& compute) {
+  DiagramOptions options;
+  options.method = compute.method;
+  options.front = compute.front.value_or(options.front);
+  options.chord_tolerance = compute.chord_tolerance.value_or(options.chord_tolerance);
+  options.threads = compute.threads;
+  return options;
+}
+
+}  // namespace gvd::app

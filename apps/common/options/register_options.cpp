@@ -1,0 +1,146 @@
+#include "common/options/register_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/options/typed_options.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd::app {
+namespace {
+
+constexpr Range<std::int32_t> kThreads{1, 4096, "a whole number from 1 to 4096"};
+
+// Headings of --help.
+constexpr const char *kInput = "Input", *kComputing = "Computing", *kOutput = "Output";
+constexpr const char* kGenerators = "Generators (exactly one of -n, --generators, --vertices, --radius)";
+
+/// Choices whose value is their name.
+Choices<std::string> self_named(const std::vector<std::string>& names) {
+  Choices<std::string> choices;
+  for (const std::string& name : names) choices.emplace_back(name, name);
+  return choices;
+}
+
+std::string join(const std::vector<std::string>& texts, const std::string& separator) {
+  std::string joined;
+  for (std::size_t i = 0; i < texts.size(); ++i) joined += (i > 0 ? separator : "") + texts[i];
+  return joined;
+}
+
+std::string trim(const std::string& text) {
+  constexpr const char* kBlanks = " \t\n\v\f\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+void register_input(CommandLine& line, InputOptions& input) {
+  add_text(line, {"INPUT", "", "The mesh: .obj, .ply, .off or .stl; - for standard input"}, input.path);
+  add_choice(line,
+             {"--input-format", "", "The input's format; needed with -, else told from content and extension", kInput},
+             input.format, self_named({"obj", "ply", "off", "stl"}));
+  add_choice(line,
+             {"--on-defect", "",
+              "What to do about defects of the mesh: refuse, repair what loses nothing (default), or repair and keep "
+              "the largest component",
+              kInput},
+             input.on_defect, self_named({"error", "repair", "largest"}));
+}
+
+/// Options that choose generators on the surface.
+void register_sampling(CommandLine& line, GeneratorOptions& generators) {
+  add_number(line, {"-n,--count", "", "Choose N generators", kGenerators}, generators.count, kCount);
+  add_choice(
+      line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, "-n"}, generators.sampling,
+      Choices<SamplingKind>{
+          {"farthest", SamplingKind::farthest}, {"random", SamplingKind::random}, {"poisson", SamplingKind::poisson}});
+  add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators}, generators.seed, kAnyWhole);
+}
+
+/// Options that list generators, and those for positions and coincident generators in a list.
+void register_lists(CommandLine& line, GeneratorOptions& generators) {
+  add_text(
+      line,
+      {"--generators", "FILE", "A list of generators: text, .csv or .json; see docs/guide/generators.md", kGenerators},
+      generators.file);
+  line.add_list({"--vertices", "LIST", "Vertices of the input file, from 0: 3,17,99", kGenerators},
+                [&generators](const std::vector<std::string>& lists) {
+                  generators.vertices = parse_vertex_list(join(lists, ","));
+                });
+  add_number(line,
+             {"--radius", "", "As many generators as leave no point farther than this, in mesh units", kGenerators},
+             generators.radius, kPositive);
+  add_number(
+      line,
+      {"--max-snap", "", "Refuse a point of --generators that is farther than this from the surface, in mesh units",
+       kGenerators, "--generators"},
+      generators.max_snap, kNotNegative);
+  line.add_flag({"--merge-coincident", "", "Keep one of several generators in the same place, instead of refusing them",
+                 kGenerators},
+                generators.merge_coincident);
+}
+
+void register_compute(CommandLine& line, ComputeOptions& compute) {
+  add_choice(line,
+             {"--method", "",
+              "How the diagram is built: of exact distances (default), or growth-based by fast marching", kComputing},
+             compute.method, Choices<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}});
+  add_number(line,
+             {"--chord-tolerance", "",
+              fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
+                          "(default: {}, at least {})",
+                          DiagramOptions{}.chord_tolerance, kLeastChordTolerance),
+              kComputing},
+             compute.chord_tolerance, kPositive);
+  add_choice(line, {"--front", "", "Front of --method gbgvd: the paper's planar one, or circles (default)", kComputing},
+             compute.front, Choices<Front>{{"planar", Front::planar}, {"circle", Front::circle}});
+  add_number(
+      line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},
+      compute.threads, kThreads);
+  line.add_flag({"--verify", "", "Measure the diagram's error against exact distances after the run", kComputing},
+                compute.verify);
+}
+
+void register_output(CommandLine& line, OutputOptions& output, const std::vector<std::string>& formats) {
+  line.add_list({"-o,--output", "FILE",
+                 "Write this file (." + join(formats, ", .") + "); may be repeated; - for standard output", kOutput},
+                [&output](const std::vector<std::string>& files) { output.files = files; });
+  output.stdout_format = formats.front();
+  add_choice(line, {"--output-format", "", "What -o - writes (default: " + formats.front() + ")", kOutput},
+             output.stdout_format, self_named(formats));
+  add_text(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
+  add_text(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
+  add_text(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);
+}
+
+}  // namespace
+
+std::vector<std::int64_t> parse_vertex_list(const std::string& text) {
+  std::vector<std::int64_t> indices;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const std::string field = trim(text.substr(start, comma - start));
+    const auto index = parse_number<std::int64_t>(field);
+    if (!index || *index < 0) {
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("--vertices: '{}' is no vertex index; write indices from 0, as in 3,17,99", field));
+    }
+    indices.push_back(*index);
+    start = comma + 1;
+  }
+  return indices;
+}
+
+void register_options(CommandLine& line, Options& options, const std::vector<std::string>& output_formats) {
+  register_input(line, options.input);
+  register_sampling(line, options.generators);
+  register_lists(line, options.generators);
+  register_compute(line, options.compute);
+  register_output(line, options.output, output_formats);
+  line.add_config({"--config", "FILE.toml", "Read options from this TOML file; the command line goes before it"});
+  line.add_flag({"-q,--quiet", "", "Say nothing but errors"}, options.quiet);
+  line.add_flag({"-v,--verbose", "", "Say what each step took"}, options.verbose);
+}
+
+}  // namespace gvd::app

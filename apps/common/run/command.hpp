@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/options/command_line.hpp"
+#include "common/options/options.hpp"
+#include "common/run/run.hpp"
+
+namespace gvd::app {
+
+struct CommandInfo {
+  std::string name;         ///< "gvd-segment"
+  std::string description;  ///< one sentence
+  std::string examples;     ///< for --help: one call a line
+  /// Extensions, without the dot, that `-o` takes. `-o -` writes the first one unless --output-format names another.
+  std::vector<std::string> output_formats;
+};
+
+/// A command: the shared options, its own options, and the way from main() to an exit code.
+///
+///     bool cut = false;
+///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply", "obj"}});
+///     command.line().add_flag({"--cut", "", "Split faces along the bisectors"}, cut);
+///     return command.run(argc, argv, [&](Run& run) { segment(run, cut); });
+class Command {
+ public:
+  explicit Command(CommandInfo info);
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
+  CommandLine& line() { return line_; }
+
+  /// Parses, runs `body` and returns the exit code: 0 where it returns; 2 to 6 and 130 for a gvd::Error of each code,
+  /// with its message in one line on standard error; 5 where memory runs out.
+  int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);
+
+ private:
+  CommandInfo info_;
+  Options options_;
+  CommandLine line_;
+};
+
+}  // namespace gvd::app

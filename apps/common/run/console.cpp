@@ -1,0 +1,98 @@
+#include "common/run/console.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace gvd::app {
+namespace {
+
+constexpr std::chrono::milliseconds kRedrawInterval{100};
+constexpr int kStepColumns = 24;
+constexpr int kPercentColumns = 7;  // "] 100 %"
+constexpr int kSmallestBar = 10;
+constexpr std::string_view kClearLine = "\r\x1b[K";
+
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+void write_stderr(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+ConsoleStyle detect_console_style() {
+  ConsoleStyle style;
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+  style.bars = ::isatty(STDERR_FILENO) == 1 && !dumb;
+  style.colours = style.bars && !is_set("NO_COLOR");
+  winsize size{};
+  if (style.bars && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
+  return style;
+}
+
+std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style) {
+  const double done_part = std::clamp(fraction, 0.0, 1.0);
+  const int percent = static_cast<int>(done_part * 100);
+  const int cells = style.width - 1 - kStepColumns - 2 - kPercentColumns;
+  if (cells < kSmallestBar) {
+    const int step_columns = std::max(0, style.width - 1 - 6);
+    return fmt::format("{} {:3} %", step.substr(0, static_cast<std::size_t>(step_columns)), percent);
+  }
+  const int filled = static_cast<int>(done_part * cells);
+  const std::string done(static_cast<std::size_t>(filled), '#');
+  const std::string rest(static_cast<std::size_t>(cells - filled), '.');
+  const std::string_view on = style.colours ? "\x1b[36m" : "", off = style.colours ? "\x1b[0m" : "";
+  return fmt::format("{:{}.{}} [{}{}{}{}] {:3} %", step, kStepColumns, kStepColumns, on, done, off, rest, percent);
+}
+
+Console::Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose)
+    : command_(std::move(command)), style_(style), quiet_(quiet), verbose_(verbose) {}
+
+Console::~Console() { clear_bar(); }
+
+void Console::line(std::string_view kind, std::string_view message) {
+  clear_bar();
+  std::string text = fmt::format("{}: {}{}", command_, kind, message);
+  // File names and messages of libraries may hold line breaks.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  write_stderr(text + '\n');
+}
+
+void Console::error(std::string_view message) { line("error: ", message); }
+
+void Console::note(std::string_view message) {
+  if (!quiet_) line("", message);
+}
+
+void Console::detail(std::string_view message) {
+  if (verbose_ && !quiet_) line("", message);
+}
+
+void Console::bar(std::string_view step, double fraction) {
+  if (!style_.bars || quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_draw_) return;
+  next_draw_ = now + kRedrawInterval;
+  write_stderr(fmt::format("{}{}", kClearLine, render_bar(step, fraction, style_)));
+  bar_drawn_ = true;
+}
+
+void Console::clear_bar() {
+  if (!bar_drawn_) return;
+  write_stderr(kClearLine);
+  bar_drawn_ = false;
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,44 @@
+#include "common/run/run.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace gvd::app {
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#ifdef __APPLE__
+  return usage.ru_maxrss;
+#else
+  return std::int64_t{1024} * usage.ru_maxrss;  // Linux counts in kibibytes
+#endif
+}
+
+Run::Run(const std::string& command, Options options, Console& console)
+    : options_(std::move(options)), console_(console), report_(command, options_) {}
+
+Progress Run::progress() {
+  return [this](std::string_view step, double fraction) {
+    console_.bar(step, fraction);
+    return !interrupt_requested();
+  };
+}
+
+void Run::report_time(std::string_view step, double milliseconds) {
+  console_.clear_bar();
+  console_.detail(fmt::format("{}: {:.1f} ms", step, milliseconds));
+  report_.set_time(step, milliseconds);
+}
+
+Run::Stopwatch::Stopwatch(Run& run, std::string_view step) : run_(run), step_(step) {
+  check_interrupt();
+  start_ = std::chrono::steady_clock::now();
+}
+
+Run::Stopwatch::~Stopwatch() {
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
+  run_.report_time(step_, taken.count());
+}
+
+}  // namespace gvd::app

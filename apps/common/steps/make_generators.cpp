@@ -1,0 +1,74 @@
+#include "common/steps/make_generators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gvd/generator_list.hpp"
+#include "gvd/sampling.hpp"
+
+namespace gvd::app {
+namespace {
+
+GeneratorList read_list(const GeneratorOptions& options) {
+  if (!options.vertices) return read_generators(options.file);
+  GeneratorList list{"--vertices", {}};
+  for (const std::int64_t vertex : *options.vertices) {
+    list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
+  }
+  return list;
+}
+
+void note_changes(Run& run, const ResolvedGenerators& resolved) {
+  double largest = -1;
+  for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
+  if (largest >= 0) run.console().note(fmt::format("generators: moved to the surface, by at most {}", largest));
+  if (resolved.merged > 0) run.console().note(fmt::format("generators: {} merged with earlier ones", resolved.merged));
+}
+
+ResolvedGenerators resolve(Run& run, const CheckedMesh& input) {
+  const GeneratorOptions& asked = run.options().generators;
+  ResolveOptions options;
+  options.input_vertices = &input.mesh_vertex;
+  options.max_snap = asked.max_snap;
+  options.merge_coincident = asked.merge_coincident;
+  options.progress = run.progress();
+  ResolvedGenerators resolved = resolve_generators(input.mesh, read_list(asked), options);
+  note_changes(run, resolved);
+  return resolved;
+}
+
+ResolvedGenerators sample(Run& run, const Mesh& mesh) {
+  const GeneratorOptions& asked = run.options().generators;
+  SamplingOptions options;
+  options.seed = asked.seed;
+  options.front = make_diagram_options(run.options().compute).front;
+  options.progress = run.progress();
+  if (asked.count) options.count = *asked.count;
+  if (asked.radius) options.radius = *asked.radius;
+  options.kind = asked.radius                              ? Sampling::covering_radius
+                 : asked.sampling == SamplingKind::random  ? Sampling::random
+                 : asked.sampling == SamplingKind::poisson ? Sampling::poisson
+                                                           : Sampling::farthest;
+  ResolvedGenerators sampled;
+  sampled.points = sample_generators(mesh, options);
+  sampled.snap_distance.resize(sampled.points.size());
+  return sampled;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
+  const GeneratorOptions& asked = run.options().generators;
+  const bool listed = asked.vertices || !asked.file.empty();
+  ResolvedGenerators found =
+      run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh); });
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    run.report().generators().push_back(
+        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+  }
+  run.console().detail(fmt::format("{} generators", found.points.size()));
+  return std::move(found.points);
+}
+
+}  // namespace gvd::app

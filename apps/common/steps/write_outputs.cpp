@@ -1,0 +1,84 @@
+#include "common/steps/write_outputs.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+#include "common/options/file_extension.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/diagram_json.hpp"
+
+namespace gvd::app {
+namespace {
+
+void write_stdout(const OutputWriter& write) {
+  std::cout.clear();
+  bool failed = false;
+  try {
+    write(std::cout);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::unwritable_output) throw;
+    failed = true;
+  }
+  if (failed || !std::cout.flush()) {
+    throw Error(ErrorCode::unwritable_output, "standard output: could not be written; is it full or closed?");
+  }
+}
+
+void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
+               const std::map<std::string, OutputWriter>& own_formats) {
+  const bool standard = path == "-";
+  const std::string format = standard ? run.options().output.stdout_format : file_extension(path);
+  const auto own = own_formats.find(format);
+  if (own != own_formats.end()) {
+    if (standard) return write_stdout(own->second);
+    return write_file(path, own->second, run.progress());
+  }
+  const auto known = parse_output_format(format);
+  if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
+  if (standard) return write_stdout([&](std::ostream& out) { write_mesh(out, mesh, *known); });
+  write_mesh(path, mesh, run.progress());
+}
+
+}  // namespace
+
+void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
+  const OutputOptions& output = run.options().output;
+  if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty()) {
+    run.console().note("no file is written; name one with -o, --report, --diagram or --view");
+  }
+  if (output.files.empty()) return;
+  run.timed("write", [&] {
+    for (const std::string& file : output.files) write_one(run, file, mesh, own_formats);
+  });
+}
+
+void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
+  const std::string& path = run.options().output.diagram;
+  if (path.empty()) return;
+  const auto write = [&](std::ostream& out) { write_diagram_json(out, mesh, diagram); };
+  run.timed("write diagram", [&] { write_file(path, write, run.progress()); });
+}
+
+void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
+  const std::string& path = run.options().output.view;
+  if (path.empty()) return;
+  ViewOptions options;
+  const std::string& input = run.options().input.path;
+  options.title = input == "-" ? title : title + ": " + std::filesystem::path(input).filename().string();
+  run.timed("write view", [&] {
+    const std::string page = make_view_page(make_scenes(), options);
+    write_file(
+        path, [&](std::ostream& out) { out << page; }, run.progress());
+  });
+}
+
+void write_report_file(Run& run) {
+  const std::string& path = run.options().output.report;
+  if (path.empty()) return;
+  check_interrupt();
+  run.report().set_peak_memory(peak_memory_bytes());
+  write_file(path, [&](std::ostream& out) { run.report().write(out); });
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/parallel_chunks.hpp"
+#include "geodesic/windows/field/block_list.hpp"
+#include "geodesic/windows/geometry/window.hpp"
+#include "gvd/diagram_steps.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// The windows that were kept on the edges of a mesh, by face and halfedge.
+class EdgeWindows {
+ public:
+  EdgeWindows() = default;
+  /// Windows of one halfedge stay in their order. No face may have windows in two lists: each list is sorted by one
+  /// thread. Cost: O(windows + faces).
+  EdgeWindows(std::vector<BlockList<Window>> lists, std::size_t faces, const ParallelChunks& parallel)
+      : first_(faces + 1, 0) {
+    std::vector<Chunk> ranges;
+    for (BlockList<Window>& list : lists) {
+      const std::size_t begin = windows_.append(std::move(list));
+      ranges.push_back({begin, windows_.size()});
+    }
+    const StepPart end{steps::kDistances};
+    parallel.run(ranges.size(), end, [&](std::size_t list) {
+      for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) ++first_[face(i) + 1];
+    });
+    for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
+    order_.resize(static_cast<std::size_t>(first_[faces]));
+    parallel.run(ranges.size(), end, [&](std::size_t list) {
+      for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) {
+        order_[static_cast<std::size_t>(first_[face(i)]++)] = static_cast<std::int32_t>(i);
+      }
+    });
+    for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
+    first_[0] = 0;
+  }
+
+  std::size_t size() const { return order_.size(); }
+
+  /// Calls visit(const Window&) for the windows on the three halfedges of face f: those that enter it, and on the
+  /// boundary those that end there.
+  template <class Visit>
+  void for_each(FaceId f, Visit visit) const {
+    for (std::int32_t i = first_[f.index()]; i < first_[f.index() + 1]; ++i) {
+      visit(windows_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])]);
+    }
+  }
+  /// The same for one halfedge.
+  template <class Visit>
+  void for_each(HalfedgeId h, Visit visit) const {
+    for_each(Mesh::face(h), [&](const Window& w) {
+      if (w.halfedge == h) visit(w);
+    });
+  }
+
+ private:
+  std::size_t face(std::size_t i) const { return Mesh::face(windows_[i].halfedge).index(); }
+
+  BlockList<Window> windows_;
+  std::vector<std::int32_t> first_;  // [face] index of its first window in order_
+  std::vector<std::int32_t> order_;  // indices of windows, by face
+};
+
+}  // namespace gvd

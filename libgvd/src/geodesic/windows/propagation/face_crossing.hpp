@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/windows/geometry/vertex_fan.hpp"
+#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/geometry/window_geometry.hpp"
+#include "geodesic/windows/propagation/distance_labels.hpp"
+
+namespace gvd {
+
+/// An edge that a window has come to, in the window's frame.
+struct WindowEdge {
+  double length;
+  VertexCopyId start, end;
+  HalfedgeId behind;  ///< of the face that the window leaves
+};
+
+/// The edge of a window that leaves face f by the halfedge `side` (0 to 2), of which corner `next` is the end.
+inline WindowEdge exit_edge(const FaceFrame& f, HalfedgeId behind, std::size_t side, std::size_t next) {
+  return {f.length[side], f.vertex[next], f.vertex[side], behind};
+}
+
+/// The halfedge by which windows enter a face, and the corners of the face as seen from there.
+struct FaceEntry {
+  const FaceFrame& frame;
+  HalfedgeId halfedge;
+  std::size_t start, end, top;  ///< corners; the halfedge leads from `start` to `end`, and the apex is at `top`
+
+  FaceEntry(const FaceFrames& frames, HalfedgeId h)
+      : frame(frames.frame[Mesh::face(h)]),
+        halfedge(h),
+        start(static_cast<std::size_t>(Mesh::corner(h))),
+        end((start + 1) % 3),
+        top((start + 2) % 3) {}
+
+  /// The halfedge of the face that leaves a corner.
+  HalfedgeId leaving(std::size_t corner) const {
+    return HalfedgeId(halfedge.value() + static_cast<std::int32_t>(corner) - static_cast<std::int32_t>(start));
+  }
+};
+
+/// Carries a window across the face that it enters: offers paths to the apex, and splits the window at the apex.
+///
+/// Source: Chen and Han (1990); the gaps that rounding opens are closed as window_geometry.hpp says.
+class FaceCrossing {
+ public:
+  /// `apex_path`: of each halfedge, the best straight path across it to the apex; read only if there are needles.
+  /// All have to outlive this.
+  FaceCrossing(const FaceFrames& frames, const DistanceLabels& labels, IdVector<HalfedgeId, ApexPath>& apex_path)
+      : labels_(labels),
+        apex_path_(apex_path),
+        has_needles_(frames.has_needles),
+        has_thin_faces_(frames.has_thin_faces),
+        drift_(kRounding / frames.least_sine),
+        kinds_(frames.kind) {}
+
+  /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
+  /// target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for each of the two sides that the
+  /// window continues to. At the boundary these windows have no valid halfedge.
+  /// Always inlined: it belongs to the innermost loop.
+  template <class Target>
+  [[gnu::always_inline]] void cross(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
+    const Window& w = entering.window;
+    const FaceFrame& f = entry.frame;
+    const ApexView apex(w, f.length[entry.top] * f.cosine[entry.start], f.length[entry.top] * f.sine[entry.start]);
+    Exits exits{!apex.all_right(), !apex.all_left()};
+    if (apex.covered() || is_grazed(w, apex, f.length[entry.start]) ||
+        (has_thin_faces_ && is_in_gap(w, apex, drift_))) {
+      const double image_distance = std::sqrt(apex.squared_image_distance(w));
+      reach_apex(w, entry, apex, image_distance, target);
+      if (has_needles_ && apex.covered()) exits = split_at_apex(w, entry, apex, image_distance);
+    }
+    if (std::isinf(labels_.distance[f.vertex[entry.top]])) reach_apex_along_sides(entry, target);
+    leave(entering, entry, apex, exits, target);
+  }
+
+ private:
+  /// Hands the sub-windows on. If the apex is flat and splits the window, the two may be joined again behind it.
+  template <class Target>
+  void leave(const PropagatedWindow& entering, const FaceEntry& entry, const ApexView& apex, const Exits& exits,
+             Target& target) {
+    constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
+    const FaceFrame& f = entry.frame;
+    const std::uint32_t split = kinds_[f.vertex[entry.top]] == VertexKind::flat ? kBegin | kEnd : 0;
+    const std::uint32_t joinable = entering.history.joinable_ends;
+    WindowHistory history = entering.history;
+    if (has_thin_faces_ && is_cycle_check_step(++history.crossed_faces)) {
+      history.cycle_check_face = Mesh::face(entry.halfedge);
+    }
+    if (exits.left) {
+      const std::uint32_t at_end = apex.all_left() ? joinable : split;
+      history.joinable_ends = ((joinable & kBegin) | (at_end & kEnd)) & 3u;
+      target.enqueue_on_edge(cross_left(entering.window, f, entry.start, apex), history,
+                             exit_edge(f, entry.leaving(entry.top), entry.top, entry.start));
+    }
+    if (exits.right) {
+      const std::uint32_t at_begin = apex.all_right() ? joinable : split;
+      history.joinable_ends = ((at_begin & kBegin) | (joinable & kEnd)) & 3u;
+      target.enqueue_on_edge(cross_right(entering.window, f, entry.start, apex), history,
+                             exit_edge(f, entry.leaving(entry.end), entry.end, entry.top));
+    }
+  }
+
+  /// The sides of the face that a window which covers the apex continues to.
+  Exits split_at_apex(const Window& w, const FaceEntry& entry, const ApexView& apex, double image_distance) {
+    const ApexPath own{w.offset + image_distance, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
+    const double tolerance = kSameImage * image_distance + kRounding * entry.frame.length[entry.start];
+    return exits_beside(apex_path_[entry.halfedge], own, tolerance);
+  }
+
+  /// Offers the straight path from the window's image to the apex.
+  template <class Target>
+  void reach_apex(const Window& w, const FaceEntry& entry, const ApexView& apex, double image_distance,
+                  Target& target) {
+    const FaceFrame& f = entry.frame;
+    const double d = w.offset + image_distance;
+    if (!labels_.is_improved_by(f.vertex[entry.top], d, w.generator)) return;
+    // The direction back to the image, turned from the side that leads from the apex to the edge's start.
+    const double back_x = (w.x - apex.x) / image_distance, back_y = (-w.depth - apex.y) / image_distance;
+    const double cosine = f.cosine[entry.start], sine = f.sine[entry.start];
+    const Rotation angle{-cosine * back_x - sine * back_y, -cosine * back_y + sine * back_x};
+    target.reach_vertex(f.vertex[entry.top], {d, w.generator, {entry.leaving(entry.top), angle}});
+  }
+
+  /// Offers the paths along the two sides to an apex that has no path yet. So no window is ever on an edge of which an
+  /// end has no distance: no filter could drop it. This makes the propagation end, whatever rounding does.
+  template <class Target>
+  void reach_apex_along_sides(const FaceEntry& entry, Target& target) {
+    const FaceFrame& f = entry.frame;
+    const VertexCopyId start = f.vertex[entry.start], end = f.vertex[entry.end], top = f.vertex[entry.top];
+    const HalfedgeId outgoing = entry.leaving(entry.top);
+    target.reach_vertex(top, {labels_.distance[start] + f.length[entry.top], labels_.label[start], {outgoing, {}}});
+    const Rotation corner{f.cosine[entry.top], f.sine[entry.top]};
+    target.reach_vertex(top, {labels_.distance[end] + f.length[entry.end], labels_.label[end], {outgoing, corner}});
+  }
+
+  const DistanceLabels& labels_;
+  IdVector<HalfedgeId, ApexPath>& apex_path_;
+  bool has_needles_;     // other meshes keep no ApexPath
+  bool has_thin_faces_;  // other meshes count no faces and look for no gaps
+  double drift_;         // of the directions of paths by rounding, radians
+  const IdVector<VertexCopyId, VertexKind>& kinds_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/windows/geometry/propagation_ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// The mesh cut into compact partitions of about equal size, in which windows are propagated at the same time.
+///
+/// A partition owns its faces and their halfedges. A vertex whose faces lie in several partitions has a copy in each of
+/// them, with a distance and a label. So no partition ever reads what another one writes. The frames of the faces refer
+/// to these copies.
+///
+/// The cut depends on the mesh alone: vertices are sorted into boxes, and a face belongs to the box of its first
+/// corner.
+/// Memory: 1 byte a face; with several partitions, 4 a vertex and 24 for each copy of a shared one.
+class MeshPartitions {
+ public:
+  struct VertexCopy {
+    VertexCopyId vertex;
+    PartitionId partition;
+  };
+
+  /// Lets the frames refer to vertex copies, and gives each copy its vertex's kind. Cost: O(n).
+  /// `partition_faces` >= 1: about so many faces make a partition, of which there are kMaxPartitions at the most.
+  MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames);
+  MeshPartitions(const MeshPartitions&) = delete;
+  MeshPartitions& operator=(const MeshPartitions&) = delete;
+
+  /// Larger meshes get larger partitions, so that vertex copies, queues and mailboxes stay few.
+  static constexpr std::int32_t kMaxPartitions = 64;
+
+  std::int32_t count() const { return count_; }
+  /// Number of vertex copies, those of unshared vertices included.
+  std::size_t copy_count() const { return copy_count_; }
+  PartitionId of_face(FaceId f) const { return PartitionId(of_face_[f.value()]); }
+  PartitionId of_halfedge(HalfedgeId h) const { return PartitionId(of_face_[h.value() / 3]); }
+
+  /// Number of a copy among those of shared vertices; invalid if the vertex belongs to one partition alone.
+  SharedCopyId shared(VertexCopyId v) const { return count_ == 1 ? SharedCopyId() : shared_[v]; }
+  /// Number of copies of shared vertices.
+  std::size_t shared_count() const { return copies_.size(); }
+  /// All copies of the vertex that a shared copy belongs to; the first copy comes first.
+  std::span<const VertexCopy> copies(SharedCopyId shared) const {
+    const Range& range = range_[shared];
+    return {copies_.raw().data() + range.begin, copies_.raw().data() + range.end};
+  }
+  /// The vertex that a copy belongs to.
+  VertexId vertex(VertexCopyId v) const {
+    const SharedCopyId number = shared(v);
+    return VertexId((number.valid() ? copies(number).front().vertex : v).value());
+  }
+
+ private:
+  struct Range {
+    std::int32_t begin, end;
+  };
+  /// A face's corner at a vertex whose first copy belongs to another partition.
+  struct ForeignCorner {
+    VertexId vertex;
+    PartitionId partition;
+    HalfedgeId halfedge;
+  };
+  using PartitionOfVertex = IdVector<VertexId, std::uint8_t>;
+
+  std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh, const PartitionOfVertex& partition_of_vertex);
+  void add_copies(const std::vector<ForeignCorner>& corners, const PartitionOfVertex& partition_of_vertex);
+  void add_copy(VertexCopyId vertex, PartitionId partition);
+  void enter_copies(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const;
+
+  std::int32_t count_;
+  std::size_t copy_count_;
+  std::vector<std::uint8_t> partitions_;         // [face]
+  const std::uint8_t* of_face_;                  // the same: one indirection less in the innermost loop
+  IdVector<VertexCopyId, SharedCopyId> shared_;  // invalid where the vertex is not shared
+  IdVector<SharedCopyId, VertexCopy> copies_;    // those of one vertex one after the other
+  IdVector<SharedCopyId, Range> range_;          // of the copies of the same vertex
+};
+
+}  // namespace gvd

@@ -1,0 +1,228 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/bucket_queue.hpp"
+#include "base/prefetch.hpp"
+#include "geodesic/windows/field/block_list.hpp"
+#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/propagation/face_crossing.hpp"
+#include "geodesic/windows/propagation/partition_exchange.hpp"
+#include "geodesic/windows/propagation/propagation_state.hpp"
+#include "geodesic/windows/propagation/pseudo_sources.hpp"
+#include "geodesic/windows/propagation/queue_item.hpp"
+#include "geodesic/windows/propagation/vertex_events.hpp"
+#include "geodesic/windows/propagation/waiting_windows.hpp"
+#include "geodesic/windows/propagation/window_pruning.hpp"
+
+namespace gvd {
+
+/// The propagation in one partition of the mesh: its queue, and the rules by which paths and windows enter it.
+///
+/// What leads across a face is computed by FaceCrossing, what starts at a vertex by PseudoSources, and what comes from
+/// other partitions by PartitionExchange. All three hand paths and windows to this class. Partitions may work on
+/// several threads, each thread on one of them at a time. See propagate_windows.hpp.
+class PartitionPropagator {
+ public:
+  /// `state` has to outlive this.
+  PartitionPropagator(PropagationState& state, PartitionId own)
+      : frames_(state.frames),
+        labels_(state.labels),
+        has_needles_(frames_.has_needles),
+        has_thin_faces_(frames_.has_thin_faces),
+        exchange_(state.partitions, state.mailboxes, state.last_sent, own),
+        sources_(state.mesh, frames_, state.partitions, own),
+        crossing_(frames_, labels_, state.apex_path),
+        queue_(state.bucket_width, state.bucket_count),
+        waiting_(state.first_waiting, state.bucket_width),
+        pruning_(state, exchange_) {}
+  PartitionPropagator(const PartitionPropagator&) = delete;
+  PartitionPropagator& operator=(const PartitionPropagator&) = delete;
+
+  /// Before the first round: makes a vertex copy a generator at this distance, unless it has a shorter path.
+  void start_vertex(VertexCopyId v, GeneratorId g, double d) {
+    if (!(d < labels_.distance[v])) return;
+    labels_.distance[v] = d;
+    labels_.label[v] = g;
+    push_event({v, true, {d, g, {}}});
+  }
+
+  /// Takes the messages of the last round, and then all that waits in the current bucket of the queue. `settled`: no
+  /// window in the whole mesh that has still to be carried holds a distance below it.
+  void run_round(double settled) {
+    settled_ = settled;
+    exchange_.receive(*this);
+    while (queue_.front_size() > 0) {
+      const QueueItem item = queue_.pop();
+      look_ahead();
+      if (item.is_halfedge()) {
+        cross_halfedge(item.halfedge());
+      } else {
+        send_from_vertex(item.event());
+      }
+    }
+  }
+  /// While no partition runs and no message for the current bucket is left: advances by `steps` buckets, of which none
+  /// but the last one holds anything. `settled` as above.
+  void end_bucket(double settled, std::size_t steps) {
+    pruning_.review_border(settled);
+    // With an empty queue nothing waits, and other partitions can use the memory. Only after much work, compared with
+    // which the cost of visiting all buckets is negligible.
+    if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
+    queue_.advance(steps);
+  }
+
+  /// Number of items in the current bucket, without messages.
+  std::size_t waits_now() const { return queue_.front_size(); }
+  /// Whether anything waits in the queue.
+  bool waits() const { return !queue_.empty(); }
+  /// Number of buckets to the next one that holds anything.
+  std::size_t steps_to_next() const { return queue_.steps_to_next(); }
+  /// The least key of the current bucket.
+  double front() const { return queue_.front(); }
+  /// After the last round of all partitions: returns all windows of the partition that are kept.
+  BlockList<Window> finish() { return pruning_.finish(); }
+  std::int64_t carried() const { return carried_; }     ///< windows carried across a face
+  std::int64_t events() const { return events_sent_; }  ///< vertices that sent windows
+
+  /// From FaceCrossing and PseudoSources: a path to a vertex. A path that is better than the known one is sent to the
+  /// other partitions with a copy of v. If paths can bend at v, v will send windows.
+  void reach_vertex(VertexCopyId v, const VertexPath& path) {
+    if (!labels_.is_improved_by(v, path.distance, path.generator)) return;
+    take_path(v, path);
+    exchange_.send_path(v, path);
+  }
+
+  /// From FaceCrossing, PseudoSources and the exchange: a window that comes to an edge. It is queued or handed to the
+  /// partition beyond the edge, unless the filters show that it holds no shortest path.
+  void enqueue_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
+    const bool by_start = is_beaten_by_start(w, labels_.distance[edge.start]);
+    const bool by_end = is_beaten_by_end(w, labels_.distance[edge.end], edge.length);
+    if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be predicted cost more
+    if (has_needles_ && is_left_to_ends(w, edge)) return;
+    if (!w.halfedge.valid()) {
+      Window ending = w;
+      ending.halfedge = edge.behind;
+      keep(ending, edge.start, edge.end);
+      return;
+    }
+    const double key = w.offset + w.least_image_distance();
+    if (!exchange_.is_own(w.halfedge)) [[unlikely]] {
+      exchange_.send_window(w, history, key);
+    } else if (waiting_.add(w, history, edge.length, key)) {
+      queue_.push(key, QueueItem(w.halfedge));
+    }
+  }
+
+  void receive_multi_label_face(FaceId f) { pruning_.mark_own_face(f); }
+  /// A path to vertex copy v that another partition found. Each copy takes the first of all paths that are the best of
+  /// any copy, in the order of is_before, and of one generator's paths the shortest. So all copies agree to the last
+  /// bit in the end.
+  void receive_path(VertexCopyId v, const VertexPath& path) {
+    const bool is_shorter_by_rounding = path.generator == labels_.label[v] && path.distance < labels_.distance[v];
+    if (is_shorter_by_rounding || labels_.is_improved_by(v, path.distance, path.generator)) take_path(v, path);
+  }
+  void receive_window(const PropagatedWindow& received) {
+    const FaceEntry entry(frames_, received.window.halfedge);
+    const FaceFrame& f = entry.frame;
+    enqueue_on_edge(received.window, received.history,
+                    {f.length[entry.start], f.vertex[entry.start], f.vertex[entry.end], HalfedgeId()});
+  }
+
+ private:
+  /// Prefetches what the next items of the queue will need: first the addresses, then what they lead to. Without it,
+  /// half of the time would be spent waiting for memory.
+  void look_ahead() const {
+    constexpr std::size_t kFar = 6, kNear = 3;
+    if (const QueueItem* far = queue_.ahead(kFar); far != nullptr && far->is_halfedge()) {
+      const FaceFrame& f = frames_.frame[Mesh::face(far->halfedge())];
+      waiting_.prefetch_list(far->halfedge());
+      prefetch(f.length.data());
+      prefetch(f.vertex.data());
+    }
+    if (const QueueItem* near = queue_.ahead(kNear); near != nullptr && near->is_halfedge()) {
+      waiting_.prefetch_windows(near->halfedge());
+      const FaceFrame& f = frames_.frame[Mesh::face(near->halfedge())];
+      for (std::size_t i = 0; i < 3; ++i) {
+        prefetch(&labels_.distance[f.vertex[i]]);
+        if (f.twin[i].valid()) waiting_.prefetch_list(f.twin[i]);
+      }
+    }
+  }
+
+  void cross_halfedge(HalfedgeId h) {
+    const FaceEntry entry(frames_, h);
+    const auto faces = static_cast<std::int32_t>(frames_.frame.size());
+    const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
+      if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
+      keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
+      ++carried_;
+      crossing_.cross(entering, entry, *this);
+    };
+    waiting_.take(h, cross);
+  }
+
+  void send_from_vertex(VertexEventId id) {
+    const VertexEvent event = events_.take(id);
+    const VertexCopyId v = event.vertex;
+    // A better path has come since.
+    if (event.path.distance > labels_.distance[v] || event.path.generator != labels_.label[v]) return;
+    if (!exchange_.record_sending(v, event.path)) return;
+    events_sent_ += static_cast<std::int64_t>(sources_.is_first_copy(v));
+    sources_.send(event, *this);
+  }
+
+  void take_path(VertexCopyId v, const VertexPath& path) {
+    labels_.distance[v] = path.distance;
+    if (labels_.label[v] != path.generator) {
+      if (labels_.label[v].valid()) pruning_.mark_vertex(path.back.halfedge);
+      labels_.label[v] = path.generator;
+    }
+    const VertexKind kind = frames_.kind[v];
+    if (kind >= VertexKind::saddle) push_event({v, kind == VertexKind::ambiguous, path});
+  }
+
+  void push_event(const VertexEvent& event) { queue_.push(event.path.distance, QueueItem(events_.add(event))); }
+
+  bool is_left_to_ends(const Window& w, const WindowEdge& edge) const {
+    return (frames_.kind[edge.start] == VertexKind::ambiguous &&
+            is_left_to_vertex(w.offset, labels_.distance[edge.start], w.end, w.squared_image_distance(w.end))) ||
+           (frames_.kind[edge.end] == VertexKind::ambiguous &&
+            is_left_to_vertex(w.offset, labels_.distance[edge.end], edge.length - w.begin,
+                              w.squared_image_distance(w.begin)));
+  }
+
+  /// Keeps a window on the edge between two vertex copies, if the options ask for that.
+  [[gnu::always_inline]] void keep(const Window& w, VertexCopyId start, VertexCopyId end) {
+    const bool other_start = labels_.has_other_label(start, w.generator);
+    const bool other_end = labels_.has_other_label(end, w.generator);
+    if (other_start || other_end) pruning_.mark_edge(w.halfedge);
+    pruning_.add(w, settled_);
+  }
+
+  void release() {
+    waiting_.release();
+    queue_.release();
+    events_.release();
+    carried_before_ = carried_;
+  }
+
+  const FaceFrames& frames_;
+  DistanceLabels& labels_;
+  bool has_needles_;     // meshes without needles look no kinds up
+  bool has_thin_faces_;  // other meshes look for no faces that are entered twice
+  PartitionExchange exchange_;
+  PseudoSources sources_;
+  FaceCrossing crossing_;
+  BucketQueue<QueueItem> queue_;
+  WaitingWindows waiting_;
+  VertexEvents events_;
+  WindowPruning pruning_;
+  double settled_ = 0;
+  std::int64_t carried_ = 0, events_sent_ = 0;
+  std::int64_t carried_before_ = 0;  // carried_ at the last `release`
+};
+
+}  // namespace gvd

@@ -1,0 +1,106 @@
+#include "geodesic/windows/propagation/propagate_windows.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "geodesic/windows/propagation/partition_propagator.hpp"
+#include "geodesic/windows/propagation/propagation_rounds.hpp"
+#include "gvd/diagram_steps.hpp"
+
+namespace gvd {
+namespace {
+
+/// The propagation in all partitions.
+class Propagation {
+ public:
+  Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
+      : progress_(progress), parallel_(options.threads, silent_), state_(mesh, options, parallel_) {
+    for (std::int32_t i = 0; i < state_.partitions.count(); ++i) {
+      partitions_.push_back(std::make_unique<PartitionPropagator>(state_, PartitionId(i)));
+    }
+  }
+
+  void start(VertexId v, GeneratorId g, double d) {
+    const MeshPartitions& partitions = state_.partitions;
+    const SharedCopyId shared = partitions.shared(first_copy(v));
+    if (!shared.valid()) {
+      propagator(partitions.of_halfedge(state_.mesh.halfedge(v))).start_vertex(first_copy(v), g, d);
+      return;
+    }
+    for (const MeshPartitions::VertexCopy& copy : partitions.copies(shared)) {
+      propagator(copy.partition).start_vertex(copy.vertex, g, d);
+    }
+  }
+
+  WindowField run() {
+    PropagationRounds<PartitionPropagator>(partitions_, state_.mailboxes, state_.bucket_width, parallel_).run([&] {
+      report();
+    });
+    WindowField field;
+    for (const auto& partition : partitions_) {
+      field.carried += partition->carried();
+      field.events += partition->events();
+    }
+    field.windows = collect_windows();
+    take_labels(field);
+    return field;
+  }
+
+ private:
+  PartitionPropagator& propagator(PartitionId i) { return *partitions_[i.index()]; }
+
+  /// Reports once every kProgressStride windows: there can be many short rounds.
+  void report() {
+    std::int64_t carried = 0;
+    for (const auto& partition : partitions_) carried += partition->carried();
+    if (carried < next_report_) return;
+    next_report_ = carried + kProgressStride;
+    const double share = static_cast<double>(carried) / (10.0 * state_.mesh.face_count());
+    report_progress(progress_, steps::kDistances, share / (1 + share));
+  }
+
+  EdgeWindows collect_windows() {
+    std::vector<BlockList<Window>> kept(partitions_.size());
+    parallel_.run(partitions_.size(), {steps::kDistances}, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
+    return EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
+  }
+
+  /// Takes the distances and labels of the vertices: those of their first copies. Labels of vertices without a path
+  /// are provisional.
+  void take_labels(WindowField& field) {
+    field.distance = IdVector<VertexId, double>(std::move(state_.labels.distance.raw()));
+    field.label = IdVector<VertexId, GeneratorId>(std::move(state_.labels.label.raw()));
+    field.distance.resize(static_cast<std::size_t>(state_.mesh.vertex_count()));
+    field.label.resize(field.distance.size());
+    for (std::int32_t i = 0; i < state_.mesh.vertex_count(); ++i) {
+      if (std::isinf(field.distance[VertexId(i)])) field.label[VertexId(i)] = GeneratorId();
+    }
+  }
+
+  static constexpr std::int64_t kProgressStride = 1 << 14;
+
+  const Progress& progress_;
+  const Progress silent_;
+  const ParallelChunks parallel_;
+  PropagationState state_;
+  std::vector<std::unique_ptr<PartitionPropagator>> partitions_;
+  std::int64_t next_report_ = kProgressStride;
+};
+
+}  // namespace
+
+WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
+                              const PropagationOptions& options, const Progress& progress) {
+  report_progress(progress, steps::kDistances, 0);
+  Propagation propagation(mesh, options, progress);
+  for (std::size_t g = 0; g < generators.size(); ++g) {
+    propagation.start(generators[g], GeneratorId(static_cast<std::int64_t>(g)),
+                      options.offsets.empty() ? 0 : options.offsets[g]);
+  }
+  return propagation.run();
+}
+
+}  // namespace gvd

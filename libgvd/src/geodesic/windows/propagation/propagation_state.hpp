@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/parallel_chunks.hpp"
+#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/propagation/distance_labels.hpp"
+#include "geodesic/windows/propagation/mesh_partitions.hpp"
+#include "geodesic/windows/propagation/partition_exchange.hpp"
+#include "geodesic/windows/propagation/partition_messages.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// What is known of the distances in a face.
+enum class FaceState : std::uint8_t {
+  open,
+  single_label,  ///< they are settled and have one label
+  multi_label,   ///< they have several labels, or had so at some time
+};
+
+/// What the partitions of the mesh share. While they work, each one uses only what belongs to its faces and to its
+/// vertex copies.
+struct PropagationState {
+  PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);
+
+  const Mesh& mesh;
+  KeepWindows keep;
+  FaceFrames frames;
+  MeshPartitions partitions;
+  DistanceLabels labels;
+  Mailboxes mailboxes;
+  double bucket_width;  // of the partitions' queues
+  std::size_t bucket_count;
+  IdVector<HalfedgeId, std::int32_t> first_waiting;  // of WaitingWindows
+  IdVector<HalfedgeId, ApexPath> apex_path;          // across the halfedge; empty if there are no needles
+  IdVector<FaceId, FaceState> face_state;            // empty unless windows near bisectors are kept
+  IdVector<SharedCopyId, LastSent> last_sent;
+};
+
+}  // namespace gvd

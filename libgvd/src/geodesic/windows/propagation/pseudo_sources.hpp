@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geodesic/windows/geometry/vertex_fan.hpp"
+#include "geodesic/windows/propagation/face_crossing.hpp"
+#include "geodesic/windows/propagation/mesh_partitions.hpp"
+#include "geodesic/windows/propagation/vertex_events.hpp"
+
+namespace gvd {
+
+/// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or where
+/// shortest paths that arrive can continue (VertexFan).
+class PseudoSources {
+ public:
+  /// All have to outlive this.
+  PseudoSources(const Mesh& mesh, const FaceFrames& frames, const MeshPartitions& partitions, PartitionId own)
+      : mesh_(mesh), frames_(frames), partitions_(partitions), own_(own), fan_(frames) {}
+
+  /// Whether this is the first copy of its vertex.
+  bool is_first_copy(VertexCopyId v) const { return v.value() < mesh_.vertex_count(); }
+
+  /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for neighbours that the vertex reaches along a side,
+  /// and target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for windows.
+  template <class Target>
+  void send(const VertexEvent& event, Target& target) const {
+    if (event.all_round) {
+      send_all_round(event, target);
+      return;
+    }
+    const FanRay left = fan_.straight_left(event.path.back), right = fan_.straight_right(event.path.back);
+    if (frames_.kind[event.vertex] == VertexKind::saddle) {
+      if (left.valid() && right.valid()) {
+        send_between(event, left, right, target);
+      } else {
+        send_all_round(event, target);  // rounding hides the straight continuation
+      }
+    } else {
+      if (left.valid()) send_between(event, left, {}, target);
+      if (right.valid()) send_between(event, {}, right, target);
+    }
+  }
+
+ private:
+  template <class Target>
+  void send_all_round(const VertexEvent& event, Target& target) const {
+    const HalfedgeId start = mesh_.halfedge(partitions_.vertex(event.vertex));
+    HalfedgeId h = start;
+    do {
+      send_into(event, {h, nullptr, nullptr}, target);
+      h = fan_.left_of(h);
+    } while (h.valid() && h != start);
+  }
+
+  /// Sends windows from `first` counter-clockwise to `last`; an invalid ray stands for the boundary.
+  template <class Target>
+  void send_between(const VertexEvent& event, const FanRay& first, const FanRay& last, Target& target) const {
+    if (first.valid()) {
+      for (HalfedgeId h = first.halfedge; h.valid(); h = fan_.left_of(h)) {
+        const bool ends = last.valid() && h == last.halfedge;
+        send_into(event, {h, h == first.halfedge ? &first.angle : nullptr, ends ? &last.angle : nullptr}, target);
+        if (ends) return;
+      }
+    } else {
+      for (HalfedgeId h = last.halfedge; h.valid(); h = fan_.right_of(h)) {
+        send_into(event, {h, nullptr, h == last.halfedge ? &last.angle : nullptr}, target);
+      }
+    }
+  }
+
+  /// Sends a window through a sector of a face, and paths along those sides of the face that bound the sector.
+  /// The faces of other partitions are left to the events of the vertex's copies there.
+  template <class Target>
+  void send_into(const VertexEvent& event, const FanSector& sector, Target& target) const {
+    const HalfedgeId outgoing = sector.outgoing;
+    if (partitions_.of_halfedge(outgoing) != own_) return;
+    const FaceFrame& f = fan_.face(outgoing);
+    const auto c = static_cast<std::size_t>(Mesh::corner(outgoing)), p = (c + 1) % 3, q = (c + 2) % 3;
+    const HalfedgeId at_p = Mesh::next(outgoing), at_q = Mesh::previous(outgoing);
+    const VertexPath& path = event.path;
+    if (!sector.first || sector.first->is_grazing()) {
+      const Rotation back{f.cosine[p], f.sine[p]};
+      target.reach_vertex(f.vertex[p], {path.distance + f.length[c], path.generator, {at_p, back}});
+    }
+    if (!sector.last || (fan_.corner(outgoing) - *sector.last).is_grazing()) {
+      target.reach_vertex(f.vertex[q], {path.distance + f.length[q], path.generator, {at_q, {}}});
+    }
+    WindowHistory history{1, 0, Mesh::face(outgoing)};
+    if (!sector.last && is_flat(f.vertex[q])) history.joinable_ends |= WindowHistory::kAtBegin;
+    if (!sector.first && is_flat(f.vertex[p])) history.joinable_ends |= WindowHistory::kAtEnd;
+    target.enqueue_on_edge(window_from_vertex(f, sector, path), history, exit_edge(f, at_p, p, q));
+  }
+
+  bool is_flat(VertexCopyId v) const { return frames_.kind[v] == VertexKind::flat; }
+
+  const Mesh& mesh_;
+  const FaceFrames& frames_;
+  const MeshPartitions& partitions_;
+  PartitionId own_;
+  VertexFan fan_;
+};
+
+}  // namespace gvd

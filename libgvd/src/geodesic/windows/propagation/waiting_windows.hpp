@@ -1,0 +1,170 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/prefetch.hpp"
+#include "geodesic/windows/field/window_limit.hpp"
+#include "geodesic/windows/geometry/window.hpp"
+
+namespace gvd {
+
+/// The windows of one partition that wait to be carried across the faces beyond their edges: a list for every
+/// halfedge.
+///
+/// Slots are used again in the order last out, first in, while the cache still holds them.
+/// Memory: 64 bytes for each of the most windows that have waited at once since the last `release`.
+class WaitingWindows {
+ public:
+  /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the partition's halfedges are used.
+  /// `key_step`: keys that differ by no more than this count as equal.
+  WaitingWindows(IdVector<HalfedgeId, std::int32_t>& first, double key_step)
+      : first_(first.raw().data()), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
+
+  /// Adds a window with the key `key` to the list of its halfedge, which is `length` long. Returns whether the halfedge
+  /// has to be queued with that key: no window waited there, or the halfedge is queued with a larger key.
+  /// Always inlined: it belongs to the innermost loop.
+  [[gnu::always_inline]] bool add(const Window& w, const WindowHistory& history, double length, double key) {
+    std::int32_t& head = first_[w.halfedge.value()];
+    if (head >= 0 && history.joinable_ends != 0 && join(head, w, history, length)) return lower_key(head, key);
+    const std::int32_t slot = take_slot();
+    Entry& added = at(slot);
+    // One by one: a copy in one piece would have to wait until the pieces have reached the cache.
+    added.window.begin = w.begin;
+    added.window.end = w.end;
+    added.window.x = w.x;
+    added.window.depth = w.depth;
+    added.window.offset = w.offset;
+    added.window.generator = w.generator;
+    added.window.halfedge = w.halfedge;
+    added.history = history;
+    added.key = static_cast<float>(key * key_unit_);
+    if (head < 0) {
+      added.next = -1;
+      head = slot;
+      return true;
+    }
+    Entry& first = at(head);
+    added.next = first.next;
+    first.next = slot;
+    return lower_key(head, key);
+  }
+
+  /// Prefetch the list of halfedge h, and the first window in it.
+  void prefetch_list(HalfedgeId h) const { prefetch(first_ + h.value()); }
+  void prefetch_windows(HalfedgeId h) const {
+    if (first_[h.value()] >= 0) prefetch(&at(first_[h.value()]));
+  }
+
+  /// Removes the windows of halfedge h and calls visit(const PropagatedWindow&) for each; `visit` may add windows to
+  /// other halfedges. Always inlined, like `add`.
+  template <class Visit>
+  [[gnu::always_inline]] void take(HalfedgeId h, Visit visit) {
+    std::int32_t slot = first_[h.value()];
+    first_[h.value()] = -1;
+    while (slot >= 0) {
+      Entry& entry = at(slot);
+      const PropagatedWindow taken{entry.window, entry.history};
+      const std::int32_t next = entry.next;
+      if (next >= 0) prefetch(&at(next));
+      entry.next = free_;
+      free_ = slot;
+      visit(taken);
+      slot = next;
+    }
+  }
+
+  /// Gives the memory back. No window may wait.
+  void release() {
+    blocks_ = std::vector<std::unique_ptr<Entry[]>>();
+    used_ = 0;
+    free_ = -1;
+  }
+
+ private:
+  /// One line of the cache.
+  struct alignas(64) Entry {
+    Window window;
+    WindowHistory history;
+    std::int32_t next;  // in the list, or -1
+    float key;          // in the first entry of a list: that of the halfedge in the queue, times key_unit_
+  };
+  static_assert(sizeof(Entry) == 64);
+
+  static constexpr int kShift = 8;
+  static constexpr std::int32_t kMask = (1 << kShift) - 1;
+  /// Interval ends that differ by less than this fraction of the edge are the same.
+  static constexpr double kSameEnd = 1e-9;
+
+  const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+
+  std::int32_t take_slot() {
+    if (free_ >= 0) {
+      const std::int32_t slot = free_;
+      free_ = at(slot).next;
+      return slot;
+    }
+    if ((used_ & kMask) == 0) add_block();
+    return used_++;
+  }
+
+  void add_block() {
+    check_window_count(static_cast<std::size_t>(used_), kMask + 1);
+    blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
+  }
+
+  bool lower_key(std::int32_t head, double key) {
+    float& queued = at(head).key;
+    if (!((key + key_step_) * key_unit_ < static_cast<double>(queued))) return false;
+    queued = static_cast<float>(key * key_unit_);
+    return true;
+  }
+
+  /// Joins the window with a waiting one if the two are neighbours with one image: a flat vertex has split them. The
+  /// joined window holds exactly the paths of both.
+  bool join(std::int32_t head, const Window& w, const WindowHistory& history, double length) {
+    constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
+    const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
+    for (std::int32_t i = head; i >= 0; i = at(i).next) {
+      Entry& entry = at(i);
+      const Window& known = entry.window;
+      if (known.generator != w.generator || known.offset != w.offset) continue;
+      if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
+      const std::uint32_t known_ends = entry.history.joinable_ends, ends = history.joinable_ends;
+      const std::uint32_t open = known_ends & ((ends >> 1) | (ends << 1));  // at its beginning, if our end is joinable
+      if ((open & kEnd) && std::abs(known.end - w.begin) <= kSameEnd * length) {
+        unite(entry, w, history);
+        entry.history.joinable_ends = ((known_ends & kBegin) | (ends & kEnd)) & 3u;
+        return true;
+      }
+      if ((open & kBegin) && std::abs(known.begin - w.end) <= kSameEnd * length) {
+        unite(entry, w, history);
+        entry.history.joinable_ends = ((known_ends & kEnd) | (ends & kBegin)) & 3u;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The two can be narrower than kSameEnd, so the ends that meet do not tell which one comes first. Their paths have
+  /// crossed different faces: only what holds for both is kept.
+  static void unite(Entry& entry, const Window& w, const WindowHistory& history) {
+    entry.window.begin = std::min(entry.window.begin, w.begin);
+    entry.window.end = std::max(entry.window.end, w.end);
+    if (entry.history.cycle_check_face != history.cycle_check_face) entry.history.cycle_check_face = FaceId();
+    if (history.crossed_faces < entry.history.crossed_faces) entry.history.crossed_faces = history.crossed_faces;
+  }
+
+  std::int32_t* first_;  // [halfedge] slot of the first entry, or -1
+  std::vector<std::unique_ptr<Entry[]>> blocks_;
+  std::int32_t used_ = 0, free_ = -1;
+  double key_step_;
+  double key_unit_;  // a power of two that brings the step near 1, so that keys neither vanish nor overflow as floats
+};
+
+}  // namespace gvd

@@ -1,0 +1,199 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/prefetch.hpp"
+#include "geodesic/windows/field/block_list.hpp"
+#include "geodesic/windows/geometry/vertex_fan.hpp"
+#include "geodesic/windows/propagation/partition_exchange.hpp"
+#include "geodesic/windows/propagation/propagation_state.hpp"
+
+namespace gvd {
+
+/// Keeps the windows of one partition that have been carried across their face. Those that no bisector can need are
+/// dropped while the propagation is still running, so that they never fill the memory.
+///
+/// A face has a single label if all distances in it are settled, its corners' labels are equal, and no window with
+/// another label was ever on its sides. The windows on an edge are needed as long as one of its two faces may turn out
+/// to have several labels: points inside of a face see the windows on all of its sides.
+/// Each partition decides about its own faces, and tells the others of windows with another label on edges to theirs.
+/// It decides about windows on such an edge while no other partition runs, so that it can read the states of their
+/// faces.
+class WindowPruning {
+ public:
+  /// Of the state, only the states of the partition's own faces are written. Both have to outlive this.
+  WindowPruning(PropagationState& state, PartitionExchange& exchange)
+      : keep_(state.keep),
+        frames_(state.frames),
+        labels_(state.labels),
+        fan_(frames_),
+        state_(state.face_state.raw().data()),
+        exchange_(exchange) {}
+
+  /// Adds a window on its edge. `settled`: no window to come holds a distance below it.
+  [[gnu::always_inline]] void add(const Window& w, double settled) {
+    if (keep_ == KeepWindows::none) return;
+    if (keep_ == KeepWindows::all || state(Mesh::face(w.halfedge)) == FaceState::multi_label) {
+      kept_.push_back(w);
+      return;
+    }
+    const HalfedgeId twin = fan_.twin(w.halfedge);
+    if (twin.valid() && !exchange_.is_own(twin)) {
+      on_border_.windows.push_back(w);
+    } else if (recent_.windows.push_back(w)) {
+      review(recent_, settled);
+    }
+  }
+
+  /// There is a window on halfedge h with a label that one end of the edge does not have.
+  void mark_edge(HalfedgeId h) {
+    if (keep_ != KeepWindows::near_bisectors) return;
+    mark_face(Mesh::face(h));
+    const HalfedgeId twin = fan_.twin(h);
+    if (twin.valid()) mark_face(Mesh::face(twin));
+  }
+  /// The vertex that halfedge `outgoing` leaves changes its label: windows on its edges may have had the old one.
+  void mark_vertex(HalfedgeId outgoing) {
+    if (keep_ != KeepWindows::near_bisectors) return;
+    HalfedgeId h = outgoing;
+    do {
+      mark_face(Mesh::face(h));
+      h = fan_.left_of(h);
+    } while (h.valid() && h != outgoing);
+    if (h == outgoing) return;
+    for (h = outgoing; h.valid(); h = fan_.right_of(h)) mark_face(Mesh::face(h));
+  }
+
+  /// There is a window with another label on a side of a face of this partition.
+  void mark_own_face(FaceId f) {
+    // If the face has a single label already, the paths through its corners beat such a window.
+    if (state(f) == FaceState::open) state(f) = FaceState::multi_label;
+  }
+
+  /// While no partition runs: decides about windows on edges to other partitions. `settled` as in `add`.
+  void review_border(double settled) { review(on_border_, settled); }
+
+  /// After the propagation in all partitions: decides about all other windows. Returns those that are kept.
+  BlockList<Window> finish() {
+    HalfedgeId last;
+    bool stays = false;
+    const auto decide = [&](const Window& w) {
+      if (w.halfedge != last) stays = is_edge_multi_label_at_end(last = w.halfedge);
+      if (stays) kept_.push_back(w);
+    };
+    for (Undecided* list : {&recent_, &on_border_}) {
+      while (!list->windows.empty()) list->windows.take_block(decide);  // adds nothing
+    }
+    return std::move(kept_);
+  }
+
+ private:
+  /// Relative distance by which a distance counts as settled later, because the queue's keys are floats.
+  static constexpr double kKeyRounding = 1e-6;
+  static constexpr double kCornerRadius = 0.5773503;  // 1 / sqrt(3), rounded up
+
+  /// Windows that are neither kept nor dropped yet, in the order in which they were added.
+  struct Undecided {
+    BlockQueue<Window> windows;
+    std::size_t patience = 2;  // number of blocks up to which none is reviewed
+  };
+
+  /// Decides about windows, oldest first. Stops if half of a block stays undecided: younger ones would, too.
+  [[gnu::noinline]] void review(Undecided& list, double settled) {
+    while (list.windows.block_count() > list.patience) {
+      const std::size_t undecided = review_block(list.windows, settled);
+      if (2 * undecided > BlockQueue<Window>::kBlock) {
+        list.patience = list.windows.block_count() + list.windows.block_count() / 4 + 1;
+        return;
+      }
+    }
+  }
+
+  std::size_t review_block(BlockQueue<Window>& windows, double settled) {
+    std::size_t undecided = 0;
+    HalfedgeId last;
+    FaceState decision = FaceState::open;
+    const auto decide = [&](const Window& w) {
+      if (w.halfedge != last) decision = decide_edge(last = w.halfedge, settled);
+      if (decision == FaceState::open) {
+        windows.push_back(w);
+        ++undecided;
+      } else if (decision == FaceState::multi_label) {
+        kept_.push_back(w);
+      }
+    };
+    windows.take_block(decide, [&](const Window& w) {
+      const FaceId f = Mesh::face(w.halfedge);
+      prefetch(&state(f));
+      prefetch(frames_.frame[f].length.data());
+      prefetch(frames_.frame[f].vertex.data());
+    });
+    return undecided;
+  }
+
+  FaceState& state(FaceId f) { return state_[f.value()]; }
+  FaceState state(FaceId f) const { return state_[f.value()]; }
+
+  void mark_face(FaceId f) {
+    if (exchange_.is_own(f)) {
+      mark_own_face(f);
+    } else {
+      exchange_.send_multi_label_face(f);
+    }
+  }
+
+  /// Whether one of the edge's faces has several labels, both have a single one, or this is still open.
+  FaceState decide_edge(HalfedgeId h, double settled) {
+    const FaceState here = decide_face(Mesh::face(h), settled);
+    if (here == FaceState::multi_label) return here;
+    const HalfedgeId twin = fan_.twin(h);
+    if (!twin.valid()) return here;
+    const FaceState there = decide_face(Mesh::face(twin), settled);
+    if (there == FaceState::multi_label) return there;
+    return here == FaceState::single_label ? there : here;
+  }
+
+  /// Every point of a triangle is within its longest side of each corner, and within that / sqrt(3) of one of them. If
+  /// the nearest corner's distance plus the former, or the farthest one's plus the latter, is below `settled`, paths
+  /// through the corners beat all windows to come.
+  FaceState decide_face(FaceId face, double settled) {
+    FaceState& decision = state(face);
+    if (decision != FaceState::open) return decision;
+    const FaceFrame& f = frames_.frame[face];
+    const auto [nearest, farthest] =
+        std::minmax({labels_.distance[f.vertex[0]], labels_.distance[f.vertex[1]], labels_.distance[f.vertex[2]]});
+    const double longest = std::max({f.length[0], f.length[1], f.length[2]});
+    const double latest = std::min(farthest + kCornerRadius * longest, nearest + longest);
+    if (!(latest * (1 + kKeyRounding) < settled)) return decision;
+    decision = has_one_label(f) ? FaceState::single_label : FaceState::multi_label;
+    return decision;
+  }
+
+  bool has_one_label(const FaceFrame& f) const {
+    const GeneratorId label = labels_.label[f.vertex[1]];
+    return labels_.label[f.vertex[0]] == label && label == labels_.label[f.vertex[2]];
+  }
+
+  bool is_edge_multi_label_at_end(HalfedgeId h) const {
+    const HalfedgeId twin = fan_.twin(h);
+    return is_multi_label_at_end(Mesh::face(h)) || (twin.valid() && is_multi_label_at_end(Mesh::face(twin)));
+  }
+
+  /// Changes nothing: several partitions may ask about one face at the same time.
+  bool is_multi_label_at_end(FaceId f) const {
+    if (state(f) != FaceState::open) return state(f) == FaceState::multi_label;
+    return !has_one_label(frames_.frame[f]);
+  }
+
+  KeepWindows keep_;
+  const FaceFrames& frames_;
+  const DistanceLabels& labels_;
+  VertexFan fan_;
+  FaceState* state_;  // [face]; while partitions run, each one reads and writes those of its own faces only
+  PartitionExchange& exchange_;
+  Undecided recent_, on_border_;
+  BlockList<Window> kept_;
+};
+
+}  // namespace gvd

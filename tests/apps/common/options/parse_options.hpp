@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/options/command_line.hpp"
+#include "common/options/options.hpp"
+
+namespace gvd::test {
+
+/// Formats that the commands of these tests write.
+inline const std::vector<std::string> kFormats{"ply", "obj", "json"};
+
+/// Parses a command line without its first word. Returns the text of --help or --version, or nothing.
+std::optional<std::string> parse_line(app::CommandLine& line, const std::vector<std::string>& arguments);
+
+/// The shared options of a command line. Throws Error{invalid_option}.
+app::Options parse_options(const std::vector<std::string>& arguments);
+
+}  // namespace gvd::test

@@ -1,0 +1,14 @@
+#include "common/options/file_extension.hpp"
+#include "support/catch.hpp"
+
+using gvd::app::file_extension;
+
+TEST_CASE("an extension is in lower case and has no dot") {
+  CHECK(file_extension("a.ply") == "ply");
+  CHECK(file_extension("folder.d/A.tar.OBJ") == "obj");
+  CHECK(file_extension("a.") == "");
+  for (const char* none : {"", "a", "folder.d/a", ".hidden", "-"}) {
+    CAPTURE(none);
+    CHECK(file_extension(none).empty());
+  }
+}

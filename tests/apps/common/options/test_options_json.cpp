@@ -1,0 +1,34 @@
+#include <nlohmann/json.hpp>
+
+#include "apps/common/options/parse_options.hpp"
+#include "common/options/options_json.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+using namespace gvd::app;
+using gvd::test::parse_options;
+using Json = nlohmann::ordered_json;
+
+TEST_CASE("options that are not given are null, or their defaults") {
+  CHECK(to_json(parse_options({"a.obj", "-n", "30"})).dump() ==
+        R"({"input":"a.obj","input_format":null,"on_defect":"repair","n":30,"sampling":"farthest","seed":0,)"
+        R"("generators":null,"vertices":null,"radius":null,"max_snap":null,"merge_coincident":false,)"
+        R"("method":"exact","chord_tolerance":0.0001,"front":null,"threads":0,"verify":false,)"
+        R"("output":[],"diagram":null,"view":null,"report":null})");
+}
+
+TEST_CASE("options that are given have their values") {
+  const Json json = to_json(parse_options({"-", "--input-format", "off", "--vertices", "3,4", "--method", "gbgvd", "-o",
+                                           "a.ply", "-o", "-", "--threads", "2", "--view", "v.html"}));
+  CHECK(json["input_format"] == "off");
+  CHECK(json["n"].is_null());
+  CHECK(json["vertices"] == Json({3, 4}));
+  CHECK(json["method"] == "gbgvd");
+  CHECK(json["chord_tolerance"].is_null());
+  CHECK(json["front"] == "circle");
+  CHECK(json["output"] == Json({"a.ply", "-"}));
+  CHECK(json["threads"] == 2);
+  CHECK(json["view"] == "v.html");
+  CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "poisson"}))["sampling"] == "poisson");
+  CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "random"}))["sampling"] == "random");
+}

@@ -1,0 +1,115 @@
+#include "apps/common/options/parse_options.hpp"
+#include "apps/run_command.hpp"
+#include "common/options/register_options.hpp"
+#include "gvd/error.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+using namespace gvd::app;
+using gvd::test::parse_options;
+
+TEST_CASE("the defaults are the contract's") {
+  const Options options = parse_options({"a.obj", "-n", "30"});
+  CHECK(options.input.path == "a.obj");
+  CHECK(options.input.on_defect == "repair");
+  CHECK(options.generators.count == 30);
+  CHECK(options.generators.sampling == SamplingKind::farthest);
+  CHECK(options.generators.seed == 0);
+  CHECK(options.compute.method == Method::exact);
+  CHECK_FALSE(options.compute.front);
+  const DiagramOptions diagram = make_diagram_options(options.compute);
+  CHECK(diagram.method == Method::exact);
+  CHECK(diagram.chord_tolerance == 1e-4);
+  CHECK(options.output.stdout_format == "ply");
+}
+
+TEST_CASE("every option is stored in its field") {
+  const Options options = parse_options({"-",
+                                         "--input-format",
+                                         "off",
+                                         "--on-defect",
+                                         "largest",
+                                         "-n",
+                                         "010",
+                                         "--sampling",
+                                         "poisson",
+                                         "--seed",
+                                         "18446744073709551615",
+                                         "--method",
+                                         "gbgvd",
+                                         "--front",
+                                         "planar",
+                                         "--threads",
+                                         "2",
+                                         "--verify",
+                                         "-o",
+                                         "a.ply",
+                                         "-o",
+                                         "B.OBJ",
+                                         "-o",
+                                         "-",
+                                         "--output-format",
+                                         "json",
+                                         "--report",
+                                         "r.json",
+                                         "--diagram",
+                                         "d.json",
+                                         "--view",
+                                         "v.html",
+                                         "-q",
+                                         "-v",
+                                         "--merge-coincident"});
+  CHECK(options.input.format == "off");
+  CHECK(options.input.on_defect == "largest");
+  CHECK(options.generators.count == 10);
+  CHECK(options.generators.sampling == SamplingKind::poisson);
+  CHECK(options.generators.seed == 18446744073709551615u);
+  CHECK(options.generators.merge_coincident);
+  CHECK(options.compute.method == Method::gbgvd);
+  CHECK(options.compute.front == Front::planar);
+  CHECK(make_diagram_options(options.compute).front == Front::planar);
+  CHECK(options.compute.threads == 2);
+  CHECK(options.compute.verify);
+  CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
+  CHECK(options.output.stdout_format == "json");
+  CHECK(options.output.view == "v.html");
+  CHECK(options.quiet);
+  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.chord_tolerance == 2.5e-7);
+  CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
+  CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
+}
+
+TEST_CASE("a configuration file gives options, and the command line goes before it") {
+  const test::ScratchFolder scratch;
+  const std::string path = scratch / "options.toml";
+  const auto with = [&](const std::string& text, std::vector<std::string> arguments) {
+    test::write_text(path, text);
+    arguments.insert(arguments.end(), {"--config", path});
+    return parse_options(arguments);
+  };
+  const Options options = with(
+      "# a comment\nn = 12\nseed = 7\nmethod = \"gbgvd\"\nfront = \"planar\"\nverify = true\n"
+      "output = [\"a.ply\", \"b.obj\"]\n",
+      {"a.obj", "--seed", "9"});
+  CHECK(options.generators.count == 12);
+  CHECK(options.generators.seed == 9);
+  CHECK(options.compute.front == Front::planar);
+  CHECK(options.compute.verify);
+  CHECK(options.output.files == std::vector<std::string>{"a.ply", "b.obj"});
+  CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
+  CHECK(with("vertices = [1, 2]\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
+  CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
+  CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
+}
+
+TEST_CASE("a list of vertices has one index between each two commas") {
+  using Indices = std::vector<std::int64_t>;
+  CHECK(parse_vertex_list("3") == Indices{3});
+  CHECK(parse_vertex_list("3, 17 ,\t99") == Indices{3, 17, 99});
+  CHECK(parse_vertex_list("9223372036854775807") == Indices{9223372036854775807});
+  for (const char* wrong : {"", ",", "1,", "1,,2", "-1", "1.0", "0x1", "9223372036854775808"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parse_vertex_list(wrong), Error);
+  }
+}

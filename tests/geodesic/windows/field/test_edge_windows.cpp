@@ -1,0 +1,36 @@
+#include <vector>
+
+#include "geodesic/windows/field/edge_windows.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+
+namespace {
+
+Window on(int halfedge, int generator) { return {0, 1, 0, 1, 0, GeneratorId(generator), HalfedgeId(halfedge)}; }
+
+std::vector<int> generators_on(const EdgeWindows& windows, HalfedgeId h) {
+  std::vector<int> found;
+  windows.for_each(h, [&](const Window& w) { found.push_back(w.generator.value()); });
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("windows of several lists are found by face and by halfedge, in their order") {
+  const Progress silent;
+  std::vector<BlockList<Window>> lists(2);
+  for (const Window& w : {on(4, 0), on(3, 1), on(4, 2)}) lists[0].push_back(w);
+  for (const Window& w : {on(8, 3), on(0, 4)}) lists[1].push_back(w);
+  const EdgeWindows windows(std::move(lists), 4, ParallelChunks(1, silent));
+  CHECK(windows.size() == 5);
+  CHECK(generators_on(windows, HalfedgeId(4)) == std::vector<int>{0, 2});
+  CHECK(generators_on(windows, HalfedgeId(3)) == std::vector<int>{1});
+  CHECK(generators_on(windows, HalfedgeId(5)).empty());
+  std::vector<int> of_face;
+  windows.for_each(FaceId(1), [&](const Window& w) { of_face.push_back(w.generator.value()); });
+  CHECK(of_face == std::vector<int>{0, 1, 2});
+  int count = 0;
+  windows.for_each(FaceId(3), [&](const Window&) { ++count; });
+  CHECK(count == 0);
+}

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <cstdint>
+
+#include "geodesic/windows/propagation/mesh_partitions.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+TEST_CASE("every partition has vertex copies of its own") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const std::int32_t partition_faces : {1, 20, 150, 1 << 20}) {
+      INFO(name << " in partitions of " << partition_faces);
+      const FaceFrames before(mesh);
+      FaceFrames frames(mesh);
+      const MeshPartitions partitions(mesh, partition_faces, frames);
+      IdVector<VertexCopyId, PartitionId> owner(partitions.copy_count());
+      for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
+        const HalfedgeId h(i);
+        const VertexCopyId copy = frames.frame[Mesh::face(h)].vertex[static_cast<std::size_t>(Mesh::corner(h))];
+        REQUIRE(copy.index() < partitions.copy_count());
+        REQUIRE(partitions.vertex(copy) == mesh.from(h));
+        REQUIRE(frames.kind[copy] == before.kind[first_copy(mesh.from(h))]);
+        PartitionId& partition = owner[copy];
+        REQUIRE((!partition.valid() || partition == partitions.of_halfedge(h)));
+        partition = partitions.of_halfedge(h);
+        if (const SharedCopyId shared = partitions.shared(copy); shared.valid()) {
+          const auto copies = partitions.copies(shared);
+          CHECK(copies.front().vertex == first_copy(mesh.from(h)));
+          CHECK(std::any_of(copies.begin(), copies.end(),
+                            [&](const auto& c) { return c.vertex == copy && c.partition == partition; }));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the number of partitions follows the number of faces, up to a bound") {
+  const Mesh mesh = test::make_grid(20, 20);  // 800 faces
+  const auto count = [&](std::int32_t partition_faces) {
+    FaceFrames frames(mesh);
+    return MeshPartitions(mesh, partition_faces, frames).count();
+  };
+  CHECK(count(1) == MeshPartitions::kMaxPartitions);
+  CHECK(count(100) == 8);
+  CHECK(count(801) == 1);
+}
