@@ -2,6 +2,8 @@
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -92,8 +94,8 @@ std::string RemeshCertificate::first_failure() const {
   if (!same_euler_characteristic) return "its Euler characteristic is not that of the input";
   if (!same_boundary_loops) return "it does not have the boundary loops of the input";
   if (!same_in_each_component) return "a component does not have the topology of its component of the input";
-  if (flipped_faces > 0) return "faces are flipped: " + std::to_string(flipped_faces);
-  if (unused_generators > 0) return "generators are not used: " + std::to_string(unused_generators);
+  if (flipped_faces > 0) return fmt::format("faces are flipped: {}", flipped_faces);
+  if (unused_generators > 0) return fmt::format("generators are not used: {}", unused_generators);
   return {};
 }
 

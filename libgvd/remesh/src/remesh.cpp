@@ -121,9 +121,9 @@ class Remesher {
   void measure() {
     result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points);
     if (!result_.certificate.ok()) {
-      throw Error(ErrorCode::no_valid_result, "the remesh of " + std::to_string(result_.generators.size()) +
-                                                  " generators can't be certified: " +
-                                                  result_.certificate.first_failure() + "; give other generators");
+      throw Error(ErrorCode::no_valid_result,
+                  fmt::format("the remesh of {} generators can't be certified: {}; give other generators",
+                              result_.generators.size(), result_.certificate.first_failure()));
     }
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);

@@ -1,5 +1,7 @@
 #include "gvd/mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,14 +21,13 @@ void check_indices(const std::vector<std::array<VertexId, 3>>& faces, std::size_
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (const VertexId v : faces[f]) {
       if (!v.valid() || v.index() >= vertex_count) {
-        refuse("face " + std::to_string(f) + " refers to vertex " + std::to_string(v.value()) + ", and there are " +
-                   std::to_string(vertex_count) + " vertices",
+        refuse(fmt::format("face {} refers to vertex {}, and there are {} vertices", f, v.value(), vertex_count),
                static_cast<std::int64_t>(f));
       }
     }
     const auto& [a, b, c] = faces[f];
     if (a == b || b == c || c == a) {
-      refuse("face " + std::to_string(f) + " has the same vertex twice", static_cast<std::int64_t>(f));
+      refuse(fmt::format("face {} has the same vertex twice", f), static_cast<std::int64_t>(f));
     }
   }
 }
@@ -34,13 +35,13 @@ void check_indices(const std::vector<std::array<VertexId, 3>>& faces, std::size_
 void check_positions(const std::vector<Vec3>& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!positions[v].allFinite()) {
-      refuse("vertex " + std::to_string(v) + " has a coordinate that is not finite", static_cast<std::int64_t>(v));
+      refuse(fmt::format("vertex {} has a coordinate that is not finite", v), static_cast<std::int64_t>(v));
     }
   }
 }
 
 std::string edge_name(const Mesh& mesh, HalfedgeId h) {
-  return std::to_string(mesh.from(h).value()) + "-" + std::to_string(mesh.to(h).value());
+  return fmt::format("{}-{}", mesh.from(h).value(), mesh.to(h).value());
 }
 
 }  // namespace
@@ -62,15 +63,14 @@ void Mesh::link_twins() {
   visit_edges(faces_, positions_.size(), number, [this](const EdgeHalfedges& edge) {
     const HalfedgeId h(edge[0]);
     if (edge.size() > 2) {
-      refuse("edge " + edge_name(*this, h) + " has " + std::to_string(edge.size()) + " faces, first face " +
-                 std::to_string(face(h).value()),
+      refuse(fmt::format("edge {} has {} faces, first face {}", edge_name(*this, h), edge.size(), face(h).value()),
              face(h).value());
     }
     if (edge.size() == 1) return;
     const HalfedgeId twin(edge[1]);
     if (from(h) == from(twin)) {
-      refuse("faces " + std::to_string(face(h).value()) + " and " + std::to_string(face(twin).value()) +
-                 " run through edge " + edge_name(*this, h) + " in the same direction",
+      refuse(fmt::format("faces {} and {} run through edge {} in the same direction", face(h).value(),
+                         face(twin).value(), edge_name(*this, h)),
              face(h).value());
     }
     twin_[h] = twin;
@@ -101,11 +101,11 @@ void Mesh::find_vertex_halfedges() {
   }
   for (std::int32_t i = 0; i < vertex_count(); ++i) {
     const VertexId v(i);
-    if (!vertex_halfedge_[v].valid()) refuse("vertex " + std::to_string(i) + " belongs to no face", i);
+    if (!vertex_halfedge_[v].valid()) refuse(fmt::format("vertex {} belongs to no face", i), i);
     std::int32_t visited = 0;
     for_each_outgoing(*this, v, [&](HalfedgeId) { ++visited; });
     if (visited != degree[v.index()]) {
-      refuse("vertex " + std::to_string(i) + " joins several fans of faces", i);
+      refuse(fmt::format("vertex {} joins several fans of faces", i), i);
     }
   }
 }
@@ -119,8 +119,8 @@ void Mesh::measure() {
     const HalfedgeId h = halfedge(e);
     const double length = this->length(e);
     if (!(length > 0) || !std::isfinite(length)) {
-      refuse("edge " + edge_name(*this, h) + " of face " + std::to_string(face(h).value()) + " has length " +
-                 (length > 0 ? "infinity" : "0"),
+      refuse(fmt::format("edge {} of face {} has length {}", edge_name(*this, h), face(h).value(),
+                         length > 0 ? "infinity" : "0"),
              face(h).value());
     }
     sum += length;

@@ -1,7 +1,8 @@
 #include "mesh/sort_generators.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string>
 #include <tuple>
 
 #include "gvd/error.hpp"
@@ -14,8 +15,8 @@ void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   for (std::size_t i = 0; i < generators.size(); ++i) {
     if (!generators[i].face.valid() || generators[i].face.value() >= mesh.face_count()) {
       throw Error(ErrorCode::precondition,
-                  "generator " + std::to_string(i) + " lies in face " + std::to_string(generators[i].face.value()) +
-                      ", and the mesh has " + std::to_string(mesh.face_count()) + " faces",
+                  fmt::format("generator {} lies in face {}, and the mesh has {} faces", i, generators[i].face.value(),
+                              mesh.face_count()),
                   static_cast<std::int64_t>(i));
     }
   }

@@ -1,8 +1,9 @@
 #include "gvd/surface_point.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
@@ -35,8 +36,8 @@ SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) 
   if (!std::isfinite(sum) || std::abs(sum - 1) > kSumSlack ||
       *std::min_element(bary.begin(), bary.end()) < -kNegativeSlack) {
     throw Error(ErrorCode::precondition,
-                "barycentric coordinates " + std::to_string(bary[0]) + " " + std::to_string(bary[1]) + " " +
-                    std::to_string(bary[2]) + " must not be negative and must sum to 1",
+                fmt::format("barycentric coordinates {:f} {:f} {:f} must not be negative and must sum to 1", bary[0],
+                            bary[1], bary[2]),
                 face.value());
   }
   SurfacePoint point{face, bary};

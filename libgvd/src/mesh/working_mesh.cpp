@@ -1,9 +1,10 @@
 #include "mesh/working_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -80,8 +81,8 @@ void WorkingMesh::claim(VertexId v, GeneratorId g) {
   GeneratorId& owner = vertex_generator_[v];
   if (owner.valid()) {
     throw Error(ErrorCode::precondition,
-                "generators " + std::to_string(owner.value()) + " and " + std::to_string(g.value()) +
-                    " coincide; remove one or merge coincident generators",
+                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", owner.value(),
+                            g.value()),
                 g.value());
   }
   owner = g;

@@ -1,5 +1,7 @@
 #include "gvd/verify.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -19,8 +21,8 @@ std::vector<double> solve_query(const Mesh& mesh, const DistanceQuery& query, st
     for (std::size_t i = 0; i < solved.size(); ++i) {
       const std::size_t point = submesh.targets[i].point;
       if (std::isinf(solved[i])) {
-        throw Error(ErrorCode::no_valid_result, "CGAL's shortest paths do not reach a point of face " +
-                                                    std::to_string(query.points[point].face.value()));
+        throw Error(ErrorCode::no_valid_result, fmt::format("CGAL's shortest paths do not reach a point of face {}",
+                                                            query.points[point].face.value()));
       }
       submesh.distances[point] = solved[i];
     }
@@ -28,8 +30,9 @@ std::vector<double> solve_query(const Mesh& mesh, const DistanceQuery& query, st
   } catch (const Error& error) {
     if (error.code() != ErrorCode::no_valid_result) throw;
     throw Error(error.code(),
-                "no exact distances from generator " + std::to_string(index) + ": " + error.what() +
-                    "; the usual cause are faces without area: remove them, or run without verification",
+                fmt::format("no exact distances from generator {}: {}; the usual cause are faces without area: remove "
+                            "them, or run without verification",
+                            index, error.what()),
                 static_cast<std::int64_t>(index));
   }
 }

@@ -1,7 +1,8 @@
 #include "diagram/evaluation/check_bisectors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "gvd/surface_point.hpp"
@@ -18,9 +19,7 @@ void check_points(const Mesh& mesh, const Bisector& b, std::size_t i, Violations
   const std::size_t n = b.points.size();
   for (std::size_t k = 0; k + (b.closed ? 0 : 1) < n; ++k) {
     if (share_face(mesh, b.points[k], b.points[(k + 1) % n])) continue;
-    violations.add(
-        3, "bisector", i,
-        "its points " + std::to_string(k) + " and " + std::to_string((k + 1) % n) + " have no face in common");
+    violations.add(3, "bisector", i, fmt::format("its points {} and {} have no face in common", k, (k + 1) % n));
     return;
   }
 }

@@ -1,9 +1,10 @@
 #include "diagram/evaluation/check_partition.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "base/barycentric.hpp"
 
@@ -35,8 +36,7 @@ class PartitionCheck {
       const double share = covered_share(f), expected = reached_.contains(f) ? 1 : 0;
       if (std::abs(share - expected) > kAreaTolerance) {
         violations_.add(2, "face", f.index(),
-                        "its label and pieces cover " + std::to_string(share) + " of its area instead of " +
-                            std::to_string(int(expected)));
+                        fmt::format("its label and pieces cover {:f} of its area instead of {}", share, int(expected)));
       }
       total += expected * mesh_.area(f);
     }

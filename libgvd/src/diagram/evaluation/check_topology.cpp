@@ -1,8 +1,9 @@
 #include "diagram/evaluation/check_topology.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <set>
-#include <string>
 #include <utility>
 
 namespace gvd {
@@ -40,8 +41,8 @@ void check_euler(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& r
   const auto branches = static_cast<std::int64_t>(diagram.branch_points.size());
   const std::int64_t whole = reached_characteristic(mesh, reached);
   if (cells - open + branches == whole) return;
-  violations.add(7, "Euler's formula: cells " + std::to_string(cells) + " - bisectors " + std::to_string(open) +
-                        " + branch points " + std::to_string(branches) + " is not " + std::to_string(whole));
+  violations.add(7, fmt::format("Euler's formula: cells {} - bisectors {} + branch points {} is not {}", cells, open,
+                                branches, whole));
 }
 
 void check_neighbours(const Diagram& diagram, Violations& violations) {

@@ -1,5 +1,7 @@
 #include "gvd/error_measure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +32,7 @@ struct Sample {
 };
 
 [[noreturn]] void refuse(BisectorId bisector, const std::string& what) {
-  throw Error(ErrorCode::precondition, "bisector " + std::to_string(bisector.value()) + " " + what, bisector.value());
+  throw Error(ErrorCode::precondition, fmt::format("bisector {} {}", bisector.value(), what), bisector.value());
 }
 
 /// The samples along all bisectors. Neighbouring panels share the sample between them.
@@ -74,9 +76,7 @@ class Sampling {
     const std::size_t segments = bisector.closed ? count : count - 1;
     for (std::size_t i = 0; i < segments; ++i) {
       const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % count]);
-      if (!view)
-        refuse(id,
-               "has no face in common for its points " + std::to_string(i) + " and " + std::to_string((i + 1) % count));
+      if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
       add_segment(id, view->first, view->second, last);
     }
   }

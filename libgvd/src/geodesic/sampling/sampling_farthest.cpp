@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 #include "base/lazy_max_heap.hpp"
 #include "geodesic/sampling/face_distance_bound.hpp"
@@ -168,7 +167,7 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
     if (std::ssize(points) == options.count) return points;
   }
   throw Error(ErrorCode::precondition,
-              "the surface has no room for " + std::to_string(options.count) + " different generators; ask for fewer");
+              fmt::format("the surface has no room for {} different generators; ask for fewer", options.count));
 }
 
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options) {

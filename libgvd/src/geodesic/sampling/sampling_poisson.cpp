@@ -3,9 +3,10 @@
 // weight, again and again, until `count` points are left.
 #include "geodesic/sampling/sampling_poisson.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/lazy_max_heap.hpp"
 #include "geodesic/marching/local_march.hpp"
@@ -176,8 +177,9 @@ std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
 
 std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions& options) {
   if (options.count > kMaxSamplingVertices) {
-    throw Error(ErrorCode::precondition, "poisson sampling gives at most " + std::to_string(kMaxSamplingVertices) +
-                                             " generators; ask for fewer, or for random ones");
+    throw Error(ErrorCode::precondition,
+                fmt::format("poisson sampling gives at most {} generators; ask for fewer, or for random ones",
+                            kMaxSamplingVertices));
   }
   const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
   const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);

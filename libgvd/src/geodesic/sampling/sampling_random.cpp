@@ -1,8 +1,9 @@
 #include "geodesic/sampling/sampling_random.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "gvd/error.hpp"
 
@@ -95,8 +96,9 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, st
       positions[i] = position(mesh, points[i]);
     }
   }
-  throw Error(ErrorCode::precondition, "the surface is too small beside its bounding box for " + std::to_string(count) +
-                                           " different points; ask for fewer, or remove far parts");
+  throw Error(ErrorCode::precondition, fmt::format("the surface is too small beside its bounding box for {} different "
+                                                   "points; ask for fewer, or remove far parts",
+                                                   count));
 }
 
 }  // namespace gvd

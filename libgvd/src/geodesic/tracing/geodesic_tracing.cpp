@@ -1,10 +1,11 @@
 // Straight lines on the surface. The next face is unfolded across the edge that the line crosses.
 #include "gvd/geodesic_tracing.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 #include "base/barycentric.hpp"
 #include "geodesic/field/face_layout.hpp"
@@ -131,10 +132,10 @@ class GeodesicWalker {
 
 GeodesicTrace trace_geodesic(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent) {
   if (!start.face.valid() || start.face.value() >= mesh.face_count()) {
-    throw Error(ErrorCode::precondition,
-                "a geodesic can't start in face " + std::to_string(start.face.value()) + ": the mesh has " +
-                    std::to_string(mesh.face_count()) + " faces",
-                start.face.value());
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("a geodesic can't start in face {}: the mesh has {} faces", start.face.value(), mesh.face_count()),
+        start.face.value());
   }
   if (!tangent.allFinite()) throw Error(ErrorCode::precondition, "a geodesic's tangent vector must be finite");
   return GeodesicWalker(mesh, start, tangent).run();

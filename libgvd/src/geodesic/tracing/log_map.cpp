@@ -1,10 +1,11 @@
 // Geodesic polar coordinates over a patch: a march in the order of distance, then sweeps until the values converge.
 #include "gvd/log_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <string>
 
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/polar_update.hpp"
@@ -61,8 +62,8 @@ LogMap LogMapSolver::compute(const SurfacePoint& origin, const std::vector<FaceI
 void LogMapSolver::check_origin(const SurfacePoint& origin) const {
   if (origin.face.valid() && origin.face.value() < mesh_.face_count()) return;
   throw Error(ErrorCode::precondition,
-              "the origin of a log map lies in face " + std::to_string(origin.face.value()) + ": the mesh has " +
-                  std::to_string(mesh_.face_count()) + " faces",
+              fmt::format("the origin of a log map lies in face {}: the mesh has {} faces", origin.face.value(),
+                          mesh_.face_count()),
               origin.face.value());
 }
 

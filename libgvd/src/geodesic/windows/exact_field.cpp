@@ -1,10 +1,11 @@
 #include "gvd/exact_field.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "base/barycentric.hpp"
@@ -23,12 +24,13 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   const std::vector<double>& offsets = options.offsets;
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   if (!offsets.empty() && offsets.size() != generators) {
-    throw Error(ErrorCode::precondition, "there are " + std::to_string(offsets.size()) + " offsets for " +
-                                             std::to_string(generators) + " generators; give one for each or none");
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("there are {} offsets for {} generators; give one for each or none", offsets.size(), generators));
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
-    throw Error(ErrorCode::invalid_option, "offset " + std::to_string(i) + " is negative or not finite",
+    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i),
                 static_cast<std::int64_t>(i));
   }
   return options;

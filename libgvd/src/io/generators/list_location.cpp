@@ -1,5 +1,7 @@
 #include "io/generators/list_location.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "gvd/error.hpp"
@@ -12,7 +14,7 @@ constexpr std::size_t kQuoteLength = 40;
 
 }  // namespace
 
-std::string ListLocation::text() const { return line > 0 ? name + ":" + std::to_string(line) : name; }
+std::string ListLocation::text() const { return line > 0 ? fmt::format("{}:{}", name, line) : name; }
 
 void ListLocation::refuse(const std::string& message) const {
   throw Error(ErrorCode::unreadable_input, text() + ": " + message, line > 0 ? line - 1 : -1);

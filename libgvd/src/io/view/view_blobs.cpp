@@ -1,5 +1,7 @@
 #include "io/view/view_blobs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <nlohmann/json.hpp>
@@ -40,7 +42,7 @@ nlohmann::json ViewBlobs::add(std::string bytes, const char* type, std::size_t c
 std::string ViewBlobs::html() const {
   std::string html;
   for (std::size_t i = 0; i < blobs_.size(); ++i) {
-    html += "<script type=\"application/octet-stream\" id=\"blob-" + std::to_string(i) + "\">";
+    html += fmt::format("<script type=\"application/octet-stream\" id=\"blob-{}\">", i);
     html += encode_base64(*blobs_[i]);
     html += "</script>\n";
   }

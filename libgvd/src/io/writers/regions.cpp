@@ -1,5 +1,7 @@
 #include "io/writers/regions.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -21,7 +23,7 @@ std::vector<Region> collect_regions(const LabelledMesh& mesh) {
 }
 
 std::string region_name(GeneratorId label) {
-  return label.valid() ? "region_" + std::to_string(label.value()) : "unlabelled";
+  return label.valid() ? fmt::format("region_{}", label.value()) : "unlabelled";
 }
 
 }  // namespace gvd::io
