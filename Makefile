@@ -14,7 +14,6 @@ DEMO_OUTPUT ?= demo-output
 install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
 missing_packages := $(if $(NO_INSTALL),:,scripts/install-deps.sh --missing)
 configure    := scripts/configure.sh
-sources      := git ls-files '*.cpp' '*.hpp'
 
 FUZZ_FIRST  ?= 1000
 FUZZ_COUNT  ?= 10000
@@ -35,7 +34,7 @@ help:
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make format    lay out the sources with clang-format"
-	@echo "make lint      check layout, names, includes, sizes, and the links in the documents"
+	@echo "make lint      check layout, names, includes, sizes, and what the documents link to and name"
 	@echo "make clean     remove the build trees and the demo's output"
 
 build:
@@ -100,12 +99,13 @@ install: build
 
 format:
 	@$(install_deps) lint
-	@$(sources) | xargs clang-format -i
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
 lint:
 	@$(install_deps) build test lint
+	@scripts/check_layout.sh
 	@scripts/check_links.py
-	@$(sources) | xargs clang-format --dry-run -Werror
+	@scripts/check_names.py
 	@scripts/check_includes.py
 	@scripts/check_sizes.py
 	@$(configure) development build-lint -DGVD_PRECOMPILE_HEADERS=OFF

@@ -18,7 +18,7 @@ packages_of() {
     bench) echo ;;
     pictures) echo $(unless_found chromium chromium) ;;
     lint)  echo clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
-    ci)    echo clang libclang-rt-14-dev ccache chromium libcgal-demo universal-ctags $(unless_found python3 python3) ;;
+    ci)    echo clang clang-format libclang-rt-14-dev ccache chromium libcgal-demo universal-ctags $(unless_found python3 python3) ;;
     *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures lint ci)" >&2; exit 2 ;;
   esac
 }

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Fails where a document names, in backticks, a file or a piece of code of this repository that is not there.
+
+    scripts/check_names.py
+
+Documents are README.md, CONTRIBUTING.md, the pages of docs/ and the README of every folder. Paths may be given from the
+repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be left out. Words in
+capitals stand for anything (apps/NAME). Code is looked for as words of sources, scripts and CMake files.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# Names that are not in the sources, and why.
+FOREIGN = {
+    "snake_case": "a way of writing names",
+    "Kd": "a keyword of OBJ's material files",
+    "data/meshes": "a folder of Debian's libcgal-demo",
+    "test_diagram": "a target that add_gvd_tests of tests/CMakeLists.txt puts together",
+    "test_geodesic": "likewise",
+}
+
+FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
+CODE = re.compile(r"`([^`\n]+)`")
+PATH = re.compile(r"\.?[\w-][\w.-]*(/[\w.-]+)*/?")
+SOURCE_NAME = re.compile(r".+\.(hpp|cpp|py|sh|md|cmake|js|mjs)")
+# Identifiers that look like ours: with an underscore inside, or CamelCase; maybe qualified or called.
+IDENTIFIER = re.compile(r"(?:[A-Za-z]\w*::)*(?:[A-Za-z]\w*_\w+|[A-Z][A-Za-z0-9]*[a-z]\w*)(?:\(\))?")
+PLACEHOLDER = re.compile(r"(?<![A-Za-z])[A-Z]{4,}(?![A-Za-z])")
+
+
+def tracked():
+    """Files that git knows or could add, so that a page under work is checked too."""
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
+                            capture_output=True, text=True).stdout
+    return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
+
+
+def is_page(path):
+    name = path.relative_to(ROOT)
+    return path.name in ("README.md", "CONTRIBUTING.md") or (name.parts[0] == "docs" and path.suffix == ".md")
+
+
+def collect_words(files):
+    """All identifiers of the sources, and the names of all files without extension."""
+    words = {path.stem for path in files}
+    for path in files:
+        code = path.suffix in (".hpp", ".cpp", ".in", ".py", ".sh", ".cmake", ".js", ".mjs", ".json", ".yml")
+        if code or path.name in ("CMakeLists.txt", "Makefile", "run"):
+            words.update(re.findall(r"\w+", path.read_text(errors="ignore")))
+    return words
+
+
+def path_exists(name, page):
+    """Whether a path leads to a file or a folder, from one of the places that a page may start from."""
+    pattern = PLACEHOLDER.sub("*", name.rstrip("/"))
+    include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "verify")]
+    for start in [ROOT, page.parent, ROOT / "libgvd/src", ROOT / "apps", ROOT / "web", *include]:
+        if any(start.glob(pattern)) or any(start.glob(pattern + ".[ch]pp")):
+            return True
+    return False
+
+
+def is_path(text, tops):
+    """Whether a piece of code is a path that could be one of ours."""
+    return PATH.fullmatch(text) is not None and ("/" in text and text.split("/")[0] in tops
+                                                 or SOURCE_NAME.fullmatch(text) is not None)
+
+
+def is_missing(text, page, tops, words, names):
+    if text in FOREIGN or text.startswith("std::"):
+        return False
+    if is_path(text, tops):
+        return not path_exists(text, page) and text not in names
+    if not IDENTIFIER.fullmatch(text) or PLACEHOLDER.search(text):
+        return False
+    return any(word not in words for word in re.findall(r"\w+", text))
+
+
+def main():
+    files = tracked()
+    words = collect_words(files)
+    names = {path.name for path in files}
+    # The first part of a path of ours: a folder of the repository, of libgvd or of libgvd/src.
+    folders = [ROOT, ROOT / "libgvd", ROOT / "libgvd/src", ROOT / "libgvd/include", ROOT / "web"]
+    tops = {child.name for folder in folders for child in folder.iterdir() if child.is_dir()}
+    pages = [path for path in files if is_page(path)]
+    findings = []
+    for page in pages:
+        own_tops = tops | {child.name for child in page.parent.iterdir() if child.is_dir()}
+        for text in sorted(set(CODE.findall(FENCE.sub("", page.read_text())))):
+            if is_missing(text, page, own_tops, words, names):
+                findings.append(f"{page.relative_to(ROOT)}: names `{text}`, which is not there")
+    for finding in findings:
+        print(finding)
+    print(f"{len(pages)} pages, {len(findings)} findings")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
