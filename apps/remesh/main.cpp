@@ -41,7 +41,7 @@ void register_options(app::CommandLine& line, Settings& settings) {
                    group},
                   settings.remesh.max_added, kMaxAdded);
   line.add_flag(
-      {"--no-refine", "", "Add no generators: refuse where the dual of the given ones is no proper mesh", group},
+      {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},
       settings.no_refine);
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace gvd::app {
@@ -37,12 +39,43 @@ Json to_json(const RemeshCertificate& c) {
           {"unused_generators", c.unused_generators}};
 }
 
+/// What one defect, and what several, of a property look like, in the order of the properties.
+struct DefectWords {
+  const char* one;
+  const char* several;
+};
+constexpr std::array<DefectWords, 10> kDefectWords{{
+    {"component of the mesh has no generator", "components of the mesh have no generator"},
+    {"cell is not a disc", "cells are not discs"},
+    {"cell touches the mesh's boundary in several arcs", "cells touch the mesh's boundary in several arcs"},
+    {"bisector has no branch point", "bisectors have no branch point"},
+    {"pair of cells shares several bisectors", "pairs of cells share several bisectors"},
+    {"set of cells shares several branch points", "sets of cells share several branch points"},
+    {"cell has too few neighbours", "cells have too few neighbours"},
+    {"branch point touches a cell twice", "branch points touch a cell twice"},
+    {"branch point can't be cut into triangles", "branch points can't be cut into triangles"},
+    {"triangle is flipped or has an edge of length 0", "triangles are flipped or have an edge of length 0"},
+}};
+
+/// The defects in words, one part for each property: "3 cells are not discs, 1 triangle is flipped ..."
+std::string describe_defects(const std::vector<DualDefect>& defects) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < kDefectWords.size(); ++i) {
+    const auto has_property = [i](const DualDefect& d) { return static_cast<std::size_t>(d.property) == i + 1; };
+    const auto count = std::count_if(defects.begin(), defects.end(), has_property);
+    const DefectWords& words = kDefectWords[i];
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? words.one : words.several));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void note_result(Console& console, const RemeshResult& result) {
   console.note(fmt::format("{} vertices, {} faces: manifold, with the input's topology", result.mesh.vertex_count(),
                            result.mesh.face_count()));
   if (result.added > 0) {
-    console.note(fmt::format("{} generators were added: the dual of the given {} is no proper mesh", result.added,
-                             result.generators.size() - static_cast<std::size_t>(result.added)));
+    console.note(fmt::format("{} generators were added: with the given {}, {}", result.added,
+                             result.generators.size() - static_cast<std::size_t>(result.added),
+                             describe_defects(result.given_defects)));
   }
 }
 

@@ -145,6 +145,7 @@ TEST_CASE("commands: a bad file is refused in one line that names it") {
   };
   for (const std::string& name : built_commands()) {
     for (const auto& [path, code] : bad) require_error(name, path + " -n 1", code, path);
+    require_error(name, file("mesh.xyz", "0 0 0\n") + " -n 1", 3, "name the format with --input-format");
     require_error(name, "- --input-format off -n 1 < " + bad[5].first, 3, "standard input");
     require_error(name, "- --input-format off -n 1", 3, "standard input");
   }

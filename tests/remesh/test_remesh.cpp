@@ -161,7 +161,9 @@ TEST_CASE("remesh: refuses where no generator may be added, and names property a
   CHECK(error.code() == ErrorCode::no_valid_result);
   CHECK_THAT(error.what(), Catch::Matchers::Contains("(4) cells 0 and 1 share a closed bisector, near ("));
   const auto thirty = test::random_generators(sphere, 30, 0);
-  CHECK(remesh(sphere, thirty, options).added == 0);
+  const RemeshResult enough = remesh(sphere, thirty, options);
+  CHECK(enough.added == 0);
+  CHECK(enough.given_defects.empty());
 }
 
 TEST_CASE("remesh: refuses where more generators are needed than may be added") {
@@ -170,7 +172,7 @@ TEST_CASE("remesh: refuses where more generators are needed than may be added") 
   options.max_added = 2;
   const Error error = refusal(torus, {vertex_point(torus, VertexId(0))}, options);
   CHECK(error.code() == ErrorCode::no_valid_result);
-  CHECK_THAT(error.what(), Catch::Matchers::Contains("the dual of 3 generators is not a proper mesh: (2)"));
+  CHECK_THAT(error.what(), Catch::Matchers::Contains("the dual of 3 generators is no valid mesh: (2)"));
   CHECK_THAT(error.what(), Catch::Matchers::Contains("2 generators were added"));
   options.max_added = -1;
   CHECK(refusal(torus, {vertex_point(torus, VertexId(0))}, options).code() == ErrorCode::invalid_option);

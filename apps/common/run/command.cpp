@@ -7,6 +7,7 @@
 
 #include "common/options/check_options.hpp"
 #include "common/options/register_options.hpp"
+#include "common/run/name_options.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -66,7 +67,7 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
     body(run);
     return kDone;
   } catch (const Error& error) {
-    plain.error(error.what());
+    plain.error(name_options(error.what()));
     return exit_code(error.code());
   } catch (const std::bad_alloc&) {
     plain.error("out of memory; use a smaller mesh or fewer generators");

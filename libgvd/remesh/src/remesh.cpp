@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/counted.hpp"
 #include "gvd/error.hpp"
 #include "propose_generators.hpp"
 
@@ -97,11 +98,12 @@ class Remesher {
   }
 
   void refine(const std::vector<DualDefect>& defects) {
-    if (!options_.refine) refuse(defects, "give more generators there, or let some be added");
+    if (result_.rounds == 1) result_.given_defects = defects;
+    if (!options_.refine) refuse(defects, "give more generators there, or set refine");
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
       refuse(defects, fmt::format("{} generators were added in {} rounds: give more or other ones{}", result_.added,
-                                  result_.rounds, may_add <= 0 ? ", or allow to add more" : ""));
+                                  result_.rounds, may_add <= 0 ? ", or raise max_added" : ""));
     }
     const auto points = propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
     if (points.empty())
@@ -110,11 +112,16 @@ class Remesher {
     result_.added += static_cast<std::int64_t>(points.size());
   }
 
+  static std::string others(std::size_t count) {
+    return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
+  }
+
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} generators is not a proper mesh: {}; {}", result_.generators.size(),
-                            defects.front().message, advice),
+                fmt::format("the dual of {} is no valid mesh: {}{}; {}",
+                            counted(static_cast<std::int64_t>(result_.generators.size()), "generator", "generators"),
+                            defects.front().message, others(defects.size() - 1), advice),
                 cells.empty() ? -1 : cells.front().value());
   }
 

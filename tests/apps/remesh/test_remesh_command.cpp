@@ -38,6 +38,17 @@ TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothi
   const CommandResult result = run_command("gvd-remesh", data_file("torus.ply") + " -n 2 --no-refine -o " + path);
   CHECK(result.exit_code == 5);
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  CHECK_THAT(result.err, Contains("gvd-remesh: error: the dual of 2 generators is not a proper mesh: (2) cell "));
+  CHECK_THAT(result.err, Contains("gvd-remesh: error: the dual of 2 generators is no valid mesh: (2) cell "));
   CHECK(!std::filesystem::exists(path));
+}
+
+TEST_CASE("gvd-remesh: a note says why generators were added") {
+  const CommandResult one = run_command("gvd-remesh", data_file("torus.ply") + " -n 1");
+  CHECK(one.exit_code == 0);
+  CHECK_THAT(
+      one.err,
+      Contains(" generators were added: with the given 1, 1 cell is not a disc, 1 cell has too few neighbours\n"));
+  const CommandResult many = run_command("gvd-remesh", data_file("torus.ply") + " -n 100");
+  CHECK(many.exit_code == 0);
+  CHECK_THAT(many.err, !Contains("were added"));
 }

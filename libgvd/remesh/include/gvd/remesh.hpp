@@ -60,6 +60,7 @@ struct RemeshResult {
   Mesh mesh;                              ///< vertex i is generator i
   std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
   std::int64_t added = 0;                 ///< number of generators added
+  std::vector<DualDefect> given_defects;  ///< of the dual of the given generators: why others were added
   std::int32_t rounds = 0;                ///< number of diagrams computed
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   Diagram diagram;                        ///< of all generators

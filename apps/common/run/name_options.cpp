@@ -1,0 +1,36 @@
+#include "common/run/name_options.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace gvd::app {
+namespace {
+
+struct Advice {
+  std::string_view of_library;
+  std::string_view of_command;
+};
+
+constexpr std::array<Advice, 7> kAdvice{{
+    {"name the format", "name the format with --input-format obj, ply, off or stl"},
+    {"allow its repair", "allow its repair with --on-defect repair"},
+    {"raise max_snap", "raise --max-snap"},
+    {"set merge_coincident", "add --merge-coincident"},
+    {"set refine", "leave --no-refine out"},
+    {"raise max_added", "raise --max-added"},
+    {"choose PLY, OBJ, OFF or VTP",
+     "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},
+}};
+
+}  // namespace
+
+std::string name_options(std::string message) {
+  for (const Advice& advice : kAdvice) {
+    if (!message.ends_with(advice.of_library)) continue;
+    message.replace(message.size() - advice.of_library.size(), advice.of_library.size(), advice.of_command);
+    break;
+  }
+  return message;
+}
+
+}  // namespace gvd::app
