@@ -38,9 +38,9 @@ namespace gvd::bench {
 namespace {
 
 /// Generators whose distances differ by less than this fraction of them are equally near.
-constexpr double kTie = 1e-9;
+constexpr double kEquallyNear = 1e-9;
 
-/// The nearest generator of every vertex, by its place in the list, and the distance; -1 and infinity where none
+/// The nearest generator of every vertex, by its index in the list, and its distance. -1 and infinity where none
 /// reaches.
 struct Labels {
   std::vector<int> label;
@@ -167,7 +167,7 @@ Figures compare(const EdgeGraph& graph, const std::vector<VertexId>& generators,
     if (truth.label[v] < 0 || found.label[v] < 0 || truth.distance[v] == 0) continue;
     ++vertices;
     const auto g = static_cast<std::size_t>(found.label[v]);
-    sum.wrong_label += exact[g][v] > truth.distance[v] * (1 + kTie) ? 1 : 0;
+    sum.wrong_label += exact[g][v] > truth.distance[v] * (1 + kEquallyNear) ? 1 : 0;
     sum.error += std::abs(found.distance[v] / truth.distance[v] - 1);
     if (joined[v]) continue;
     sum.cut_off += 1;

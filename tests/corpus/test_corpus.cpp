@@ -98,7 +98,7 @@ std::vector<std::vector<SurfacePoint>> symmetric_generators(const Mesh& mesh, in
 
 void run_symmetric(const Mesh& mesh, int step) {
   for (const std::vector<SurfacePoint>& generators : symmetric_generators(mesh, step)) {
-    INFO(generators.size() << " generators, one place in " << step);
+    INFO(generators.size() << " generators, at every element whose id is a multiple of " << step);
     const Diagram diagram = compute_diagram(mesh, generators);
     const DiagramCheck check = check_diagram(mesh, diagram);
     for (const std::string& violation : check.violations) UNSCOPED_INFO(violation);
@@ -114,7 +114,7 @@ unsigned number_from(const char* variable, unsigned otherwise) {
 
 }  // namespace
 
-TEST_CASE("every mesh of the corpus is read, or refused with one line that names its place") {
+TEST_CASE("every mesh of the corpus is read, or refused with one line that names the line") {
   for (const auto& file : corpus()) {
     INFO(file);
     try {

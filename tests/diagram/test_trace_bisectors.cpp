@@ -26,7 +26,7 @@ struct Traced {
   }
 };
 
-Vec3 place(const Traced& t, const ArcEnd& end) {
+Vec3 position_of(const Traced& t, const ArcEnd& end) {
   if (end.branch.valid()) {
     const FaceBranch& b = t.traced.faces.branches[end.branch];
     return position(t.working.mesh(), {b.face, b.bary});
@@ -70,7 +70,7 @@ void require_sound(const Traced& t) {
 void require_bisectors(const Traced& t, const Mesh& mesh) {
   double arcs = 0, bisectors = 0;
   std::size_t segments = 0;
-  for (const FaceArc& arc : t.traced.faces.arcs) arcs += (place(t, arc.begin) - place(t, arc.end)).norm();
+  for (const FaceArc& arc : t.traced.faces.arcs) arcs += (position_of(t, arc.begin) - position_of(t, arc.end)).norm();
   IdVector<BranchPointId, std::vector<std::pair<GeneratorId, GeneratorId>>> spokes(t.diagram.branch_points.size());
   for (const Bisector& b : t.diagram.bisectors) {
     const std::size_t n = b.points.size(), last = b.closed ? n : n - 1;

@@ -77,11 +77,11 @@ class Fields {
   double distance(GeneratorId g, VertexId v) const { return fields_[g.index()].distance(v); }
   double distance(GeneratorId g, const SurfacePoint& p) const { return fields_[g.index()].nearest(p).distance; }
   /// The distance to the nearest generator.
-  template <class Place>
-  double least(const Place& place) const {
+  template <class Point>
+  double least(const Point& point) const {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t g = 0; g < fields_.size(); ++g) {
-      best = std::min(best, distance(GeneratorId(static_cast<std::int64_t>(g)), place));
+      best = std::min(best, distance(GeneratorId(static_cast<std::int64_t>(g)), point));
     }
     return best;
   }

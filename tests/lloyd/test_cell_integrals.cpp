@@ -61,10 +61,10 @@ TEST_CASE("cell integrals: clipped faces add up to the whole face") {
   const std::vector<CellFace> clipped{{FaceId(0), &half}, {FaceId(0), &rest}};
   CellIntegrals integrals(mesh);
   for (const SurfacePoint& origin : test::random_generators(mesh, 9, 3)) {
-    const CellMoments parts = integrals.compute(origin, clipped), whole = integrals.compute(origin, whole_faces(mesh));
-    CHECK(parts.area == Approx(whole.area));
-    CHECK(parts.energy == Approx(whole.energy));
-    CHECK((parts.centroid - whole.centroid).norm() < 1e-12);
+    const CellMoments sum = integrals.compute(origin, clipped), whole = integrals.compute(origin, whole_faces(mesh));
+    CHECK(sum.area == Approx(whole.area));
+    CHECK(sum.energy == Approx(whole.energy));
+    CHECK((sum.centroid - whole.centroid).norm() < 1e-12);
   }
 }
 

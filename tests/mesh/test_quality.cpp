@@ -60,6 +60,6 @@ TEST_CASE("the figures of every family are in their ranges, and thin faces lower
     CHECK(quality.angle_min_average <= 60);
     CHECK((quality.percent_below_30 > 0 || quality.angle_min > 30 - 1e-6));
   }
-  CHECK(compute_triangle_quality(test::make_sliver_sphere(3, 7)).percent_below_30 > 30);
+  CHECK(compute_triangle_quality(test::make_thin_faced_sphere(3, 7)).percent_below_30 > 30);
   CHECK(compute_triangle_quality(Mesh()).q_average == 0);
 }

@@ -80,8 +80,8 @@ TEST_CASE("on an open cylinder the distance is that of the unrolled strip") {
     if (turn < 0) turn += 1;
     const double whole = std::floor(turn * around), angle = 2 * M_PI * (whole / around), step = 2 * M_PI / around;
     const Vec2 from(std::cos(angle), std::sin(angle)), to(std::cos(angle + step), std::sin(angle + step));
-    const double part = (Vec2(at.x(), at.y()) - from).norm() / (to - from).norm();
-    return Vec2((whole + part) / around * circumference, at.z());
+    const double fraction = (Vec2(at.x(), at.y()) - from).norm() / (to - from).norm();
+    return Vec2((whole + fraction) / around * circumference, at.z());
   };
   const auto generators = random_points(mesh, 12, 3), points = random_points(mesh, 40, 4);
   for (const SurfacePoint& generator : generators) {

@@ -66,8 +66,8 @@ struct HandMade {
   void add_rim_nodes() {
     for (const Crossing& c : items) {
       const auto all = sorted();
-      const auto place = std::find_if(all.begin(), all.end(), [&](const Crossing& x) { return same(x, c); });
-      const CrossingId id(place - all.begin());
+      const auto found = std::find_if(all.begin(), all.end(), [&](const Crossing& x) { return same(x, c); });
+      const CrossingId id(found - all.begin());
       grown.nodes.push_back({GapNode::Kind::rim, id, {}, FaceId(), {}, 0});
     }
   }

@@ -191,7 +191,7 @@ Mesh make_bumpy_sphere(int subdivisions, unsigned seed) {
   return b.build();
 }
 
-Mesh make_sliver_sphere(int subdivisions, unsigned seed) {
+Mesh make_thin_faced_sphere(int subdivisions, unsigned seed) {
   Builder b = icosphere(subdivisions);
   std::mt19937 random(seed);
   const double edge = 1.1 / std::pow(2.0, subdivisions);
@@ -228,7 +228,7 @@ std::vector<NamedMesh> small_family() {
   family.push_back({"ring", make_ring(24, 6)});
   family.push_back({"half sphere", make_half_sphere(2)});
   family.push_back({"bumpy sphere", make_bumpy_sphere(3, 7)});
-  family.push_back({"sliver sphere", make_sliver_sphere(3, 7)});
+  family.push_back({"thin-faced sphere", make_thin_faced_sphere(3, 7)});
   family.push_back({"genus 3", make_genus3(3)});
   family.push_back({"two components", make_two_components()});
   return family;

@@ -16,10 +16,10 @@ Mesh make_plate(int n, double thickness = 0.01);  ///< a closed thin box, 1 x 1 
 Mesh make_grid(int nx, int ny);                   ///< a flat open rectangle nx x ny of unit squares, split in triangles
 Mesh make_ring(int around, int across);           ///< an open cylinder of radius 1 and height 0.5: two boundary loops
 Mesh make_half_sphere(int subdivisions);          ///< open, one boundary loop
-Mesh make_bumpy_sphere(int subdivisions, unsigned seed);   ///< radius varied by seeded waves
-Mesh make_sliver_sphere(int subdivisions, unsigned seed);  ///< a sphere stretched and jittered until faces are thin
-Mesh make_genus3(int n);                                   ///< a slab with three square holes, closed, genus 3
-Mesh make_two_components();                                ///< a sphere and a torus side by side
+Mesh make_bumpy_sphere(int subdivisions, unsigned seed);       ///< radius varied by seeded waves
+Mesh make_thin_faced_sphere(int subdivisions, unsigned seed);  ///< stretched and jittered
+Mesh make_genus3(int n);                                       ///< a slab with three square holes, closed, genus 3
+Mesh make_two_components();                                    ///< a sphere and a torus side by side
 
 struct NamedMesh {
   std::string name;

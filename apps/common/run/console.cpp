@@ -42,14 +42,14 @@ ConsoleStyle detect_console_style() {
 }
 
 std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style) {
-  const double done_part = std::clamp(fraction, 0.0, 1.0);
-  const int percent = static_cast<int>(done_part * 100);
+  const double shown = std::clamp(fraction, 0.0, 1.0);
+  const int percent = static_cast<int>(shown * 100);
   const int cells = style.width - 1 - kStepColumns - 2 - kPercentColumns;
   if (cells < kSmallestBar) {
     const int step_columns = std::max(0, style.width - 1 - 6);
     return fmt::format("{} {:3} %", step.substr(0, static_cast<std::size_t>(step_columns)), percent);
   }
-  const int filled = static_cast<int>(done_part * cells);
+  const int filled = static_cast<int>(shown * cells);
   const std::string done(static_cast<std::size_t>(filled), '#');
   const std::string rest(static_cast<std::size_t>(cells - filled), '.');
   const std::string_view on = style.colours ? "\x1b[36m" : "", off = style.colours ? "\x1b[0m" : "";

@@ -68,8 +68,8 @@ class FaceAssigner {
 
   FaceId find_face(const std::vector<FaceShare>& candidates) {
     for (const FaceShare& share : candidates) {
-      const GeneratorId owner = label(share.face);
-      if (owner.valid() && count_[owner] > 1 && stays_connected_without(share.face)) return share.face;
+      const GeneratorId generator = label(share.face);
+      if (generator.valid() && count_[generator] > 1 && stays_connected_without(share.face)) return share.face;
     }
     return FaceId();
   }

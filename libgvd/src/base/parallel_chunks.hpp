@@ -69,13 +69,13 @@ class ParallelChunks {
   /// The same for results that are vectors, which are joined to one.
   template <class Compute>
   auto collect(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
-    auto parts = map(chunks, step, compute);
+    auto results = map(chunks, step, compute);
     std::size_t size = 0;
-    for (const auto& part : parts) size += part.size();
-    typename decltype(parts)::value_type joined;
+    for (const auto& result : results) size += result.size();
+    typename decltype(results)::value_type joined;
     joined.reserve(size);
-    for (auto& part : parts) {
-      joined.insert(joined.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+    for (auto& result : results) {
+      joined.insert(joined.end(), std::make_move_iterator(result.begin()), std::make_move_iterator(result.end()));
     }
     return joined;
   }

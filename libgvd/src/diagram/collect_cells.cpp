@@ -131,14 +131,14 @@ class CellCollector {
     }
   }
 
-  /// Adds `sign` to the Euler characteristic of owner(i)'s cell for every i below `items`.
-  template <class Owner>
-  void count(std::int32_t items, std::int32_t sign, const Owner& owner) {
+  /// Adds `sign` to the Euler characteristic of label_of(i)'s cell for every i below `items`.
+  template <class LabelOf>
+  void count(std::int32_t items, std::int32_t sign, const LabelOf& label_of) {
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
     for (const auto& shares : parallel_.map(chunks, steps::kVerticesAndEdges, [&](const Chunk& chunk) {
            CellShares list;
            for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-             const GeneratorId g = owner(i);
+             const GeneratorId g = label_of(i);
              if (g.valid()) list[g].euler_characteristic += sign;
            }
            return list.take();

@@ -78,14 +78,14 @@ void WorkingMesh::copy_input() {
 
 void WorkingMesh::claim(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
-  GeneratorId& owner = vertex_generator_[v];
-  if (owner.valid()) {
+  GeneratorId& known = vertex_generator_[v];
+  if (known.valid()) {
     throw Error(ErrorCode::precondition,
-                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", owner.value(),
+                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", known.value(),
                             g.value()),
                 g.value());
   }
-  owner = g;
+  known = g;
   generator_vertex_[g] = v;
 }
 

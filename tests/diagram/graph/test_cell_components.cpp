@@ -47,7 +47,7 @@ struct HandMade {
     traced.crossings = Crossings(mesh.edge_count(), items);
   }
 
-  CellComponents parts() {
+  CellComponents components() {
     traced.faces = {};
     assemble_faces({stages.working, stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
     return CellComponents(stages.working, traced);
@@ -84,32 +84,32 @@ TEST_CASE("traced diagrams have no island, on every family") {
     const WorkingMesh working(mesh, test::random_generators(mesh, 60, 14));
     const FastMarchingResult marched = march(working, Front::circle, {});
     const TracedDiagram traced = test::trace_growth(working, marched.table, Front::circle);
-    CellComponents parts(working, traced);
-    REQUIRE(parts.island_edges().empty());
-    REQUIRE(parts.island_vertices().empty());
-    for (const std::int32_t count : parts.count_components()) REQUIRE(count == 1);
+    CellComponents components(working, traced);
+    REQUIRE(components.island_edges().empty());
+    REQUIRE(components.island_vertices().empty());
+    for (const std::int32_t count : components.count_components()) REQUIRE(count == 1);
   }
 }
 
 TEST_CASE("a disconnected interval is an island of its cell, and the edges of its faces are named") {
   HandMade made;
   {
-    CellComponents parts = made.parts();
-    CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 1});
-    CHECK(parts.island_edges().empty());
+    CellComponents components = made.components();
+    CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 1});
+    CHECK(components.island_edges().empty());
   }
   const EdgeId e = made.edge(1, 2);  // on the boundary, near generator 0
   const EdgeId f = made.edge(1, 8);  // inside
   for (const EdgeId poked : {e, f}) {
     HandMade fresh;
     fresh.poke(poked, GeneratorId(0), GeneratorId(1));
-    CellComponents parts = fresh.parts();
-    CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 2});
-    const auto islands = parts.island_edges();
+    CellComponents components = fresh.components();
+    CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 2});
+    const auto islands = components.island_edges();
     CHECK(std::is_sorted(islands.begin(), islands.end()));
     CHECK(std::binary_search(islands.begin(), islands.end(), poked));
     CHECK(islands.size() == (poked == e ? 3 : 5));
-    CHECK(parts.island_vertices().empty());
+    CHECK(components.island_vertices().empty());
   }
 }
 
@@ -126,9 +126,9 @@ TEST_CASE("a vertex of another cell in the middle of a cell is an island") {
   }
   std::stable_sort(items.begin(), items.end(), [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
   made.traced.crossings = Crossings(made.mesh.edge_count(), items);
-  CellComponents parts = made.parts();
-  CHECK(parts.count_components().raw() == std::vector<std::int32_t>{1, 2});
-  CHECK(parts.island_vertices() == std::vector<VertexId>{v});
+  CellComponents components = made.components();
+  CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 2});
+  CHECK(components.island_vertices() == std::vector<VertexId>{v});
 }
 
 TEST_CASE("loops of bisectors and of the mesh's boundary agree with the Euler characteristics") {

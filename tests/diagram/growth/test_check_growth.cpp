@@ -54,7 +54,7 @@ TEST_CASE("cells that are not in the order of the arcs around a branch point are
 
 TEST_CASE("crossings too close to each other, or to the ends of their edge, are refused") {
   // The parameters of the new crossings count from a to c, or from c to a, as their edge does.
-  const auto place = [](TwoAcross& x, std::size_t n, double t) {
+  const auto move_crossing = [](TwoAcross& x, std::size_t n, double t) {
     const bool along = x.mesh.from(x.mesh.halfedge(x.grown.nodes[n].crossing.edge)) == VertexId(x.a);
     x.grown.nodes[n].crossing.t = along ? t : 1 - t;
   };
@@ -63,7 +63,7 @@ TEST_CASE("crossings too close to each other, or to the ends of their edge, are 
         std::tuple(2 * kCrossingGap, 0.6, true), std::tuple(0.5 * kCrossingGap, 0.6, false),
         std::tuple(0.4, 1 - 2 * kCrossingGap, true), std::tuple(0.4, 1 - 0.5 * kCrossingGap, false)}) {
     TwoAcross x;
-    place(x, 4, first), place(x, 5, second);
+    move_crossing(x, 4, first), move_crossing(x, 5, second);
     INFO(first << ", " << second);
     CHECK(x.check() == sound);
   }
@@ -172,7 +172,7 @@ void require_refused(const test::GrownGaps& g, std::size_t i,
       REQUIRE(k > 0);
       return;
     }
-    INFO("place " << k);
+    INFO("element " << k);
     REQUIRE_FALSE(g.check(i, tampered));
   }
 }

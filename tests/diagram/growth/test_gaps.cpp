@@ -36,23 +36,23 @@ TEST_CASE("gaps are the connected groups of faces with three or more competing g
     INFO(name);
     const test::Stages stages(mesh, test::random_generators(mesh, 20, 9), Front::circle);
     const std::vector<Gap> gaps = find_gaps(stages.mesh(), stages.table());
-    std::vector<int> owner(static_cast<std::size_t>(stages.mesh().face_count()), -1);
+    std::vector<int> gap_of_face(static_cast<std::size_t>(stages.mesh().face_count()), -1);
     for (std::size_t g = 0; g < gaps.size(); ++g) {
       REQUIRE(std::is_sorted(gaps[g].faces.begin(), gaps[g].faces.end()));
       REQUIRE(is_connected(stages.mesh(), gaps[g]));
       if (g > 0) REQUIRE(gaps[g - 1].faces.front() < gaps[g].faces.front());
       for (const FaceId f : gaps[g].faces) {
-        REQUIRE(owner[f.index()] == -1);
-        owner[f.index()] = static_cast<int>(g);
+        REQUIRE(gap_of_face[f.index()] == -1);
+        gap_of_face[f.index()] = static_cast<int>(g);
       }
     }
     for (int i = 0; i < stages.mesh().face_count(); ++i) {
       const FaceId f(i);
-      REQUIRE((owner[f.index()] >= 0) == (competing(stages.table(), f) >= 3));
+      REQUIRE((gap_of_face[f.index()] >= 0) == (competing(stages.table(), f) >= 3));
       for (int corner = 0; corner < 3; ++corner) {  // two gaps never have an edge in common
         const HalfedgeId twin = stages.mesh().twin(Mesh::halfedge(f, corner));
-        if (!twin.valid() || owner[f.index()] < 0 || owner[Mesh::face(twin).index()] < 0) continue;
-        REQUIRE(owner[f.index()] == owner[Mesh::face(twin).index()]);
+        if (!twin.valid() || gap_of_face[f.index()] < 0 || gap_of_face[Mesh::face(twin).index()] < 0) continue;
+        REQUIRE(gap_of_face[f.index()] == gap_of_face[Mesh::face(twin).index()]);
       }
     }
   }

@@ -15,7 +15,7 @@
 using namespace gvd;
 
 TEST_CASE("a face is laid out with its own lengths, counter-clockwise, and points come back") {
-  const Mesh mesh = test::make_sliver_sphere(2, 3);
+  const Mesh mesh = test::make_thin_faced_sphere(2, 3);
   for (int f = 0; f < mesh.face_count(); ++f) {
     const FaceLayout layout(mesh, FaceId(f));
     const auto& corner = layout.corner;

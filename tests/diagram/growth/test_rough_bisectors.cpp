@@ -14,14 +14,14 @@ using namespace gvd;
 
 namespace {
 
-Vec3 place(const Mesh& mesh, const Crossing& c) {
+Vec3 position_of(const Mesh& mesh, const Crossing& c) {
   const HalfedgeId h = mesh.halfedge(c.edge);
   return (1 - c.t) * mesh.position(mesh.from(h)) + c.t * mesh.position(mesh.to(h));
 }
 
 /// Ascending order, the gaps, and properties (1) to (3) of Crossings.
 void require_sound(const Mesh& mesh, const NearestLabels& labels, const Crossings& crossings) {
-  constexpr double kRounding = 1e-15;
+  constexpr double kGapRounding = 1e-15;
   std::int32_t counted = 0;
   for (int i = 0; i < mesh.edge_count(); ++i) {
     const EdgeId e(i);
@@ -33,13 +33,13 @@ void require_sound(const Mesh& mesh, const NearestLabels& labels, const Crossing
       REQUIRE(c.edge == e);
       REQUIRE(c.before == running);  // (1), and (2) for the first
       REQUIRE(c.before != c.after);  // (3)
-      REQUIRE(c.t >= t + kCrossingGap - kRounding);
+      REQUIRE(c.t >= t + kCrossingGap - kGapRounding);
       running = c.after;
       t = c.t;
       ++counted;
     }
     REQUIRE(running == labels.label[mesh.to(h)]);  // (2)
-    REQUIRE(t <= 1 - kCrossingGap + kRounding);
+    REQUIRE(t <= 1 - kCrossingGap + kGapRounding);
   }
   REQUIRE(counted == static_cast<std::int32_t>(crossings.size()));
 }
@@ -83,7 +83,7 @@ TEST_CASE("with circles the crossings on a flat grid lie on the perpendicular bi
     const Vec3 &p = mesh.position(VertexId(a)), &q = mesh.position(VertexId(b));
     CHECK(stages.rough.size() > 10);
     for (const Crossing& c : stages.rough.items()) {
-      const Vec3 x = place(mesh, c);
+      const Vec3 x = position_of(mesh, c);
       REQUIRE(std::abs((x - p).norm() - (x - q).norm()) < tolerance);
       const Vec3& from = mesh.position(mesh.from(mesh.halfedge(c.edge)));
       const double lead = (from - p).norm() - (from - q).norm();
@@ -97,7 +97,7 @@ TEST_CASE("one generator crosses no edge, and neither does a component that it d
   CHECK(test::Stages(mesh, test::at_vertices(mesh, {0}), Front::circle).rough.size() == 0);
 }
 
-TEST_CASE("a cell that owns only the inside of an edge is found there") {
+TEST_CASE("a cell that holds only the inside of an edge is found there") {
   // Generator 2 sits just below the middle of a long edge whose ends belong to 0 and 1.
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -0.5, 0}}, {{0, 1, 2}, {1, 0, 3}});
   const test::Stages stages(mesh, test::at_vertices(mesh, {0, 1, 3}), Front::circle);
@@ -108,7 +108,7 @@ TEST_CASE("a cell that owns only the inside of an edge is found there") {
   CHECK(first.after == GeneratorId(2));
   CHECK(second.before == GeneratorId(2));
   for (const Crossing& c : {first, second}) {
-    const Vec3 x = place(mesh, c);
+    const Vec3 x = position_of(mesh, c);
     const Vec3& corner = mesh.position(x.x() < 2 ? VertexId(0) : VertexId(1));
     CHECK((x - corner).norm() == Approx((x - mesh.position(VertexId(3))).norm()).epsilon(1e-6));
   }

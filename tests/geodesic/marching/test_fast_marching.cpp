@@ -24,9 +24,9 @@ constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 
 /// Distance from generator g to v, without its offset; infinity where the march did not bring it there.
 double distance(const FastMarchingResult& marched, VertexId v, GeneratorId g) {
-  const std::int32_t place = marched.table.find(v, g);
-  if (place < 0) return std::numeric_limits<double>::infinity();
-  return marched.table.distance(place).distance - marched.offset.of(g);
+  const std::int32_t item = marched.table.find(v, g);
+  if (item < 0) return std::numeric_limits<double>::infinity();
+  return marched.table.distance(item).distance - marched.offset.of(g);
 }
 
 /// Largest difference to the straight distance on a flat convex mesh with generator 0 alone, in mesh units.

@@ -61,9 +61,9 @@ TEST_CASE("on a flat grid the least distance over the sources is the straight on
     const HalfedgeId h = mesh.halfedge(EdgeId(e));
     distances.collect(EdgeId(e), on_edge);
     REQUIRE(on_edge.size() >= 2);
-    for (const double part : {0.0, 0.3, 1.0}) {
-      const Vec3 p = (1 - part) * mesh.position(mesh.from(h)) + part * mesh.position(mesh.to(h));
-      REQUIRE(std::abs(least(on_edge, part * mesh.length(h)) - (p - from).norm()) < kOffset);
+    for (const double fraction : {0.0, 0.3, 1.0}) {
+      const Vec3 p = (1 - fraction) * mesh.position(mesh.from(h)) + fraction * mesh.position(mesh.to(h));
+      REQUIRE(std::abs(least(on_edge, fraction * mesh.length(h)) - (p - from).norm()) < kOffset);
     }
   }
   std::vector<FaceSource> in_face;

@@ -64,7 +64,7 @@ TEST_CASE("nearest field: insertion gives the distances of the nearest generator
       INFO(name << ", vertex " << v);
       // Never nearer than alone. A front stops one ring beyond its cell, so distances near the border can be a little
       // too long. Among thin faces a straight path passes close to vertices of other cells: up to a quarter too long.
-      const double loss = name == "sliver sphere" ? 0.25 : 0.05;
+      const double loss = name == "thin-faced sphere" ? 0.25 : 0.05;
       const double whole = nearest[static_cast<std::size_t>(v)], inserted = field.distance(VertexId(v));
       CHECK(inserted >= whole * (1 - 1e-12));
       CHECK(inserted <= whole * (1 + loss) + 0.05 * mesh.mean_edge_length());

@@ -62,7 +62,7 @@ TEST_CASE("property 4: on every family no vertex is too far, by an independent u
     const auto distance = edge_distances(mesh, generators);
     // Edges of a mesh are a detour of up to sqrt 2 on squares with diagonals in one direction, and more among thin
     // faces.
-    const double detour = name == "sliver sphere" ? 2.0 : std::numbers::sqrt2;
+    const double detour = name == "thin-faced sphere" ? 2.0 : std::numbers::sqrt2;
     CHECK(*std::max_element(distance.begin(), distance.end()) <= detour * radius + 2 * mesh.mean_edge_length());
     CHECK(all_distinct(mesh, generators));
   }

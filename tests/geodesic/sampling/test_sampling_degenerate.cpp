@@ -61,8 +61,8 @@ TEST_CASE("a march terminates on a disc made of a fan of needles") {
         const double angle = 2 * std::numbers::pi * (i + 1) / (kNeedles + 2);
         return {std::cos(angle) - 1, std::sin(angle), 0};
       };
-      const double part = row > 0 ? double(k - needle * row) / row : 0;
-      points.push_back(double(row) / kRows * ((1 - part) * corner(needle) + part * corner(needle + 1)));
+      const double fraction = row > 0 ? double(k - needle * row) / row : 0;
+      points.push_back(double(row) / kRows * ((1 - fraction) * corner(needle) + fraction * corner(needle + 1)));
     }
   }
   std::vector<std::array<VertexId, 3>> faces;

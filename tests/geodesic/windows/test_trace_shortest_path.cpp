@@ -126,8 +126,8 @@ TEST_CASE("every window is a path of its generator, and none is shorter than the
       field.windows.for_each(FaceId(f), [&](const Window& w) {
         const HalfedgeId h = w.halfedge;
         const double length = mesh.length(h);
-        for (const double part : {0.0, 0.5, 1.0}) {
-          const double t = w.begin + part * (w.end - w.begin), from_start = mesh.twin(h).valid() ? t : length - t;
+        for (const double fraction : {0.0, 0.5, 1.0}) {
+          const double t = w.begin + fraction * (w.end - w.begin), from_start = mesh.twin(h).valid() ? t : length - t;
           const double least = distance_on_edge(mesh, alone[w.generator.index()], h, from_start / length);
           worst = std::max(worst, least - w.distance(t));
         }

@@ -59,9 +59,9 @@ class FaceAssembly {
 
   /// Splits the polygon along its united intervals. False where none are.
   bool split(const FacePolygon& polygon) {
-    std::vector<FacePolygon> parts = split_at_united_intervals(polygon, intervals_);
-    for (FacePolygon& part : parts) open_.push_back(std::move(part));
-    return !parts.empty();
+    std::vector<FacePolygon> polygons = split_at_united_intervals(polygon, intervals_);
+    for (FacePolygon& smaller : polygons) open_.push_back(std::move(smaller));
+    return !polygons.empty();
   }
 
   /// Joins the two intervals of each pair to one piece, which splits the polygon.

@@ -12,7 +12,7 @@ namespace gvd {
 /// The shortest paths of two generators to a point, compared: how far the point is from their bisector. Mesh units.
 struct BisectorSample {
   /// Rounding of a difference of two distances, as a fraction of them.
-  static constexpr double kRounding = 1e-15;
+  static constexpr double kDifferenceRounding = 1e-15;
 
   Vec2 point;
   FaceSource::Path left, right;
@@ -22,7 +22,7 @@ struct BisectorSample {
   /// The difference of the distances: 0 on the bisector, < 0 on its left.
   double error() const { return left.distance - right.distance; }
   /// The part of the error that may be rounding.
-  double rounding() const { return kRounding * left.distance; }
+  double rounding() const { return kDifferenceRounding * left.distance; }
   /// The gradient of the error.
   Vec2 gradient() const { return direction(point, left.from) - direction(point, right.from); }
   /// Direction of the bisector, with the left generator's cell on its left; not a unit vector.

@@ -10,7 +10,7 @@ namespace {
 
 /// Shortest label interval, as a fraction of its edge. A shorter one is a rounding error where windows end. The points
 /// of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
-constexpr double kShortestInterval = 1e-9;
+constexpr double kShortestExactInterval = 1e-9;
 
 /// Widest gap between two windows, as a fraction of the edge. Windows end at rays past a vertex, and rays unfolded over
 /// hundreds of thin faces are off by up to 1e-9 of the edge.
@@ -54,7 +54,7 @@ double find_equidistant(const EdgeEnvelope& envelope, GeneratorId a, GeneratorId
 void EdgeCrossings::find_label_intervals(const EdgeEnvelope& envelope, GeneratorId first, GeneratorId last) {
   intervals_.assign(1, {0, first});
   const auto& segments = envelope.segments();
-  const double least = kShortestInterval * envelope.length();
+  const double least = kShortestExactInterval * envelope.length();
   double begin = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const GeneratorId g = envelope.generator(segments[i]);

@@ -95,7 +95,7 @@ bool ArcRefiner::is_near(const BisectorSample& sample) const {
 
 bool ArcRefiner::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
   return std::all_of(kSamples.begin(), kSamples.end(),
-                     [&](double part) { return is_near(sample(begin + part * chord)); });
+                     [&](double fraction) { return is_near(sample(begin + fraction * chord)); });
 }
 
 /// The corner of a bisector that is straight on both sides of it: the intersection of the tangents at the two ends.
@@ -104,9 +104,9 @@ std::optional<Vec2> ArcRefiner::likely_corner(const BisectorPoint& begin, const 
   const Vec2 chord = end.point - begin.point;
   const double t = intersect_lines(begin.point, begin.tangent, end.point, end.tangent).s;
   const Vec2 corner = begin.point + t * begin.tangent;
-  const double part = (corner - begin.point).dot(chord) / chord.squaredNorm();
+  const double fraction = (corner - begin.point).dot(chord) / chord.squaredNorm();
   const bool is_between =
-      part > kNearEnd && part < 1 - kNearEnd && (corner - begin.point - part * chord).norm() < chord.norm();
+      fraction > kNearEnd && fraction < 1 - kNearEnd && (corner - begin.point - fraction * chord).norm() < chord.norm();
   if (!is_between) return std::nullopt;
   const auto bary = distances_.layout().bary(corner);
   if (*std::min_element(bary.begin(), bary.end()) < 0) return std::nullopt;

@@ -19,7 +19,7 @@ constexpr double kEqual = 1e-14;
 constexpr double kResidual = 1e-12;
 
 /// Another generator nearer by up to this fraction of the distance is equally far: the branch point has degree four.
-constexpr double kTie = 1e-12;
+constexpr double kEquallyFar = 1e-12;
 
 /// Difference of the two distances at a crossing, as a fraction of them. The envelope takes them for equal within a
 /// quarter of it, and they are rounded sums.
@@ -69,7 +69,7 @@ void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
   std::sort(order_.begin(), order_.end());
   sources_.clear();
-  for (const auto& [generator, place] : order_) sources_.push_back(found_[static_cast<std::size_t>(place)]);
+  for (const auto& [generator, index] : order_) sources_.push_back(found_[static_cast<std::size_t>(index)]);
   bring_nearest_forward();
 }
 
@@ -180,7 +180,7 @@ bool SourceDistances::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId 
   const auto path_a = nearest(a, p), path_b = nearest(b, p), path_c = nearest(c, p);
   for (const FaceSource& s : sources_) {
     if (s.generator == a || s.generator == b || s.generator == c) continue;
-    if (s.shortest_path(p).distance < path_a.distance * (1 - kTie)) return false;
+    if (s.shortest_path(p).distance < path_a.distance * (1 - kEquallyFar)) return false;
   }
   const Vec2 u = direction(p, path_a.from), v = direction(p, path_b.from), w = direction(p, path_c.from);
   return twice_signed_area(u, v, w) > 0;

@@ -91,9 +91,9 @@ void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
     return assembler.take_result();
   };
   const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
-  for (const AssembledFaces& part : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
-    traced.faces.append(part.diagram);
-    traced.counts.straightened_faces += part.straightened;
+  for (const AssembledFaces& assembled : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
+    traced.faces.append(assembled.diagram);
+    traced.counts.straightened_faces += assembled.straightened;
   }
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
 }

@@ -33,9 +33,9 @@ double root_between(const std::array<double, 4>& samples, std::size_t node) {
 }
 
 /// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for cubics.
-double piece(const std::array<double, 4>& samples, double a, double b) {
-  const double middle = (a + b) / 2, reach = (b - a) / 2 * std::numbers::inv_sqrt3;
-  return std::abs(cubic(samples, middle - reach) + cubic(samples, middle + reach)) * (b - a) / 2;
+double absolute_integral(const std::array<double, 4>& samples, double a, double b) {
+  const double middle = (a + b) / 2, to_node = (b - a) / 2 * std::numbers::inv_sqrt3;
+  return std::abs(cubic(samples, middle - to_node) + cubic(samples, middle + to_node)) * (b - a) / 2;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ double piece(const std::array<double, 4>& samples, double a, double b) {
 double integrate_absolute(const std::array<double, 4>& samples) {
   double sum = 0, start = 0;
   const auto cut_at = [&](double x) {
-    sum += piece(samples, start, x);
+    sum += absolute_integral(samples, start, x);
     start = x;
   };
   for (std::size_t i = 0; i < 3; ++i) {

@@ -21,7 +21,11 @@ constexpr double kCornerRounding = 1e-15;
 class PartitionCheck {
  public:
   PartitionCheck(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations)
-      : mesh_(mesh), diagram_(diagram), reached_(reached), violations_(violations), owned_(diagram.cells.size(), 0.0) {}
+      : mesh_(mesh),
+        diagram_(diagram),
+        reached_(reached),
+        violations_(violations),
+        cell_area_(diagram.cells.size(), 0.0) {}
 
   void run() {
     check_areas();
@@ -42,7 +46,7 @@ class PartitionCheck {
     }
     const double tolerance = kAreaTolerance * total + area_rounding();
     for (const Cell& c : diagram_.cells) {
-      if (std::abs(c.area - owned_[c.generator]) <= tolerance) continue;
+      if (std::abs(c.area - cell_area_[c.generator]) <= tolerance) continue;
       violations_.add(2, "cell", c.generator.index(), "its area is not that of its faces and pieces");
     }
     if (next_ < diagram_.pieces.size()) violations_.add(2, "piece", next_, "pieces are not sorted by face");
@@ -53,12 +57,12 @@ class PartitionCheck {
     double share = diagram_.face_label[f].valid() ? 1 : 0;
     const bool cut = next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f;
     if (cut && share > 0) violations_.add(2, "face", f.index(), "has a label and pieces");
-    if (share > 0) owned_[diagram_.face_label[f]] += mesh_.area(f);
+    if (share > 0) cell_area_[diagram_.face_label[f]] += mesh_.area(f);
     for (; next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f; ++next_) {
-      const double part = area_share(diagram_.pieces[next_].corners);
-      if (part < -kAreaTolerance) violations_.add(2, "piece", next_, "its area is negative");
-      share += part;
-      owned_[diagram_.pieces[next_].generator] += part * mesh_.area(f);
+      const double piece_share = area_share(diagram_.pieces[next_].corners);
+      if (piece_share < -kAreaTolerance) violations_.add(2, "piece", next_, "its area is negative");
+      share += piece_share;
+      cell_area_[diagram_.pieces[next_].generator] += piece_share * mesh_.area(f);
     }
     return share;
   }
@@ -101,8 +105,8 @@ class PartitionCheck {
   const Diagram& diagram_;
   const ReachedFaces& reached_;
   Violations& violations_;
-  IdVector<GeneratorId, double> owned_;  // area of the faces and pieces of each cell
-  std::size_t next_ = 0;                 // first piece that is not yet counted
+  IdVector<GeneratorId, double> cell_area_;  // area of the faces and pieces of each cell
+  std::size_t next_ = 0;                     // first piece that is not yet counted
 };
 
 }  // namespace

@@ -52,10 +52,10 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
     const Vec2 along = corner[static_cast<std::size_t>((i + 1) % 3)] - a;
     const double outward = cross(direction, along);  // > 0: the ray crosses this edge from inside to outside
     if (!(outward > 0)) continue;
-    const double reach = std::max(0.0, intersect_lines(end.start, direction, a, along).s);
-    if (reach >= soonest) continue;
-    soonest = reach;
-    const Vec2 point = end.start + reach * direction;
+    const double to_edge = std::max(0.0, intersect_lines(end.start, direction, a, along).s);
+    if (to_edge >= soonest) continue;
+    soonest = to_edge;
+    const Vec2 point = end.start + to_edge * direction;
     first =
         Exit{Mesh::halfedge(end.face, i), (point - a).dot(along) / along.squaredNorm(), point, end.distance_at(point)};
   }

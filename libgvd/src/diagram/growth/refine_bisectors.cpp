@@ -14,8 +14,8 @@ constexpr std::size_t kProgressStride = 1 << 12;
 double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   const Vec2 normal = q - p;
   const double along = normal.dot(b - a);
-  const double reach = normal.dot(0.5 * (p + q) - a);
-  return along == 0 ? -1 : reach / along;
+  const double to_middle = normal.dot(0.5 * (p + q) - a);
+  return along == 0 ? -1 : to_middle / along;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr std::size_t kProgressStride = 1 << 10;
 
 /// Shortest interval of a cell inside an edge, relative to the edge. The march's distances are off by about a hundredth
 /// of an edge, so shorter intervals have no meaning.
-constexpr double kShortestInterval = 1e-3;
+constexpr double kShortestRoughInterval = 1e-3;
 
 /// Distances of one generator along an edge: at its first end, its midpoint and its second end.
 struct EdgeCandidate {
@@ -159,7 +159,7 @@ class RoughEdgeEnvelope {
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
     std::vector<std::pair<double, GeneratorId>> intervals{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
-      while (intervals.size() > 1 && t - intervals.back().first < kShortestInterval) intervals.pop_back();
+      while (intervals.size() > 1 && t - intervals.back().first < kShortestRoughInterval) intervals.pop_back();
       const double start = std::clamp(t, kCrossingGap, 1 - kCrossingGap);
       if (intervals.back().second != g) intervals.emplace_back(start, g);
     }
@@ -176,11 +176,11 @@ class RoughEdgeEnvelope {
   std::vector<std::pair<double, GeneratorId>> breaks_;
 };
 
-/// Whether all generators in the table of f but one are dominated.
-bool has_one_owner(const GeneratorTable& table, FaceId f) {
-  int owners = 0;
-  table.for_each(f, [&](const TableEntry& entry) { owners += entry.dominated ? 0 : 1; });
-  return owners <= 1;
+/// Whether at most one generator in the table of f is not dominated.
+bool has_one_competing_generator(const GeneratorTable& table, FaceId f) {
+  int competing = 0;
+  table.for_each(f, [&](const TableEntry& entry) { competing += entry.dominated ? 0 : 1; });
+  return competing <= 1;
 }
 
 /// Edges of the faces that have several generators at their corners, or several in their table that are not dominated;
@@ -194,7 +194,7 @@ std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
     const auto& [a, b, c] = mesh.vertices(f);
     const bool one_label =
         input.labels.label[a] == input.labels.label[b] && input.labels.label[b] == input.labels.label[c];
-    if (one_label && has_one_owner(input.table, f)) continue;
+    if (one_label && has_one_competing_generator(input.table, f)) continue;
     for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
   }
   std::vector<EdgeId> edges;

@@ -17,7 +17,7 @@ struct VertexDistance {
                           ///< generator's own vertex, and at its neighbours where the distance is that along the edge
 };
 
-/// An entry of a triangle's generator table (section 4.1): a generator that may own a part of the triangle.
+/// An entry of a triangle's generator table (section 4.1): a generator that may be nearest in a part of the triangle.
 struct TableEntry {
   GeneratorId generator;  ///< invalid in the first entry of a triangle that no generator reaches
   FaceId face;

@@ -18,8 +18,8 @@ struct FastMarchingResult {
 };
 
 /// Computes the distances from all generators at once. An event is a triangle and a generator; events are handled in
-/// ascending order of the sum of the three corner distances. Every triangle has a table of the generators that may own
-/// a part of it. A generator does not propagate from a triangle in which another one dominates it.
+/// ascending order of the sum of the three corner distances. Every triangle has a table of the generators that
+/// may be nearest in a part of it. A generator does not propagate from a triangle in which another one dominates it.
 ///
 /// Source: section 4.1 of the paper. Each distance is stored once per vertex and generator, so that neighbouring
 /// triangles can't disagree. An improved distance queues the triangles round its vertex again, so that the result does

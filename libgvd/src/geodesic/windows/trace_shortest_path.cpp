@@ -93,10 +93,10 @@ class PathTracer {
     // In the frame of the opposite halfedge, the edge runs the other way.
     Step step{mesh_.twin(best_.halfedge), length - t, {length - along.dot(image), std::abs(cross(along, image))}};
     for (;;) {
-      const double part = step.t / mesh_.length(step.halfedge);
-      if (part <= kAtCorner) return go_to(step.halfedge);
-      if (part >= 1 - kAtCorner) return go_to(Mesh::next(step.halfedge));
-      path_.points.push_back(make_edge_point(step.halfedge, part));
+      const double fraction = step.t / mesh_.length(step.halfedge);
+      if (fraction <= kAtCorner) return go_to(step.halfedge);
+      if (fraction >= 1 - kAtCorner) return go_to(Mesh::next(step.halfedge));
+      path_.points.push_back(make_edge_point(step.halfedge, fraction));
       const VertexId v = advance(step);
       if (v.valid()) return v;
     }
@@ -138,8 +138,8 @@ class PathTracer {
     // The vertex lies in this face and rounding led past it: the line would never end.
     if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
-    const double part = inside + outside > 0 ? inside / (inside + outside) : 0;
-    const double t = std::min(std::max(from_x + part * (image_x - from_x), 0.0), length);
+    const double fraction = inside + outside > 0 ? inside / (inside + outside) : 0;
+    const double t = std::min(std::max(from_x + fraction * (image_x - from_x), 0.0), length);
     step = {mesh_.twin(side), length - t, {length - image_x, outside}};
     return VertexId();
   }

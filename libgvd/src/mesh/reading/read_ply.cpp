@@ -43,7 +43,7 @@ class AsciiSource {
   void skip(PlyType, std::int64_t count, const PlyProperty& property) {
     for (std::int64_t i = 0; i < count; ++i) text_.number(property.name);
   }
-  std::string place() const { return fmt::format("{}", text_.line_number()); }
+  std::string location() const { return fmt::format("{}", text_.line_number()); }
 
  private:
   TextReader text_;
@@ -95,7 +95,7 @@ class BinarySource {
     require(bytes, property);
     at_ += bytes;
   }
-  std::string place() const { return fmt::format(" byte {}", at_); }
+  std::string location() const { return fmt::format(" byte {}", at_); }
 
  private:
   void require(std::uint64_t bytes, const PlyProperty& property) const {
@@ -157,7 +157,7 @@ class BodyParser {
   }
 
   [[noreturn]] void refuse(ErrorCode code, const std::string& message, std::int64_t element) const {
-    throw Error(code, fmt::format("{}:{}: {}", name_, source_.place(), message), element);
+    throw Error(code, fmt::format("{}:{}: {}", name_, source_.location(), message), element);
   }
 
   // Reads element i. take(p) reads property p and returns true; where it returns false, the property is skipped.

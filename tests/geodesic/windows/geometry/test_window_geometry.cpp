@@ -51,8 +51,8 @@ TEST_CASE("a window that crosses a face keeps the distances to the points that i
     // The point t of a side, counted as the next face counts, in the frame of the window's edge.
     const auto check = [&](const Window& next, const Vec3& origin, const Vec3& target) {
       REQUIRE(next.begin <= next.end + 1e-12);
-      for (const double part : {0.0, 0.3, 1.0}) {
-        const double t = next.begin + part * (next.end - next.begin);
+      for (const double fraction : {0.0, 0.3, 1.0}) {
+        const double t = next.begin + fraction * (next.end - next.begin);
         const Vec3 p = origin + t * (target - origin).normalized();
         const double crossing = w.x + (p.x() - w.x) * w.depth / (w.depth + p.y());
         CHECK(next.distance(t) == Approx(std::hypot(p.x() - w.x, p.y() + w.depth)).epsilon(1e-10));

@@ -14,14 +14,14 @@ TEST_CASE("every partition has vertex copies of its own") {
       const FaceFrames before(mesh);
       FaceFrames frames(mesh);
       const MeshPartitions partitions(mesh, partition_faces, frames);
-      IdVector<VertexCopyId, PartitionId> owner(partitions.copy_count());
+      IdVector<VertexCopyId, PartitionId> partition_of_copy(partitions.copy_count());
       for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
         const HalfedgeId h(i);
         const VertexCopyId copy = frames.frame[Mesh::face(h)].vertex[static_cast<std::size_t>(Mesh::corner(h))];
         REQUIRE(copy.index() < partitions.copy_count());
         REQUIRE(partitions.vertex(copy) == mesh.from(h));
         REQUIRE(frames.kind[copy] == before.kind[first_copy(mesh.from(h))]);
-        PartitionId& partition = owner[copy];
+        PartitionId& partition = partition_of_copy[copy];
         REQUIRE((!partition.valid() || partition == partitions.of_halfedge(h)));
         partition = partitions.of_halfedge(h);
         if (const SharedCopyId shared = partitions.shared(copy); shared.valid()) {

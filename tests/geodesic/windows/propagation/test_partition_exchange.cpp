@@ -83,7 +83,7 @@ TEST_CASE("a path to a vertex of one partition alone is sent to no other") {
   CHECK_FALSE(setup.mailboxes.has_come());
 }
 
-TEST_CASE("windows and faces go to their owner, paths before windows, and are received once") {
+TEST_CASE("windows and faces go to their partition, paths before windows, and are received once") {
   Setup setup;
   HalfedgeId h(0);
   const PartitionId sender = setup.partitions.of_halfedge(h);

@@ -33,9 +33,9 @@ struct AngleSum {
 };
 
 /// A face with a corner of a smaller sine than this is a needle. The position of a window's end on a long side is
-/// rounded by kRounding of that side. Over the length of a short side this is an angle of kRounding over the least
-/// sine, which for a needle is more than kGrazingAngle.
-constexpr double kNeedleSine = kRounding / kGrazingAngle;
+/// rounded by kPositionRounding of that side. Over the length of a short side this is an angle of kPositionRounding
+/// over the least sine, which for a needle is more than kGrazingAngle.
+constexpr double kNeedleSine = kPositionRounding / kGrazingAngle;
 
 /// A face with a corner of a smaller sine than this is thin. Windows wind round a tube of such faces up to 1 / sine
 /// times before a shorter path beats them. Just above this bound, a spindle of 16 faces carries 42 windows a face.
@@ -43,8 +43,8 @@ constexpr double kThinSine = 0.05;
 
 VertexKind kind_of(const AngleSum& total, bool boundary) {
   const std::int32_t straight = boundary ? 1 : 2;
-  if (total.least_sine < kRounding) return VertexKind::ambiguous;
-  if (total.least_sine < kNeedleSine && total.is_near(straight, kRounding / total.least_sine)) {
+  if (total.least_sine < kPositionRounding) return VertexKind::ambiguous;
+  if (total.least_sine < kNeedleSine && total.is_near(straight, kPositionRounding / total.least_sine)) {
     return VertexKind::ambiguous;
   }
   if (total.is_near(straight, kFlatAngle)) return boundary ? VertexKind::plain : VertexKind::flat;
@@ -57,13 +57,13 @@ VertexKind kind_of(const AngleSum& total, bool boundary) {
 /// are: the height's square is 1e-24 of theirs. Paths become longer by at most 1e-12 of the shorter side.
 constexpr double kLeastSine = 1e-12;
 
-/// A face whose doubled area is a smaller fraction of its longest side's square than this is thin. The area that the
-/// mesh stores has an error of 1e-16 of that square, so faces above this bound keep 12 digits.
-constexpr double kSliverArea = 1e-4;
+/// Least height of a face on its longest side, as a fraction of that side, for which the mesh's area is accurate. That
+/// area has an error of 1e-16 of the side's square. So faces that are higher keep 12 digits.
+constexpr double kAccurateHeight = 1e-4;
 
-/// Twice the area of a thin face, from its two shortest sides. Its error is 1e-16 of their product, so that the angles
-/// of a needle keep all digits. Never zero unless a side has no length.
-double sliver_twice_area(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
+/// Twice the area of a face that is lower, from its two shortest sides. Its error is 1e-16 of their product. So the
+/// angles of a needle keep all digits. Never zero unless a side has no length.
+double twice_area_from_short_sides(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
   const auto longest = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   const std::size_t i = (longest + 1) % 3, j = (longest + 2) % 3;
   return std::max(side[i].cross(side[j]).stableNorm(), kLeastSine * length[i] * length[j]);
@@ -82,8 +82,8 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
   for (std::size_t i = 0; i < 3; ++i) side[i] = mesh.position(corners[(i + 1) % 3]) - mesh.position(corners[i]);
   frame.length = shape.length;
   const double longest = std::max({shape.length[0], shape.length[1], shape.length[2]});
-  const bool is_sliver = !(shape.twice_area > kSliverArea * longest * longest);
-  const double twice_area = is_sliver ? sliver_twice_area(side, shape.length) : shape.twice_area;
+  const bool is_accurate = shape.twice_area > kAccurateHeight * longest * longest;
+  const double twice_area = is_accurate ? shape.twice_area : twice_area_from_short_sides(side, shape.length);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t before = (i + 2) % 3;
     // Computed from the sides' vectors: the law of cosines would lose the digits of a needle's lengths.

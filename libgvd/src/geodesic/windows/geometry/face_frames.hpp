@@ -40,7 +40,7 @@ enum class VertexKind : std::uint8_t {
 inline constexpr double kFlatAngle = 1e-12;
 
 /// Error of a position along an edge, relative to the edge's length: a few dozen roundings.
-inline constexpr double kRounding = 1e-14;
+inline constexpr double kPositionRounding = 1e-14;
 
 struct FaceFrames {
   IdVector<FaceId, FaceFrame> frame;
@@ -51,7 +51,7 @@ struct FaceFrames {
   /// Whether a face is so thin that windows might wind round it many times. Paths that enter a face twice, and gaps
   /// that rounding leaves between windows, are then looked for.
   bool has_thin_faces = false;
-  /// Least sine of all corners. Rounding turns the directions of paths by up to kRounding over it.
+  /// Least sine of all corners. Rounding turns the directions of paths by up to kPositionRounding over it.
   double least_sine = 1;
 
   /// Cost: O(n), no trigonometry.

@@ -13,7 +13,7 @@ namespace gvd {
 
 /// A path must be shorter by this fraction of its length to drop another one. It is far above the rounding error of a
 /// distance that was unfolded over a thousand faces (1e-13), so that equal paths never drop each other.
-inline constexpr double kTie = 1e-13;
+inline constexpr double kDropClearance = 1e-13;
 
 /// A distance counts as improved if it falls by more than this fraction of itself. Two paths of the same length differ
 /// by rounding, a few units in the last place, and propagating the second one would only repeat the first.
@@ -23,8 +23,8 @@ inline constexpr double kLengthRounding = 4e-15;
 inline bool is_shorter_beyond_rounding(double d, double known) { return d < known * (1 - kLengthRounding); }
 
 /// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equal paths of different
-/// generators, through different faces, differ by less. It is below half of kTie, so that no window is dropped before
-/// it has offered a path that is equally long.
+/// generators, through different faces, differ by less. It is below half of kDropClearance, so that no window is
+/// dropped before it has offered a path that is equally long.
 inline constexpr double kSameLength = 2e-14;
 
 /// The order of paths to one vertex, which decides ties: by length, then by generator. Lengths that differ by less than
@@ -45,8 +45,8 @@ inline bool is_empty(const Window& w) { return !(w.begin < w.end) | !(w.depth > 
 /// Whether a path of length `through` + `step` is shorter than one of `offset` + sqrt(squared), and not by rounding
 /// alone. No square root is taken: (through + step - offset)^2 < squared.
 inline bool is_shorter(double through, double step, double offset, double squared) {
-  const double rest = through * (1 + kTie) + step - offset;
-  return rest * std::abs(rest) < squared * (1 - kTie);  // true for a negative rest
+  const double rest = through * (1 + kDropClearance) + step - offset;
+  return rest * std::abs(rest) < squared * (1 - kDropClearance);  // true for a negative rest
 }
 
 /// Whether the path through the start of the edge is shorter than the window's path at all points of the window.

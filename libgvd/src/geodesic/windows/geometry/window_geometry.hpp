@@ -67,7 +67,8 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
   const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
   const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
-  const double shift = kRounding * length * (w.depth + apex.y);  // what moving the end by kRounding does to `beyond`
+  // What moving the end by kPositionRounding does to `beyond`.
+  const double shift = kPositionRounding * length * (w.depth + apex.y);
   const double bend = kGrazingAngle * kGrazingAngle * w.squared_image_distance(t) * squared_step;
   return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
@@ -76,18 +77,18 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
 /// over the end of the interval must be as long as the straight one, up to rounding.
 ///
 /// Thin faces open a gap between two windows that pass a vertex on both sides: the rounding of a long side, seen over a
-/// short one, is an angle of kRounding over the least sine. The gap widens along the paths. An apex in it that is a
-/// short side away from the window asks for a bend of far more than kGrazingAngle. The path is no longer, though: with
-/// the miss m, the distance r to the interval's end and the step s from there, by m^2 / 2 (1 / r + 1 / s).
+/// short one, is an angle of kPositionRounding over the least sine. The gap widens along the paths. An apex in it that
+/// is a short side away from the window asks for a bend of far more than kGrazingAngle. The path is no longer, though:
+/// with the miss m, the distance r to the interval's end and the step s from there, by m^2 / 2 (1 / r + 1 / s).
 inline bool is_in_gap(const Window& w, const ApexView& apex, double drift) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
-  const double squared_reach = w.squared_image_distance(t);
+  const double squared_to_end = w.squared_image_distance(t);
   const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
-  const double squared_miss = beyond * beyond / squared_reach;
-  if (!(squared_miss <= drift * drift * squared_reach)) return false;
+  const double squared_miss = beyond * beyond / squared_to_end;
+  if (!(squared_miss <= drift * drift * squared_to_end)) return false;
   const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
-  return squared_miss <= 2 * kRounding * std::sqrt(squared_reach * squared_step) && forwards > 0;
+  return squared_miss <= 2 * kPositionRounding * std::sqrt(squared_to_end * squared_step) && forwards > 0;
 }
 
 /// The sub-window of a window on edge i of a face that leaves it by the left side, from the edge's start to the apex.

@@ -55,7 +55,7 @@ class FaceCrossing {
         apex_path_(apex_path),
         has_needles_(frames.has_needles),
         has_thin_faces_(frames.has_thin_faces),
-        drift_(kRounding / frames.least_sine),
+        drift_(kPositionRounding / frames.least_sine),
         kinds_(frames.kind) {}
 
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
@@ -108,7 +108,7 @@ class FaceCrossing {
   /// The sides of the face that a window which covers the apex continues to.
   Exits split_at_apex(const Window& w, const FaceEntry& entry, const ApexView& apex, double image_distance) {
     const ApexPath own{w.offset + image_distance, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
-    const double tolerance = kSameImage * image_distance + kRounding * entry.frame.length[entry.start];
+    const double tolerance = kSameImage * image_distance + kPositionRounding * entry.frame.length[entry.start];
     return exits_beside(apex_path_[entry.halfedge], own, tolerance);
   }
 

@@ -40,7 +40,7 @@ class PartitionExchange {
     messages.windows.push_back({w, history});
     messages.least_key = std::min(messages.least_key, key);
   }
-  /// Tells the owner of a face that it has a window of another label on one of its sides.
+  /// Tells the partition of a face that it has a window of another label on one of its sides.
   void send_multi_label_face(FaceId f) {
     mailboxes_.to_send(own_, partitions_.of_face(f)).multi_label_faces.push_back(f);
   }
