@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/barycentric.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd::test {
 namespace {
 
 using Points = std::vector<SurfacePoint>;
-using Bary = std::array<double, 3>;
 
 constexpr Bary kCentre{1.0 / 3, 1.0 / 3, 1.0 / 3};
 

@@ -1,4 +1,5 @@
 // The polygons of one face: merged corners, split segments, and pieces that do not tile it.
+#include "base/barycentric.hpp"
 #include "face_tiling.hpp"
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
@@ -6,8 +7,6 @@
 using namespace gvd;
 
 namespace {
-
-using Bary = std::array<double, 3>;
 
 constexpr double kTolerance = 1e-14;
 

@@ -1,14 +1,12 @@
-#include <array>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;
 
 namespace {
-
-using Bary = std::array<double, 3>;
 
 /// One face with an arc from a crossing to a branch point, by way of two inner points.
 FaceDiagram one_face(int face, int crossing, double x) {

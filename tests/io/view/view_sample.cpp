@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
+#include "base/barycentric.hpp"
+
 namespace gvd::test {
 namespace {
-
-using Bary = std::array<double, 3>;
 
 /// The part of a bisector inside one face, from `enters` to `leaves`, or to a branch point where `leaves` is invalid.
 struct Segment {

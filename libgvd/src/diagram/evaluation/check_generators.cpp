@@ -1,14 +1,12 @@
 #include "diagram/evaluation/check_generators.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "base/barycentric.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {
-
-using Bary = std::array<double, 3>;
 
 /// How far a generator may lie outside its cell, relative to the bounding box's diagonal: rounding, and a thousand
 /// times the distance within which a generator is taken for a vertex.
