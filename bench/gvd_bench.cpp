@@ -11,20 +11,18 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "command_line.hpp"
 #include "cpu_clock.hpp"
 #include "dijkstra.hpp"
 #include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
-#include "gvd/soup.hpp"
 #include "heap_meter.hpp"
 #include "refine_flat.hpp"
 #include "step_clock.hpp"
@@ -180,10 +178,9 @@ void print_row(const Row& row) {
 /// Calls `visit` with the name and the mesh of every file, at every level of refinement.
 void for_each_mesh(const Settings& settings, const std::function<void(const std::string&, const Mesh&)>& visit) {
   for (const std::string& path : settings.meshes) {
-    Mesh mesh = build_mesh(read_soup(path)).mesh;
+    auto [stem, mesh] = read_named_mesh(path);
     for (int level = 0; level <= settings.refinements; ++level) {
       if (level > 0) mesh = refine_flat(mesh);
-      const std::string stem = std::filesystem::path(path).stem().string();
       const std::string name = level == 0 ? stem : fmt::format("{} /{}", stem, 1 << 2 * level);
       visit(name, mesh);
     }
@@ -234,8 +231,7 @@ void run_all(const Settings& settings) {
 int run(int argc, char** argv) {
   Settings settings;
   CLI::App app("Times the steps of a geodesic Voronoi diagram against a plain Dijkstra on the mesh's edges");
-  app.add_option("meshes", settings.meshes, "OBJ, PLY, OFF or STL files (default: data/figure.obj)")
-      ->check(CLI::ExistingFile);
+  add_mesh_arguments(app, settings.meshes);
   app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
@@ -259,7 +255,6 @@ int run(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(
           std::vector<std::pair<std::string, Front>>{{"planar", Front::planar}, {"circle", Front::circle}}));
   CLI11_PARSE(app, argc, argv);
-  if (settings.meshes.empty()) settings.meshes.emplace_back(GVD_SOURCE_DIR "/data/figure.obj");
   run_all(settings);
   return 0;
 }
@@ -267,11 +262,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace gvd::bench
 
-int main(int argc, char** argv) {
-  try {
-    return gvd::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "gvd-bench: " << error.what() << "\n";
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return gvd::bench::run_program("gvd-bench", gvd::bench::run, argc, argv); }

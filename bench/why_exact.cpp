@@ -14,8 +14,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -24,11 +22,11 @@
 #include <utility>
 #include <vector>
 
+#include "command_line.hpp"
 #include "dijkstra.hpp"
 #include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"
-#include "gvd/soup.hpp"
 #include "refine_flat.hpp"
 #ifdef GVD_HAS_PEERS
 #include "peers.hpp"
@@ -204,18 +202,17 @@ int run(int argc, char** argv) {
   std::vector<std::string> meshes;
   int count = 30, draws = 10, refinements = 0;
   CLI::App app("Compares labels and distances of simpler methods with the exact ones, at the vertices");
-  app.add_option("meshes", meshes, "OBJ, PLY, OFF or STL files (default: data/figure.obj)")->check(CLI::ExistingFile);
+  add_mesh_arguments(app, meshes);
   app.add_option("-m,--generators", count, "number of generators: random vertices")->check(CLI::PositiveNumber);
   app.add_option("--draws", draws, "draws of generators of which the mean is taken")->check(CLI::PositiveNumber);
   app.add_option("--refine", refinements, "cut every face in four, this many times over")->check(CLI::Range(0, 4));
   CLI11_PARSE(app, argc, argv);
-  if (meshes.empty()) meshes.emplace_back(GVD_SOURCE_DIR "/data/figure.obj");
   std::cout << fmt::format("{:<22} {:>7} {:>5} {:<14} {:>13} {:>10} {:>11} {:>11}\n", "mesh", "faces", "m", "distances",
                            "wrong label", "cut off", "in pieces", "error");
   for (const std::string& path : meshes) {
-    Mesh mesh = build_mesh(read_soup(path)).mesh;
+    auto [name, mesh] = read_named_mesh(path);
     for (int level = 0; level < refinements; ++level) mesh = refine_flat(mesh);
-    print_rows(std::filesystem::path(path).stem().string(), mesh, count, draws);
+    print_rows(name, mesh, count, draws);
   }
   return 0;
 }
@@ -223,11 +220,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace gvd::bench
 
-int main(int argc, char** argv) {
-  try {
-    return gvd::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "gvd-why-exact: " << error.what() << "\n";
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return gvd::bench::run_program("gvd-why-exact", gvd::bench::run, argc, argv); }
