@@ -1,9 +1,9 @@
 // gvd-why-exact: how far simpler distances are from the exact ones, and how many vertices they give to a wrong
 // generator.
 //
-// Each row is one mesh and one kind of distance from m random vertices, seeded: straight through space (Euclidean),
-// along the mesh's edges (Dijkstra), by CGAL's heat method, and by this library's fast marching. The figures are means
-// over several draws of generators:
+// Each row is one mesh and one kind of distance from m random vertices, seeded. Euclidean distances run straight
+// through space, Dijkstra's along the mesh's edges. The others come from CGAL's heat method and this library's fast
+// marching. The figures are means over several draws of generators:
 //   wrong label     share of the vertices whose nearest generator is another one than by exact distances
 //   cut off         share of the vertices that edges between vertices of one label do not join to their generator
 //   in pieces       share of the cells that have such vertices

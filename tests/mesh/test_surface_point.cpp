@@ -39,8 +39,8 @@ TEST_CASE("a point is on the boundary where its vertex or its edge is, and never
   for (int e = 0; e < grid.edge_count(); ++e) {
     const HalfedgeId h = grid.halfedge(EdgeId(e));
     const Vec3 p = position(grid, edge_point(h, 0.5));
-    const bool on_rim = p.x() == 0 || p.x() == 3 || p.y() == 0 || p.y() == 3;
-    CHECK(is_on_boundary(grid, edge_point(h, 0.5)) == on_rim);
+    const bool is_outer = p.x() == 0 || p.x() == 3 || p.y() == 0 || p.y() == 3;
+    CHECK(is_on_boundary(grid, edge_point(h, 0.5)) == is_outer);
   }
   CHECK_FALSE(is_on_boundary(grid, make_surface_point(FaceId(0), {0.2, 0.3, 0.5})));
 }

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 7> kAll{kWorkingMesh, kDistances, 
                                                       kFaces,       kGrowth,    kCells};
 
 // The parts of steps that several stages share.
-inline constexpr StepPart kLabels{kBisectors, 0, 0};              ///< labels without support, contested edges
+inline constexpr StepPart kLabels{kBisectors, 0, 0};              ///< unsupported vertices, contested edges
 inline constexpr StepPart kCrossings{kBisectors, 0, 0.5};         ///< the crossings of the edges
 inline constexpr StepPart kCrossingsAgain{kBisectors, 0.5, 0.5};  ///< edges that are crossed at most once
 inline constexpr StepPart kRefinement{kBisectors, 0.5, 0.75};     ///< growth: crossings by unfolding

@@ -36,7 +36,7 @@ class ConnectedTracer {
       if (++rounds_ > kMaxRounds) {
         connect_everywhere();
       } else {
-        connect(islands, find_stranded(components, traced));
+        connect(islands, vertices_to_relabel(components, traced));
       }
     }
   }
@@ -52,20 +52,20 @@ class ConnectedTracer {
   }
 
   /// The vertices of islands, without those that are there because growth moved them.
-  std::vector<VertexId> find_stranded(CellComponents& components, const TracedDiagram& traced) const {
-    std::vector<VertexId> stranded = components.island_vertices();
-    std::erase_if(stranded, [&](VertexId v) { return labels_.label[v] != traced.labels.label[v]; });
-    return stranded;
+  std::vector<VertexId> vertices_to_relabel(CellComponents& components, const TracedDiagram& traced) const {
+    std::vector<VertexId> relabelled = components.island_vertices();
+    std::erase_if(relabelled, [&](VertexId v) { return labels_.label[v] != traced.labels.label[v]; });
+    return relabelled;
   }
 
   /// Prepares the next round: no growth around the islands, new labels for their vertices, one crossing at most on
   /// their edges.
-  void connect(const std::vector<EdgeId>& islands, const std::vector<VertexId>& stranded) {
+  void connect(const std::vector<EdgeId>& islands, const std::vector<VertexId>& relabelled) {
     steps_.disable_growth(islands);
-    relabelled_ += static_cast<std::int64_t>(stranded.size());
-    relabel_from_neighbours(working_, stranded, labels_);
+    relabelled_ += static_cast<std::int64_t>(relabelled.size());
+    relabel_from_neighbours(working_, relabelled, labels_);
     std::set<EdgeId> edges(islands.begin(), islands.end());
-    for (const VertexId v : stranded) {
+    for (const VertexId v : relabelled) {
       for_each_neighbour(mesh_, v, [&](VertexId, HalfedgeId h) { edges.insert(mesh_.edge(h)); });
     }
     cross_at_most_once({edges.begin(), edges.end()});

@@ -107,13 +107,13 @@ TEST_CASE("distances are geodesic: a thin plate's two sides are far apart") {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const auto points = sample(plate, Sampling::farthest, 2, seed);
     const Vec3 p = position(plate, points[0]), q = position(plate, points[1]);
-    // Every start has a point of the plate that far: over the rim to the other side, or across to the far corner.
+    // Every start has a point of the plate that far: round the edge to the other side, or across to the far corner.
     const auto distance = edge_distances(plate, {points[0]});
     const double far = distance[vertex(plate, points[1]).index()];
     CHECK(far >= 0.9 * *std::max_element(distance.begin(), distance.end()) / std::numbers::sqrt2);
-    const double rim = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
-    if (rim > 0.4) CHECK(is_top(points[0]) != is_top(points[1]));
-    if (rim > 0.4) CHECK((p - q).norm() < 0.6 * far);
+    const double to_edge = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
+    if (to_edge > 0.4) CHECK(is_top(points[0]) != is_top(points[1]));
+    if (to_edge > 0.4) CHECK((p - q).norm() < 0.6 * far);
   }
   // Poisson points keep their spacing on each side, and know nothing of the other side, which is much nearer than that.
   const auto points = sample(plate, Sampling::poisson, 100, 1);

@@ -50,7 +50,7 @@ TEST_CASE("tangent fan: total angles of vertices are scaled to 2 pi, except belo
   const TangentFan apex(tetrahedron, grid_vertex(tetrahedron, 0));
   CHECK(apex.closed());
   CHECK(apex.total() == 2 * kPi);
-  for (const TangentSector& s : apex.sectors()) CHECK(s.opening == Approx(2 * kPi / 3));
+  for (const TangentSector& s : apex.sectors()) CHECK(s.width == Approx(2 * kPi / 3));
   // Seven equilateral triangles in a row round a boundary vertex: 420 degrees.
   std::vector<Vec3> positions{{0, 0, 0}};
   std::vector<std::array<int, 3>> faces;
@@ -99,7 +99,7 @@ TEST_CASE("tangent fan: the sectors follow each other counter-clockwise and sum 
       for (const TangentSector& s : fan.sectors()) {
         CHECK(s.begin == Approx(end).margin(1e-12));
         CHECK(s.reference.norm() == Approx(1));
-        end = s.begin + s.opening;
+        end = s.begin + s.width;
       }
       CHECK(end == Approx(fan.total()));
     }

@@ -47,8 +47,8 @@ TEST_CASE("paths continue from a saddle into the angle that no straight path rea
   constexpr int kCount = 8;
   const Mesh mesh = make_crown(kCount, 0.4);
   const double spoke = mesh.position(VertexId(1)).norm();
-  const double rim = (mesh.position(VertexId(2)) - mesh.position(VertexId(1))).norm();
-  const double angle = 2 * std::asin(0.5 * rim / spoke), middle = std::sqrt(spoke * spoke - 0.25 * rim * rim);
+  const double outer = (mesh.position(VertexId(2)) - mesh.position(VertexId(1))).norm();
+  const double angle = 2 * std::asin(0.5 * outer / spoke), middle = std::sqrt(spoke * spoke - 0.25 * outer * outer);
   REQUIRE(2.5 * angle < std::numbers::pi);
   REQUIRE(3 * angle > std::numbers::pi);
   // In the plane, the faces between two rays from the saddle that are less than pi apart are one flat fan.
@@ -61,7 +61,7 @@ TEST_CASE("paths continue from a saddle into the angle that no straight path rea
     for (int i = 0; i < kCount; ++i) {
       const int steps = std::min((i - g + kCount) % kCount, (g - i + kCount) % kCount);
       CHECK(field.distance[VertexId(1 + i)] == Approx(expected(steps * angle, spoke)).epsilon(1e-14).margin(1e-15));
-      // The middle of the rim between i and i + 1; it is halfedge 1 of face i.
+      // The middle of the outer edge between i and i + 1; it is halfedge 1 of face i.
       const int after = (i - g + kCount) % kCount, before = (g - i - 1 + kCount) % kCount;
       const double turn = (std::min(after, before) + 0.5) * angle;
       CHECK(distance_on_edge(mesh, field, Mesh::halfedge(FaceId(i), 1), 0.5) ==

@@ -15,8 +15,8 @@ namespace gvd::test {
 namespace {
 
 nlohmann::json read_manifest(const std::string& page) {
-  const std::string opening = "<script type=\"application/json\" id=\"manifest\">";
-  const std::size_t first = page.find(opening) + opening.size();
+  const std::string tag = "<script type=\"application/json\" id=\"manifest\">";
+  const std::size_t first = page.find(tag) + tag.size();
   return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
 }
 

@@ -15,13 +15,13 @@ CellComponents::CellComponents(const WorkingMesh& working, const TracedDiagram& 
   for (std::size_t g = 0; g < working.generator_vertices().size(); ++g) {
     add_member(GeneratorId(static_cast<std::int64_t>(g)), FaceId());
   }
-  find_loose_vertices();
+  find_unanchored_vertices();
   const auto& arcs = traced.faces.arcs;
   for (std::size_t begin = 0, end = 0; begin < arcs.size(); begin = end) {
     while (end < arcs.size() && arcs[end].face == arcs[begin].face) ++end;
     add_face(arcs[begin].face, std::span(arcs).subspan(begin, end - begin));
   }
-  unite_loose_vertices();
+  unite_unanchored_vertices();
   unite_across_edges();
 }
 
@@ -30,7 +30,7 @@ std::int32_t CellComponents::add_member(GeneratorId g, FaceId f) {
   return sets_.add();
 }
 
-void CellComponents::find_loose_vertices() {
+void CellComponents::find_unanchored_vertices() {
   std::vector<VertexId> suspects = traced_.labels.unsupported;
   const auto& items = traced_.crossings.items();
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -42,27 +42,27 @@ void CellComponents::find_loose_vertices() {
     for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
   };
   for (const VertexId v : traced_.moved) {
-    loose_.emplace(v, -1);
+    unanchored_.emplace(v, -1);
     suspect_neighbours(v);
   }
   while (!suspects.empty()) {
     const VertexId v = suspects.back();
     suspects.pop_back();
-    if (is_anchored(v) || !loose_.emplace(v, -1).second) continue;
+    if (is_anchored(v) || !unanchored_.emplace(v, -1).second) continue;
     suspect_neighbours(v);  // v may have been the anchor of a neighbour
   }
-  for (auto& [v, member] : loose_) member = add_member(traced_.labels.label[v], Mesh::face(mesh_.halfedge(v)));
+  for (auto& [v, member] : unanchored_) member = add_member(traced_.labels.label[v], Mesh::face(mesh_.halfedge(v)));
 }
 
 /// Whether v is its generator's vertex, or an uncrossed edge connects it to a vertex of its cell that is nearer to the
-/// generator and not loose.
+/// generator and anchored itself.
 bool CellComponents::is_anchored(VertexId v) const {
   const NearestLabels& labels = traced_.labels;
   if (!labels.label[v].valid() || working_.vertex(labels.label[v]) == v) return true;
   bool anchored = false;
   for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) {
     anchored = anchored || (labels.label[u] == labels.label[v] && labels.distance[u] < labels.distance[v] &&
-                            traced_.crossings.count(mesh_.edge(h)) == 0 && !loose_.contains(u));
+                            traced_.crossings.count(mesh_.edge(h)) == 0 && !unanchored_.contains(u));
   });
   return anchored;
 }
@@ -101,12 +101,12 @@ void CellComponents::add_pieces(FaceId f, std::span<const FaceArc> arcs) {
 }
 
 std::int32_t CellComponents::member_of(VertexId v) const {
-  const auto it = loose_.find(v);
-  return it == loose_.end() ? traced_.labels.label[v].value() : it->second;
+  const auto it = unanchored_.find(v);
+  return it == unanchored_.end() ? traced_.labels.label[v].value() : it->second;
 }
 
-void CellComponents::unite_loose_vertices() {
-  for (const auto& [v, member] : loose_) {
+void CellComponents::unite_unanchored_vertices() {
+  for (const auto& [v, member] : unanchored_) {
     for_each_neighbour(mesh_, v, [&, v = v, member = member](VertexId u, HalfedgeId h) {
       const bool uncrossed = traced_.crossings.count(mesh_.edge(h)) == 0;
       if (uncrossed && traced_.labels.label[u] == traced_.labels.label[v]) sets_.unite(member, member_of(u));
@@ -153,7 +153,7 @@ std::vector<EdgeId> CellComponents::island_edges() {
 
 std::vector<VertexId> CellComponents::island_vertices() {
   std::vector<VertexId> vertices;
-  for (const auto& [v, member] : loose_) {
+  for (const auto& [v, member] : unanchored_) {
     if (sets_.find(member) != traced_.labels.label[v].value()) vertices.push_back(v);
   }
   return vertices;

@@ -18,7 +18,7 @@ namespace gvd {
 /// Vertices far from the bisectors need no look. A vertex of label g, unless it is unsupported, has a neighbour of
 /// label g that is nearer to g (see NearestLabels). So a chain of uncrossed edges connects it to the vertex of g. That
 /// chain may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex
-/// that growth moved. There vertices are loose: members of their own, united with their neighbours one by one.
+/// that growth moved. There vertices are unanchored: members of their own, united with their neighbours one by one.
 /// Cost: O(k) for k crossings, and 4 bytes a face.
 class CellComponents {
  public:
@@ -34,19 +34,19 @@ class CellComponents {
   std::vector<VertexId> island_vertices();
 
  private:
-  /// A member of a set: the vertex of a generator, a loose vertex, or a piece of a crossed face.
+  /// A member of a set: the vertex of a generator, an unanchored vertex, or a piece of a crossed face.
   struct Member {
     GeneratorId generator;
-    FaceId face;  ///< of a piece, or one face at a loose vertex; invalid for the vertex of a generator
+    FaceId face;  ///< of a piece, or one face at an unanchored vertex; invalid for the vertex of a generator
   };
 
   std::int32_t add_member(GeneratorId g, FaceId f);
-  void find_loose_vertices();
+  void find_unanchored_vertices();
   bool is_anchored(VertexId v) const;
   void add_face(FaceId f, std::span<const FaceArc> arcs);
   /// Adds a member for every piece of f, whose crossings are in boundary_; fills in member_of_interval_.
   void add_pieces(FaceId f, std::span<const FaceArc> arcs);
-  void unite_loose_vertices();
+  void unite_unanchored_vertices();
   void unite_across_edges();
   std::int32_t member_of(VertexId v) const;
   /// The piece along label interval `interval` of halfedge h of a crossed face, counted along h.
@@ -57,7 +57,7 @@ class CellComponents {
   const TracedDiagram& traced_;
   UnionFind sets_;  // of members; 0 .. generators - 1 are the vertices of the generators
   std::vector<Member> members_;
-  std::map<VertexId, std::int32_t> loose_;        // loose vertices and their members
+  std::map<VertexId, std::int32_t> unanchored_;   // and their members
   IdVector<FaceId, std::int32_t> crossed_index_;  // number of the face among the crossed ones, or -1
   std::vector<std::int32_t> first_interval_;      // three for every crossed face: where its halfedge begins in
   std::vector<std::int32_t> interval_pieces_;     // the piece along each label interval

@@ -58,9 +58,9 @@ void TangentFan::add_vertex(const Mesh& mesh, VertexId v) {
     const FaceLayout layout(mesh, Mesh::face(h));
     const int corner = Mesh::corner(h);
     const Vec2 first = layout.side(corner), last = -layout.side((corner + 2) % 3);
-    const double opening = std::atan2(std::abs(cross(first, last)), first.dot(last));
-    sectors_.push_back({edge_point(h, 0), total_, opening, first});
-    total_ += opening;
+    const double width = std::atan2(std::abs(cross(first, last)), first.dot(last));
+    sectors_.push_back({edge_point(h, 0), total_, width, first});
+    total_ += width;
   });
   closed_ = !mesh.is_boundary(v);
   if (!closed_ && total_ <= 2 * kPi) return;
@@ -68,7 +68,7 @@ void TangentFan::add_vertex(const Mesh& mesh, VertexId v) {
   total_ = 2 * kPi;
   for (TangentSector& s : sectors_) {
     s.begin *= scale_;
-    s.opening *= scale_;
+    s.width *= scale_;
   }
 }
 
@@ -86,7 +86,7 @@ std::optional<FaceDirection> TangentFan::face_direction(double angle) const {
   std::size_t i = sectors_.size() - 1;
   while (i > 0 && sectors_[i].begin > angle) --i;
   const TangentSector& s = sectors_[i];
-  const Vec2 local = unit_vector(std::min(angle - s.begin, s.opening) / scale_);
+  const Vec2 local = unit_vector(std::min(angle - s.begin, s.width) / scale_);
   const Vec2 direction(s.reference.x() * local.x() - s.reference.y() * local.y(),
                        s.reference.x() * local.y() + s.reference.y() * local.x());
   return FaceDirection{s.point, direction};
@@ -97,10 +97,10 @@ double TangentFan::angle(FaceId face, const Vec2& direction) const {
   while (i + 1 < sectors_.size() && sectors_[i].point.face != face) ++i;
   const TangentSector& s = sectors_[i];
   // Measured from the middle of the sector, so that rounding at a side of the sector can't change it by 2 pi.
-  const Vec2 middle = unit_vector(0.5 * s.opening / scale_);
+  const Vec2 middle = unit_vector(0.5 * s.width / scale_);
   const Vec2 turned(direction.dot(s.reference), cross(s.reference, direction));
   const double offset = std::atan2(cross(middle, turned), middle.dot(turned));
-  return normalized_angle(s.begin + 0.5 * s.opening + scale_ * offset);
+  return normalized_angle(s.begin + 0.5 * s.width + scale_ * offset);
 }
 
 }  // namespace gvd

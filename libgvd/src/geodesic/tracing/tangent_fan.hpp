@@ -14,7 +14,7 @@ namespace gvd {
 struct TangentSector {
   SurfacePoint point;  ///< the fan's point, given in this face
   double begin;        ///< tangent angle of its first side, radians
-  double opening;      ///< tangent angle between its sides, radians
+  double width;        ///< tangent angle between its sides, radians
   Vec2 reference;      ///< its first side, a unit vector in the face's layout
 };
 

@@ -10,10 +10,10 @@ using namespace gvd;
 
 namespace {
 
-/// An even number of equal triangles round vertex 0 with the given total angle; their rim goes up and down. In an open
-/// fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
+/// An even number of equal triangles round vertex 0 with the given total angle; their outer vertices alternate up and
+/// down. In an open fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
 Mesh make_fan(int corners, double total, bool closed) {
-  // Neighbours on the rim are 2 pi / corners apart seen from above, one up and one down.
+  // Outer neighbours are 2 pi / corners apart seen from above, one up and one down.
   const double step = 2 * std::numbers::pi / corners;
   const double across = std::sqrt((1 + std::cos(total / corners)) / (1 + std::cos(step)));
   const double up = std::sqrt(1 - across * across);
@@ -21,7 +21,7 @@ Mesh make_fan(int corners, double total, bool closed) {
   for (int i = 0; i < corners; ++i) {
     positions.emplace_back(across * std::cos(i * step), across * std::sin(i * step), i % 2 == 0 ? up : -up);
   }
-  // An open fan ends in a copy of the first rim vertex.
+  // An open fan ends in a copy of the first outer vertex.
   if (!closed) positions.push_back(positions[1]);
   std::vector<std::array<VertexId, 3>> faces;
   for (int i = 1; i <= corners; ++i) {

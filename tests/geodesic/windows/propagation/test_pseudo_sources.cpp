@@ -14,7 +14,8 @@ using namespace gvd;
 namespace {
 
 /// `count` equilateral triangles round vertex 0, which has the total angle count * pi / 3. A closed fan, of 6 triangles
-/// or more, has its rim go up and down; an open one, of 5 or fewer, is flat. Vertex 0 is corner 2 of each face.
+/// or more, has outer vertices that alternate up and down; an open one, of 5 or fewer, is flat. Vertex 0 is corner 2 of
+/// each face.
 Mesh make_fan(int count, bool closed) {
   const double step = closed ? 2 * std::numbers::pi / count : std::numbers::pi / 3;
   const double across = closed ? std::sqrt(1.5 / (1 + std::cos(step))) : 1;

@@ -48,8 +48,8 @@ struct FaceFrames {
   /// Whether a face is a needle. Paths through different faces then tie in many places, and filters that cost time or
   /// memory are worth it.
   bool has_needles = false;
-  /// Whether a face is so thin that windows might wind round it many times. Paths that enter a face twice, and gaps
-  /// that rounding leaves between windows, are then looked for.
+  /// Whether a face is thin: windows might wind round it many times. Paths that enter a face twice, and gaps that
+  /// rounding leaves between windows, are then looked for.
   bool has_thin_faces = false;
   /// Least sine of all corners. Rounding turns the directions of paths by up to kPositionRounding over it.
   double least_sine = 1;

@@ -57,7 +57,18 @@ struct PropagatedWindow {
 static_assert(sizeof(PropagatedWindow) == 56);
 
 /// Images that differ by less than this fraction of their distance are the same, and so are the rays from them through
-/// one point. It is a thousand times the rounding error of a distance that was unfolded over a thousand faces.
+/// one point. Two images of one point, over a thousand faces each, differ by up to 1.2e-13.
+///
+/// Rounding of an image: each face rotates it about a corner, with two products and a sum for each coordinate. The
+/// squares of the cosine and the sine add up to 1 within 2e-15, and within 3e-16 on average. So a face moves the image
+/// by some 3e-16 of its distance. Over unlike faces these errors grow like the root of their number. Over equal faces
+/// they grow like the number. The offset and the distance to a point add a few units in the last place.
+/// Largest errors of images and distances, as fractions of the distance, on flat plates of up to 500 x 500 rectangles
+/// with a diagonal. They were compared with the plane in long double, as test_window_rounding.cpp does:
+///
+///     faces crossed        100       200       500      1000
+///     equal faces        6e-15   1.3e-14     3e-14     6e-14
+///     unlike faces       5e-15     8e-15   1.4e-14   2.7e-14
 inline constexpr double kSameImage = 3e-13;
 
 }  // namespace gvd

@@ -11,21 +11,31 @@ namespace gvd {
 // Rules that drop windows, or sides of them, that hold no shortest path. Each rule is valid for any upper bounds on the
 // vertices' distances that real paths have. So the order in which windows are propagated changes no result.
 
-/// A path must be shorter by this fraction of its length to drop another one. It is far above the rounding error of a
-/// distance that was unfolded over a thousand faces (1e-13), so that equal paths never drop each other.
+// Three fractions of a path's length say when lengths differ: kLengthRounding < kSameLength < kDropClearance. The table
+// at kSameImage (window.hpp) gives the rounding of one path. Two paths differ by twice that at most.
+
+/// A path must be shorter by this fraction of its length to drop a window. The path of a window through a vertex ties
+/// with the vertex's own path. Rounding may not drop that window, since the vertex may send none.
+///
+/// is_shorter asks for at least half of the fraction beyond two edges from the generator, where rounding begins to
+/// count. Half of it, 5e-14, is the largest difference by rounding of two paths over 400 equal faces. Over 1000 unlike
+/// faces the difference is 2.7e-14.
 inline constexpr double kDropClearance = 1e-13;
 
-/// A distance counts as improved if it falls by more than this fraction of itself. Two paths of the same length differ
-/// by rounding, a few units in the last place, and propagating the second one would only repeat the first.
+/// A distance counts as improved if it falls by more than this fraction of itself. Paths of one length over 40 faces
+/// differ by less. Over more faces some paths are propagated again, which costs time and repeats the first one.
 inline constexpr double kLengthRounding = 4e-15;
 
 /// Whether a path of length `d` is shorter than one of length `known`, and not by rounding alone.
 inline bool is_shorter_beyond_rounding(double d, double known) { return d < known * (1 - kLengthRounding); }
 
 /// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equal paths of different
-/// generators, through different faces, differ by less. It is below half of kDropClearance, so that no window is
-/// dropped before it has offered a path that is equally long.
+/// generators differ by less over 150 equal faces, or 500 unlike ones. Over more faces rounding may decide the tie.
+///
+/// It is below half of kDropClearance, so that no window is dropped before it has offered a path that is equally long.
+/// It is above kLengthRounding, so that a tie goes to the first generator even if its path is longer by rounding.
 inline constexpr double kSameLength = 2e-14;
+static_assert(kLengthRounding < kSameLength && kSameLength < kDropClearance / 2);
 
 /// The order of paths to one vertex, which decides ties: by length, then by generator. Lengths that differ by less than
 /// kSameLength are equal. Returns whether a path of length `d` from `generator` precedes the known one, whose generator
