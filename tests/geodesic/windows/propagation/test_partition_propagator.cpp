@@ -223,8 +223,10 @@ TEST_CASE("paths are received before windows, whichever was sent first, and each
     REQUIRE(border.halfedge.valid());
     PartitionExchange sender(setup.state.partitions, setup.state.mailboxes, setup.state.last_sent, border.sender);
     const double length = setup.mesh.length(setup.mesh.edge(border.halfedge));
-    sender.send_window({0, length, length / 2, 1, 10, GeneratorId(0), border.halfedge}, {1, 0, FaceId()}, 11);
-    // From the vertex, every point of the edge is nearer than by the window.
+    // Nearly straight down to the edge's start, for half an edge longer than the path there: that path beats it. One to
+    // the edge's end would not.
+    const double depth = length / 4;
+    sender.send_window({0, length / 10, 0, depth, 1 + depth, GeneratorId(0), border.halfedge}, {1, 0, FaceId()}, 1);
     if (with_path) sender.send_path(border.sent, {1, GeneratorId(0), {}});
     setup.state.mailboxes.deliver();
     PartitionPropagator& receiver = setup.of(border.receiver);
@@ -255,6 +257,26 @@ TEST_CASE("a better path to a shared vertex is told to its other copies, and no 
   setup.of(border.sender).reach_vertex(border.sent, {1.5, GeneratorId(0), {}});
   setup.state.mailboxes.deliver();
   CHECK_FALSE(setup.state.mailboxes.has_come());
+}
+
+TEST_CASE("a vertex between partitions counts as one, and sends again only for a path that is really shorter") {
+  Setup setup(make_plane(), 20);
+  const Border border = find_border(setup);
+  REQUIRE(border.halfedge.valid());
+  setup.start(setup.mesh.from(border.halfedge), GeneratorId(0));
+  setup.run();
+  std::int64_t events = 0;
+  for (const auto& partition : setup.partitions) events += partition->events();
+  CHECK(events == 1);
+
+  Setup again(make_plane(), 20);
+  const VertexCopyId v = first_copy(again.mesh.from(border.halfedge));
+  PartitionPropagator& first = again.of(again.state.partitions.copies(again.state.partitions.shared(v))[0].partition);
+  for (const double d : {0.1, std::nextafter(0.1, 0.0), 0.1 - 1e-6}) {
+    first.start_vertex(v, GeneratorId(0), d);
+    first.run_round(0);
+    CHECK(first.events() == (d < 0.1 - 1e-7 ? 2 : 1));
+  }
 }
 
 TEST_CASE("the order of the received paths changes neither the label nor the distance of a vertex") {
