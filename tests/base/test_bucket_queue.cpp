@@ -133,3 +133,17 @@ TEST_CASE("a queue that has given its memory back goes on from where it was") {
   CHECK(queue.front() == 1);
   CHECK(queue.empty());
 }
+
+TEST_CASE("one can look at the items that come next in the current bucket, and at no others") {
+  BucketQueue<int> queue(1.0, 4);
+  CHECK(queue.ahead(0) == nullptr);
+  for (const int item : {1, 2, 3}) queue.push(0.5, item);
+  queue.push(1.5, 4);
+  REQUIRE(queue.ahead(2) != nullptr);
+  CHECK(*queue.ahead(0) == 1);
+  CHECK(*queue.ahead(2) == 3);
+  CHECK(queue.ahead(3) == nullptr);
+  CHECK(queue.pop() == 1);
+  CHECK(*queue.ahead(1) == 3);
+  CHECK(queue.ahead(2) == nullptr);
+}
