@@ -41,6 +41,18 @@ TEST_CASE("added generators: another component's generators don't count") {
   CHECK(added.clearance(vertex_point(mesh, VertexId(1))) == 1);
 }
 
+TEST_CASE("added generators: a generator on the other bank of a seam does not count at its own position") {
+  const Mesh tube = test::make_cut_tube(4, 1, 2);
+  const SurfacePoint left = vertex_point(tube, VertexId(0)), right = vertex_point(tube, VertexId(8));
+  REQUIRE(position(tube, left) == position(tube, right));
+  AddedGenerators added(tube, {left}, 5);
+  CHECK(added.clearance(left) == 0);
+  CHECK(std::isinf(added.clearance(right)));
+  CHECK(added.clearance(vertex_point(tube, VertexId(9))) == 2);
+  CHECK(added.add(right));
+  CHECK_FALSE(added.add(right));
+}
+
 TEST_CASE("added generators: the best candidate that is free is added, and the first of equals") {
   const Mesh grid = test::make_grid(1, 1);
   AddedGenerators added(grid, {vertex_point(grid, VertexId(1))}, 2);

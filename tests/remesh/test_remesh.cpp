@@ -6,6 +6,8 @@
 #endif
 #include <algorithm>
 
+#include "added_generators.hpp"
+#include "are_near.hpp"
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
@@ -13,6 +15,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 
@@ -128,6 +131,23 @@ TEST_CASE("remesh: generators on both sides of a slit, at the same position") {
   REQUIRE(position(mesh, generators[0]) == position(mesh, generators[1]));
   for (const int v : {4, 2, 6}) generators.push_back(vertex_point(mesh, VertexId(v)));
   require_remesh(mesh, generators);
+}
+
+TEST_CASE("remesh: a tube cut open along a seam, with generators that coincide in space on the two banks") {
+  const Mesh tube = test::make_cut_tube(4, 1, 20);
+  // The generators' cells reach the other bank opposite to themselves, so that a new one has to lie there.
+  const RemeshResult result = require_remesh(tube, {vertex_point(tube, VertexId(2)), vertex_point(tube, VertexId(3))});
+  CHECK(result.certificate.output.boundary_loops == 1);
+  std::size_t in_one_place = 0;
+  const auto& points = result.generators;
+  const double spacing = kMinAddedSpacing * tube.bbox_diagonal();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      CHECK_FALSE(are_near(tube, points[i], points[j], spacing));
+      if ((position(tube, points[i]) - position(tube, points[j])).norm() <= spacing) ++in_one_place;
+    }
+  }
+  CHECK(in_one_place > 0);
 }
 
 TEST_CASE("remesh: many generators in one face") {

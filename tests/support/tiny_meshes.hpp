@@ -25,6 +25,24 @@ inline Mesh make_tetrahedron() {
   return make_mesh({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
 }
 
+/// A tube of radius 1 that is cut open along a line parallel to its axis: a disc whose two banks coincide in space.
+/// Vertex (across + 1) i + j lies in column i and row j; columns 0 and `around` are the banks.
+inline Mesh make_cut_tube(int around, int across, double height) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i <= around; ++i) {
+    const double angle = 2 * std::acos(-1.0) * (i % around) / around;
+    for (int j = 0; j <= across; ++j) {
+      positions.emplace_back(std::cos(angle), std::sin(angle), height * j / across);
+      if (i == around || j == across) continue;
+      const int a = i * (across + 1) + j, b = a + across + 1;
+      faces.push_back({a, b, b + 1});
+      faces.push_back({a, b + 1, a + 1});
+    }
+  }
+  return make_mesh(std::move(positions), faces);
+}
+
 /// The same mesh, `scale` times as large.
 inline Mesh scaled(const Mesh& mesh, double scale) {
   std::vector<Vec3> positions = mesh.positions();

@@ -12,8 +12,8 @@
 
 namespace gvd {
 
-/// Least distance between two generators of one component, as a fraction of the bounding box's diagonal. Shorter edges
-/// can have length zero in programs that work in single precision (1.2e-7).
+/// Least distance between two generators that are near along the surface (`are_near`), as a fraction of the bounding
+/// box's diagonal. Shorter edges can have length zero in programs that work in single precision (1.2e-7).
 inline constexpr double kMinAddedSpacing = 1e-6;
 
 /// Generators to be added to a diagram: at most `max_count`, each with a least distance from all others.
@@ -38,11 +38,12 @@ class AddedGenerators {
   }
 
   /// Euclidean distance from the nearest generator of the point's component, those added included. Generators of other
-  /// components don't count: components may touch.
+  /// components don't count, nor those that coincide with the point in space and are not near it along the surface:
+  /// components may touch, and so may the two banks of a slit.
   double clearance(const SurfacePoint& point) const;
 
   /// Position of a generator of the diagram.
-  const Vec3& position_of(GeneratorId g) const { return positions_[g.index()]; }
+  const Vec3& position_of(GeneratorId g) const { return positions_[g]; }
 
   /// Component of every face, as compute_face_components numbers them.
   const IdVector<FaceId, std::int32_t>& component() const { return component_; }
@@ -51,10 +52,11 @@ class AddedGenerators {
   void insert(const SurfacePoint& point);
 
   const Mesh& mesh_;
+  double spacing_;  // kMinAddedSpacing in mesh units
   std::size_t max_count_;
   IdVector<FaceId, std::int32_t> component_;
-  std::vector<Vec3> positions_;  // of the diagram's generators, then of the added ones
-  std::vector<std::int32_t> generator_component_;
+  std::vector<SurfacePoint> all_;  // the diagram's generators, then the added ones
+  IdVector<GeneratorId, Vec3> positions_;
   std::vector<SurfacePoint> points_;
 };
 

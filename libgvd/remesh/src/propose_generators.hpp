@@ -23,7 +23,7 @@ namespace gvd {
 /// | enough_neighbours   | the cell's farthest vertex, else the farthest point of its bisectors                      |
 /// | the others          | of the branch point and its bisectors the point farthest from all generators              |
 ///
-/// A candidate that is too close to a generator of its component (kMinAddedSpacing) is skipped for the next best one.
+/// A candidate that is too close to a generator along the surface (kMinAddedSpacing) is skipped for the next best one.
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
 /// cell's other defects too. Returns at most `max_count` points; none where every candidate is too close.
 /// Cost: O(n log n) where a cell is no disc, else O(n) and O(k m) for k defects and m generators.
