@@ -11,6 +11,7 @@
 #include "common/steps/make_generators.hpp"
 #include "common/steps/verify.hpp"
 #include "common/steps/write_outputs.hpp"
+#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "remesh/remesh_json.hpp"
 #include "remesh/remesh_report.hpp"
@@ -97,6 +98,9 @@ ViewScene coarse_scene(const RemeshResult& result) {
 }
 
 void run_remesh(app::Run& run, const Settings& settings) {
+  if (run.options().output.no_curves) {
+    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
+  }
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> generators = app::make_generators(run, input);

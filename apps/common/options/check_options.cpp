@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <string_view>
 
 #include "common/options/file_extension.hpp"
 #include "gvd/error.hpp"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
 void check_generator_source(const GeneratorOptions& generators) {
-  std::vector<std::string> given;
+  std::vector<std::string_view> given;
   if (generators.count) given.push_back("-n");
   if (!generators.file.empty()) given.push_back("--generators");
   if (generators.vertices) given.push_back("--vertices");
@@ -115,6 +116,24 @@ void check_format(const std::string& file, const std::vector<std::string>& forma
   refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
 }
 
+/// Whether a file or standard output gets one of the formats.
+bool writes_any(const OutputOptions& output, const std::vector<std::string>& formats) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
+    const std::string format = file == "-" ? output.stdout_format : file_extension(file);
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  });
+}
+
+/// Refuses options of formats that the run does not write.
+void check_format_options(const OutputOptions& output) {
+  if (output.no_curves && !writes_any(output, {"obj", "vtp", "glb"})) {
+    refuse("--no-curves: only .obj, .vtp and .glb hold curves; write one of them with -o or leave --no-curves out");
+  }
+  if (output.ascii_ply && !writes_any(output, {"ply"})) {
+    refuse("--ascii-ply: no .ply is written; write one with -o or leave --ascii-ply out");
+  }
+}
+
 void check_output(const Options& options, const std::vector<std::string>& formats) {
   const OutputOptions& output = options.output;
   Targets targets(options);
@@ -122,6 +141,7 @@ void check_output(const Options& options, const std::vector<std::string>& format
     check_format(file, formats);
     targets.claim("-o", file);
   }
+  check_format_options(output);
   targets.claim("--report", output.report);
   targets.claim("--diagram", output.diagram);
   targets.claim("--view", output.view);

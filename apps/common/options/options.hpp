@@ -45,6 +45,8 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
+  bool no_curves = false;  ///< leave the bisectors out of OBJ, VTP and GLB
+  bool ascii_ply = false;  ///< PLY as text
 };
 
 /// The options that the three commands share. A command keeps its own beside these.

@@ -55,6 +55,8 @@ void add_compute(Json& json, const ComputeOptions& compute) {
 
 void add_output(Json& json, const OutputOptions& output) {
   json["output"] = output.files;
+  json["no_curves"] = output.no_curves;
+  json["ascii_ply"] = output.ascii_ply;
   json["diagram"] = or_null(output.diagram);
   json["view"] = or_null(output.view);
   json["report"] = or_null(output.report);

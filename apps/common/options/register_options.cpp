@@ -109,6 +109,9 @@ void register_output(CommandLine& line, OutputOptions& output, const std::vector
   output.stdout_format = formats.front();
   add_choice(line, {"--output-format", "", "What -o - writes (default: " + formats.front() + ")", kOutput},
              output.stdout_format, self_named(formats));
+  line.add_flag({"--no-curves", "", "Leave the bisectors out of .obj, .vtp and .glb", kOutput}, output.no_curves);
+  line.add_flag({"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only", kOutput},
+                output.ascii_ply);
   add_text(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
   add_text(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
   add_text(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);

@@ -25,6 +25,13 @@ void write_stdout(const OutputWriter& write) {
   }
 }
 
+/// The mesh as the options want it in one format. JSON is the diagram itself, and keeps its bisectors.
+LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, OutputFormat format) {
+  if (output.no_curves && format != OutputFormat::json) mesh.diagram = nullptr;
+  mesh.ascii_ply = output.ascii_ply;
+  return mesh;
+}
+
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
                const std::map<std::string, OutputWriter>& own_formats) {
   const bool standard = path == "-";
@@ -36,8 +43,9 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   }
   const auto known = parse_output_format(format);
   if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
-  if (standard) return write_stdout([&](std::ostream& out) { write_mesh(out, mesh, *known); });
-  write_mesh(path, mesh, run.progress());
+  const LabelledMesh chosen = choose_content(run.options().output, mesh, *known);
+  if (standard) return write_stdout([&](std::ostream& out) { write_mesh(out, chosen, *known); });
+  write_mesh(path, chosen, run.progress());
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ struct LabelledMesh {
   const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
   /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
+  bool ascii_ply = false;  ///< PLY as text instead of binary
 };
 
 /// Writes the mesh in one format. The stream is flushed and checked.

@@ -27,19 +27,24 @@ void print_regions(ByteWriter& out, const LabelledMesh& mesh, bool with_material
   }
 }
 
+/// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
+/// `l`.
+/// Returns the number after the last vertex.
+std::size_t print_line(ByteWriter& out, const BisectorLine& line, std::size_t first) {
+  out.print("# left {} right {}\n", line.left.value(), line.right.value());
+  for (const Vec3& p : line.points) print_vertex(out, p);
+  const std::size_t last = first + line.points.size() - 1;
+  for (std::size_t i = first; i < last; ++i) out.print("l {} {}\n", i, i + 1);
+  return last + 1;
+}
+
 /// The vertices of the lines follow those of the mesh, whose numbers do not change.
 void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
   if (lines.empty()) return;
   out.text("g bisectors\n");
   std::size_t index = static_cast<std::size_t>(mesh.mesh.vertex_count()) + 1;
-  for (const BisectorLine& line : lines) {
-    out.print("# left {} right {}\n", line.left.value(), line.right.value());
-    for (const Vec3& p : line.points) print_vertex(out, p);
-    out.text("l");
-    for (std::size_t i = 0; i < line.points.size(); ++i) out.print(" {}", index++);
-    out.text("\n");
-  }
+  for (const BisectorLine& line : lines) index = print_line(out, line, index);
 }
 
 }  // namespace

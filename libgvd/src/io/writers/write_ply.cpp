@@ -8,6 +8,9 @@
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 
+// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
+// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
+// faces in text only: in binary it takes the lists of all faces to lie behind each other.
 namespace gvd::io {
 namespace {
 
@@ -22,48 +25,82 @@ bool needs_doubles(const LabelledMesh& mesh) {
          std::any_of(mesh.vertex_distance->begin(), mesh.vertex_distance->end(), leaves_float);
 }
 
-void print_header(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
-  out.text("ply\nformat binary_little_endian 1.0\n");
+void print_color_properties(ByteWriter& out) {
+  out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+}
+
+void print_vertex_properties(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
   out.print("element vertex {}\n", mesh.mesh.vertex_count());
   out.text("property double x\nproperty double y\nproperty double z\n");
   if (mesh.vertex_distance != nullptr) out.print("property {} distance\n", doubles ? "double" : "float");
-  if (mesh.vertex_label != nullptr) out.text("property int label\n");
+  if (mesh.vertex_label != nullptr) {
+    out.text("property int label\n");
+    print_color_properties(out);
+  }
+}
+
+void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   out.print("element face {}\nproperty list uchar int vertex_indices\n", mesh.mesh.face_count());
   if (mesh.face_label != nullptr) {
-    out.text("property int label\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
+    out.text("property int label\n");
+    print_color_properties(out);
   }
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
-  out.text("end_header\n");
+  if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
 }
 
-void write_distance(ByteWriter& out, double distance, bool doubles) {
-  doubles ? out.binary(distance) : out.binary(static_cast<float>(distance));
-}
+/// Numbers of one element after the other, as bytes or as a line of text.
+class Rows {
+ public:
+  Rows(ByteWriter& out, bool text) : out_(out), text_(text) {}
 
-void write_vertices(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
+  template <class T>
+  void put(T value) {
+    if (!text_) return out_.binary(value);
+    out_.print("{}{}", empty_ ? "" : " ", value);
+    empty_ = false;
+  }
+
+  void put_label(GeneratorId label) {
+    const Rgb color = label_color(label);
+    put(label.value());
+    put(color.red);
+    put(color.green);
+    put(color.blue);
+  }
+
+  void end() {
+    if (text_) out_.text("\n");
+    empty_ = true;
+  }
+
+ private:
+  ByteWriter& out_;
+  bool text_;
+  bool empty_ = true;
+};
+
+void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
   for (VertexId v(0); v.value() < mesh.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
     const Vec3& p = mesh.mesh.position(v);
-    out.binary(p.x());
-    out.binary(p.y());
-    out.binary(p.z());
-    if (mesh.vertex_distance != nullptr) write_distance(out, (*mesh.vertex_distance)[v], doubles);
-    if (mesh.vertex_label != nullptr) out.binary((*mesh.vertex_label)[v].value());
+    for (int i = 0; i < 3; ++i) rows.put(p[i]);
+    if (mesh.vertex_distance != nullptr) {
+      const double distance = (*mesh.vertex_distance)[v];
+      doubles ? rows.put(distance) : rows.put(static_cast<float>(distance));
+    }
+    if (mesh.vertex_label != nullptr) rows.put_label((*mesh.vertex_label)[v]);
+    rows.end();
   }
 }
 
-void write_faces(ByteWriter& out, const LabelledMesh& mesh) {
+void write_faces(Rows& rows, const LabelledMesh& mesh) {
   for (FaceId f(0); f.value() < mesh.mesh.face_count(); f = FaceId(f.value() + 1)) {
-    out.binary(std::uint8_t{3});
-    for (const VertexId v : mesh.mesh.vertices(f)) out.binary(v.value());
-    if (mesh.face_label != nullptr) {
-      const GeneratorId label = (*mesh.face_label)[f];
-      const Rgb color = label_color(label);
-      out.binary(label.value());
-      out.binary(color.red);
-      out.binary(color.green);
-      out.binary(color.blue);
-    }
-    if (mesh.face_parent != nullptr) out.binary((*mesh.face_parent)[f].value());
+    rows.put(std::uint8_t{3});
+    for (const VertexId v : mesh.mesh.vertices(f)) rows.put(v.value());
+    if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
+    if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
+    if (mesh.face_label != nullptr) rows.put(static_cast<std::uint8_t>((*mesh.face_label)[f].value()));
+    rows.end();
   }
 }
 
@@ -72,9 +109,13 @@ void write_faces(ByteWriter& out, const LabelledMesh& mesh) {
 void write_ply(std::ostream& stream, const LabelledMesh& mesh) {
   ByteWriter out(stream);
   const bool doubles = needs_doubles(mesh);
-  print_header(out, mesh, doubles);
-  write_vertices(out, mesh, doubles);
-  write_faces(out, mesh);
+  out.print("ply\nformat {} 1.0\n", mesh.ascii_ply ? "ascii" : "binary_little_endian");
+  print_vertex_properties(out, mesh, doubles);
+  print_face_properties(out, mesh);
+  out.text("end_header\n");
+  Rows rows(out, mesh.ascii_ply);
+  write_vertices(rows, mesh, doubles);
+  write_faces(rows, mesh);
   out.finish();
 }
 

@@ -67,6 +67,13 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
                               kFormats));
 }
 
+TEST_CASE("an option of a format that is not written is refused") {
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
+  CHECK_NOTHROW(check_options(
+      parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kFormats));
+}
+
 TEST_CASE("no target is a file that the run reads, whatever it is called") {
   const test::ScratchFolder scratch;
   const std::string mesh = scratch / "mesh.obj", list = scratch / "list.json";

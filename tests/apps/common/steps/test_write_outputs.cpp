@@ -38,6 +38,23 @@ TEST_CASE("each file is written in its format, a command's own format before the
   CHECK(quiet.report()["timings_ms"].contains("write"));
 }
 
+TEST_CASE("--no-curves leaves out what a diagram adds, and --ascii-ply writes text") {
+  const ScratchFolder scratch;
+  const Diagram diagram = compute_diagram(kGrid, {vertex_point(kGrid, VertexId(0)), vertex_point(kGrid, VertexId(8))});
+  LabelledMesh mesh{kGrid};
+  mesh.diagram = &diagram;
+  Options options = with_files({scratch / "a.obj", scratch / "a.ply", scratch / "a.json"});
+  QuietRun all(options);
+  write_output_files(all.run, mesh);
+  CHECK(read_text(scratch / "a.obj").find("\nl ") != std::string::npos);
+  options.output.no_curves = options.output.ascii_ply = true;
+  QuietRun chosen(options);
+  write_output_files(chosen.run, mesh);
+  CHECK(read_text(scratch / "a.obj").find("\nl ") == std::string::npos);
+  CHECK(read_text(scratch / "a.ply").find("format ascii") != std::string::npos);
+  CHECK(nlohmann::json::parse(read_text(scratch / "a.json"))["bisectors"].size() == diagram.bisectors.size());
+}
+
 TEST_CASE("a format that the command does not write is refused, and leaves no file") {
   const ScratchFolder scratch;
   QuietRun quiet(with_files({scratch / "a.txt"}));
