@@ -13,7 +13,7 @@ unless_found() { command -v "$1" >/dev/null 2>&1 || echo "$2"; }
 packages_of() {
   case "$1" in
     build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
-                libfmt-dev libcli11-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
+                libfmt-dev libcli11-dev libtomlplusplus-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 ;;
     bench) echo ;;
     pictures) echo $(unless_found chromium chromium) ;;

@@ -36,10 +36,13 @@ struct Settings {
 void register_options(app::CommandLine& line, Settings& settings) {
   const std::string group = "Remesh";
   app::add_number(line,
-                  {"--max-added", "",
+                  {"--max-added",
+                   "",
                    "Most generators that may be added (default: ten for each given one, component, boundary loop and "
                    "handle, and 100 more)",
-                   group},
+                   group,
+                   {},
+                   {"--no-refine"}},
                   settings.remesh.max_added, kMaxAdded);
   line.add_flag(
       {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},

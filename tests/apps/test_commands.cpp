@@ -293,6 +293,37 @@ TEST_CASE("commands: options come from a file too") {
   }
 }
 
+TEST_CASE("commands: a wrong file of options is refused in one line that has line and key") {
+  const ScratchFolder scratch;
+  const auto refused = [&](const std::string& text, const std::string& part) {
+    write_text(scratch / "o.toml", text);
+    for (const std::string& name : built_commands()) {
+      require_error(name, data_file("torus.ply") + " --config " + scratch / "o.toml", 2, scratch / "o.toml:" + part);
+    }
+  };
+  refused("n = [ 12\n", "");
+  refused("n = 12\nview = true\n", "2:8: view: expected a string");
+  refused("n = 12\nn = 13\n", "2:");
+  refused("n = 12\ncount = 13\n", "2:1: count: is the same option as n above");
+  refused("n = 12\n[output]\nreport = \"r.json\"\n", "2:");
+  refused("n = 12\nradius = 0.5\n", "2:1: ");
+  refused("n = \"\xff\"\n", "1:");
+}
+
+TEST_CASE("commands: the command line's generators take the place of those of the file") {
+  const ScratchFolder scratch;
+  write_text(scratch / "o.toml", "input = \"" + data_file("figure.obj") +
+                                     "\"\nn = 12\nsampling = \"random\"\nseed = 3\n" + "quiet = true\nreport = \"" +
+                                     scratch / "r.json" + "\"\n");
+  write_text(scratch / "g.txt", "1\n30\n60\n");
+  for (const std::string& choice : {std::string("--vertices 1,30,60"), "--generators " + scratch / "g.txt"}) {
+    const CommandResult result = run_command("gvd-segment", choice + " --config " + scratch / "o.toml");
+    CAPTURE(choice, result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["generators"].size() == 3);
+  }
+}
+
 TEST_CASE("commands: bars are drawn on a terminal only") {
   for (const std::string& name : built_commands()) {
     const std::vector<std::string> arguments{data_file("figure.obj"), "-n", "40"};

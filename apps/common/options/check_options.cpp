@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <string_view>
 
 #include "common/options/file_extension.hpp"
 #include "gvd/error.hpp"
@@ -19,29 +18,14 @@ namespace fs = std::filesystem;
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
 void check_generator_source(const GeneratorOptions& generators) {
-  std::vector<std::string_view> given;
-  if (generators.count) given.push_back("-n");
-  if (!generators.file.empty()) given.push_back("--generators");
-  if (generators.vertices) given.push_back("--vertices");
-  if (generators.radius) given.push_back("--radius");
-  if (given.empty()) refuse("no generators: give one of -n, --generators, --vertices or --radius");
-  if (given.size() > 1) {
-    refuse(fmt::format("generators come from one option, not from {}: keep one", fmt::join(given, " and ")));
-  }
+  if (generators.count || !generators.file.empty() || generators.vertices || generators.radius) return;
+  refuse("no generators: give one of -n, --generators, --vertices or --radius");
 }
 
-/// Refuses options that the chosen method would ignore.
-void check_method(const ComputeOptions& compute) {
-  if (compute.front && compute.method != Method::gbgvd) {
-    refuse("--front: only --method gbgvd has a front; add --method gbgvd or leave --front out");
-  }
-  if (compute.chord_tolerance && compute.method != Method::exact) {
-    refuse("--chord-tolerance: only --method exact has one; choose it or leave --chord-tolerance out");
-  }
-  if (compute.chord_tolerance && *compute.chord_tolerance < kLeastChordTolerance) {
-    refuse(fmt::format("--chord-tolerance {}: a bisector is known to {} mean edge lengths only; give at least that",
-                       *compute.chord_tolerance, kLeastChordTolerance));
-  }
+void check_chord_tolerance(const ComputeOptions& compute) {
+  if (!compute.chord_tolerance || *compute.chord_tolerance >= kLeastChordTolerance) return;
+  refuse(fmt::format("--chord-tolerance {}: a bisector is known to {} mean edge lengths only; give at least that",
+                     *compute.chord_tolerance, kLeastChordTolerance));
 }
 
 /// Refuses options of features that this build lacks.
@@ -154,7 +138,7 @@ void check_options(const Options& options, const std::vector<std::string>& outpu
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   check_generator_source(options.generators);
-  check_method(options.compute);
+  check_chord_tolerance(options.compute);
   check_build(options);
   check_output(options, output_formats);
 }

@@ -1,7 +1,11 @@
 #include "common/options/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <deque>
 
+#include "common/options/config_options.hpp"
+#include "common/options/merge_options.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -9,18 +13,80 @@ namespace {
 
 bool is_positional(const OptionText& option) { return option.names.front() != '-'; }
 
+/// The value of a flag, for GivenOption.
+std::string flag_text(bool on) { return on ? "true" : "false"; }
+
+/// Adds what a message of a store function lacks: where the option comes from.
+[[noreturn]] void refuse(const GivenOption& given, const std::string& message) {
+  throw Error(ErrorCode::invalid_option, given.place.empty() ? message : given.place + ": " + message);
+}
+
+void store(const GivenOption& given, const std::string& hint) {
+  std::optional<std::string> wrong;
+  try {
+    wrong = given.option->store(given.values);
+  } catch (const Error& error) {
+    refuse(given, error.what());
+  }
+  if (wrong) refuse(given, given.name + ": " + *wrong + (given.place.empty() ? hint : ""));
+}
+
 }  // namespace
 
 struct CommandLine::Parser {
+  /// An option of the command, and how CLI11 gives its values.
+  struct Entry {
+    CLI::Option* option;
+    std::vector<std::string> values;
+    bool flag = false;
+  };
+
   Parser(const std::string& name, const std::string& description) : cli(description, name) {}
 
-  void describe(CLI::Option& added, const OptionText& option) {
-    if (!option.group.empty()) added.group(option.group);
-    if (!option.needs.empty()) added.needs(cli.get_option(option.needs));
-    added.required(is_positional(option));
+  DeclaredOption& declare(const OptionText& text) {
+    declared.push_back({text, false, {}});
+    entries.emplace_back();
+    return declared.back();
   }
 
+  void describe(CLI::Option* option) {
+    entries.back().option = option;
+    const OptionText& text = declared.back().text;
+    if (!text.group.empty()) option->group(text.group);
+  }
+
+  std::vector<GivenOption> given_on_line() const {
+    std::vector<GivenOption> given;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (entries[i].option->count() == 0) continue;
+      const bool flag = declared[i].text.kind == ValueKind::flag;
+      given.push_back({&declared[i], split_names(declared[i].text.names).front(), "",
+                       flag ? std::vector{flag_text(entries[i].flag)} : entries[i].values});
+    }
+    return given;
+  }
+
+  void check_required(const std::vector<GivenOption>& given) const {
+    for (const DeclaredOption& option : declared) {
+      if (!is_positional(option.text)) continue;
+      const bool found =
+          std::any_of(given.begin(), given.end(), [&](const auto& one) { return one.option == &option; });
+      if (!found) throw CLI::RequiredError(option.text.names);
+    }
+  }
+
+  /// --help shows without brackets what has to be given, here or in a file.
+  std::string help() {
+    for (std::size_t i = 0; i < entries.size(); ++i) entries[i].option->required(is_positional(declared[i].text));
+    return cli.help();
+  }
+
+  std::string hint() const { return " (see " + cli.get_name() + " --help)"; }
+
   CLI::App cli;
+  std::deque<DeclaredOption> declared;
+  std::deque<Entry> entries;  ///< of the same indices
+  std::optional<std::string> config;
 };
 
 CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& version,
@@ -34,40 +100,60 @@ CommandLine::CommandLine(const std::string& name, const std::string& description
 CommandLine::~CommandLine() = default;
 
 void CommandLine::add_value(const OptionText& option, const StoreValue& store) {
-  const auto checked = [store, names = option.names](const std::string& text) {
-    if (const auto wrong = store(text)) throw CLI::ValidationError(names, *wrong);
-  };
-  CLI::Option* const added = parser_->cli.add_option_function<std::string>(option.names, checked, option.description);
-  added->type_name(option.type);
-  parser_->describe(*added, option);
+  parser_->declare(option).store = [store](const std::vector<std::string>& values) { return store(values.back()); };
+  std::vector<std::string>& values = parser_->entries.back().values;
+  const auto keep = [&values](const std::string& text) { values = {text}; };
+  parser_->describe(
+      parser_->cli.add_option_function<std::string>(option.names, keep, option.description)->type_name(option.type));
 }
 
 void CommandLine::add_list(const OptionText& option, const StoreList& store) {
-  CLI::Option* const added =
-      parser_->cli.add_option_function<std::vector<std::string>>(option.names, store, option.description);
-  added->type_name(option.type)->allow_extra_args(false);
-  parser_->describe(*added, option);
+  DeclaredOption& declared = parser_->declare(option);
+  declared.is_list = true;
+  declared.store = [store](const std::vector<std::string>& values) {
+    store(values);
+    return std::optional<std::string>();
+  };
+  std::vector<std::string>& values = parser_->entries.back().values;
+  const auto keep = [&values](const std::vector<std::string>& all) { values = all; };
+  parser_->describe(parser_->cli.add_option_function<std::vector<std::string>>(option.names, keep, option.description)
+                        ->type_name(option.type)
+                        ->allow_extra_args(false));
 }
 
 void CommandLine::add_flag(const OptionText& option, bool& target) {
-  parser_->describe(*parser_->cli.add_flag(option.names, target, option.description), option);
+  DeclaredOption& declared = parser_->declare(option);
+  declared.text.kind = ValueKind::flag;
+  declared.store = [&target](const std::vector<std::string>& values) {
+    target = values.back() == flag_text(true);
+    return std::optional<std::string>();
+  };
+  parser_->describe(parser_->cli.add_flag(option.names, parser_->entries.back().flag, option.description));
 }
 
 void CommandLine::add_config(const OptionText& option) {
-  parser_->cli.set_config(option.names, "", option.description)->type_name(option.type);
-  parser_->cli.allow_config_extras(CLI::config_extras_mode::error);
+  const auto keep = [this](const std::string& path) { parser_->config = path; };
+  parser_->cli.add_option_function<std::string>(option.names, keep, option.description)->type_name(option.type);
 }
 
 std::optional<std::string> CommandLine::parse(int argc, const char* const* argv) {
   try {
+    parser_->config.reset();
     parser_->cli.parse(argc, argv);
+    std::vector<GivenOption> given = parser_->given_on_line();
+    if (parser_->config) {
+      given = merge_options(given, find_config_options(read_config_file(*parser_->config), parser_->declared));
+    }
+    parser_->check_required(given);
+    check_together(given);
+    for (const GivenOption& each : given) store(each, parser_->hint());
     return std::nullopt;
   } catch (const CLI::CallForVersion& version) {
     return std::string(version.what()) + "\n";
   } catch (const CLI::Success&) {
-    return parser_->cli.help();
+    return parser_->help();
   } catch (const CLI::Error& error) {
-    throw Error(ErrorCode::invalid_option, std::string(error.what()) + " (see " + parser_->cli.get_name() + " --help)");
+    throw Error(ErrorCode::invalid_option, error.what() + parser_->hint());
   }
 }
 

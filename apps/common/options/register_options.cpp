@@ -16,6 +16,15 @@ constexpr Range<std::int32_t> kThreads{1, 4096, "a whole number from 1 to 4096"}
 constexpr const char *kInput = "Input", *kComputing = "Computing", *kOutput = "Output";
 constexpr const char* kGenerators = "Generators (exactly one of -n, --generators, --vertices, --radius)";
 
+/// Of the options that say where generators come from, all but `name`: one of them is given.
+std::vector<std::string> sources_but(const std::string& name) {
+  std::vector<std::string> others;
+  for (const char* source : {"-n", "--generators", "--vertices", "--radius"}) {
+    if (source != name) others.emplace_back(source);
+  }
+  return others;
+}
+
 /// Choices whose value is their name.
 Choices<std::string> self_named(const std::vector<std::string>& names) {
   Choices<std::string> choices;
@@ -50,34 +59,56 @@ void register_input(CommandLine& line, InputOptions& input) {
 
 /// Options that choose generators on the surface.
 void register_sampling(CommandLine& line, GeneratorOptions& generators) {
-  add_number(line, {"-n,--count", "", "Choose N generators", kGenerators}, generators.count, kCount);
+  add_number(line, {"-n,--count", "", "Choose N generators", kGenerators, {}, sources_but("-n")}, generators.count,
+             kCount);
   add_choice(
-      line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, "-n"}, generators.sampling,
+      line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, {"-n"}}, generators.sampling,
       Choices<SamplingKind>{
           {"farthest", SamplingKind::farthest}, {"random", SamplingKind::random}, {"poisson", SamplingKind::poisson}});
-  add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators}, generators.seed, kAnyWhole);
+  add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators, {"-n", "--radius"}}, generators.seed,
+             kAnyWhole);
 }
 
 /// Options that list generators, and those for positions and coincident generators in a list.
 void register_lists(CommandLine& line, GeneratorOptions& generators) {
-  add_text(
-      line,
-      {"--generators", "FILE", "A list of generators: text, .csv or .json; see docs/guide/generators.md", kGenerators},
-      generators.file);
-  line.add_list({"--vertices", "LIST", "Vertices of the input file, from 0: 3,17,99", kGenerators},
+  add_text(line,
+           {"--generators",
+            "FILE",
+            "A list of generators: text, .csv or .json; see docs/guide/generators.md",
+            kGenerators,
+            {},
+            sources_but("--generators")},
+           generators.file);
+  line.add_list({"--vertices",
+                 "LIST",
+                 "Vertices of the input file, from 0: 3,17,99",
+                 kGenerators,
+                 {},
+                 sources_but("--vertices"),
+                 ValueKind::whole},
                 [&generators](const std::vector<std::string>& lists) {
                   generators.vertices = parse_vertex_list(join(lists, ","));
                 });
   add_number(line,
-             {"--radius", "", "As many generators as leave no point farther than this, in mesh units", kGenerators},
+             {"--radius",
+              "",
+              "As many generators as leave no point farther than this, in mesh units",
+              kGenerators,
+              {},
+              sources_but("--radius")},
              generators.radius, kPositive);
-  add_number(
-      line,
-      {"--max-snap", "", "Refuse a point of --generators that is farther than this from the surface, in mesh units",
-       kGenerators, "--generators"},
-      generators.max_snap, kNotNegative);
-  line.add_flag({"--merge-coincident", "", "Keep one of several generators in the same place, instead of refusing them",
-                 kGenerators},
+  add_number(line,
+             {"--max-snap",
+              "",
+              "Refuse a point of --generators that is farther than this from the surface, in mesh units",
+              kGenerators,
+              {"--generators"}},
+             generators.max_snap, kNotNegative);
+  line.add_flag({"--merge-coincident",
+                 "",
+                 "Keep one of several generators in the same place, instead of refusing them",
+                 kGenerators,
+                 {"--generators", "--vertices"}},
                 generators.merge_coincident);
 }
 
@@ -87,13 +118,21 @@ void register_compute(CommandLine& line, ComputeOptions& compute) {
               "How the diagram is built: of exact distances (default), or growth-based by fast marching", kComputing},
              compute.method, Choices<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}});
   add_number(line,
-             {"--chord-tolerance", "",
+             {"--chord-tolerance",
+              "",
               fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
                           "(default: {}, at least {})",
                           DiagramOptions{}.chord_tolerance, kLeastChordTolerance),
-              kComputing},
+              kComputing,
+              {},
+              {"--method gbgvd"}},
              compute.chord_tolerance, kPositive);
-  add_choice(line, {"--front", "", "Front of --method gbgvd: the paper's planar one, or circles (default)", kComputing},
+  add_choice(line,
+             {"--front",
+              "",
+              "Front of --method gbgvd: the paper's planar one, or circles (default)",
+              kComputing,
+              {"--method gbgvd"}},
              compute.front, Choices<Front>{{"planar", Front::planar}, {"circle", Front::circle}});
   add_number(
       line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},
@@ -107,7 +146,8 @@ void register_output(CommandLine& line, OutputOptions& output, const std::vector
                  "Write this file (." + join(formats, ", .") + "); may be repeated; - for standard output", kOutput},
                 [&output](const std::vector<std::string>& files) { output.files = files; });
   output.stdout_format = formats.front();
-  add_choice(line, {"--output-format", "", "What -o - writes (default: " + formats.front() + ")", kOutput},
+  add_choice(line,
+             {"--output-format", "", "What -o - writes (default: " + formats.front() + ")", kOutput, {"--output -"}},
              output.stdout_format, self_named(formats));
   line.add_flag({"--no-curves", "", "Leave the bisectors out of .obj, .vtp and .glb", kOutput}, output.no_curves);
   line.add_flag({"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only", kOutput},
@@ -143,7 +183,7 @@ void register_options(CommandLine& line, Options& options, const std::vector<std
   register_output(line, options.output, output_formats);
   line.add_config({"--config", "FILE.toml", "Read options from this TOML file; the command line goes before it"});
   line.add_flag({"-q,--quiet", "", "Say nothing but errors"}, options.quiet);
-  line.add_flag({"-v,--verbose", "", "Say what each step took"}, options.verbose);
+  line.add_flag({"-v,--verbose", "", "Say what each step took", "", {}, {"--quiet"}}, options.verbose);
 }
 
 }  // namespace gvd::app

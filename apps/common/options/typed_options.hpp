@@ -17,7 +17,9 @@ namespace gvd::app {
 /// The type that --help shows is N or NUMBER.
 template <class T, class Target>
 void add_number(CommandLine& line, OptionText option, Target& target, const Range<T>& range) {
-  option.type = std::string(std::numeric_limits<T>::is_integer ? "N" : "NUMBER");
+  constexpr bool kWhole = std::numeric_limits<T>::is_integer;
+  option.type = std::string(kWhole ? "N" : "NUMBER");
+  option.kind = kWhole ? ValueKind::whole : ValueKind::number;
   line.add_value(option, [&target, range](const std::string& text) -> std::optional<std::string> {
     const std::optional<T> value = parse_number_in(text, range);
     if (!value) return fmt::format("'{}' is not {}", text, range.text);

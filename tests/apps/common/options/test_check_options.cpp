@@ -44,8 +44,26 @@ TEST_CASE("standard input needs a format") {
 TEST_CASE("an option that the method ignores is refused, with what to do") {
   CHECK_THAT(refusal({"a.obj", "-n", "3", "--front", "planar"}), Contains("add --method gbgvd"));
   CHECK_THAT(refusal({"a.obj", "-n", "3", "--method", "gbgvd", "--chord-tolerance", "1e-3"}),
-             Contains("only --method exact"));
+             Contains("--method gbgvd and --chord-tolerance exclude each other"));
   CHECK_THAT(refusal({"a.obj", "-n", "3", "--chord-tolerance", "1e-11"}), Contains("1e-11") && Contains("1e-10"));
+}
+
+TEST_CASE("an option that does nothing is refused") {
+  const std::vector<std::vector<std::string>> wrong{
+      {"--vertices", "3", "--seed", "1"},
+      {"--generators", "g.txt", "--seed", "1"},
+      {"--radius", "1", "--sampling", "random"},
+      {"-n", "3", "--merge-coincident"},
+      {"--vertices", "3", "--max-snap", "1"},
+      {"-n", "3", "-o", "a.ply", "--output-format", "obj"},
+      {"-n", "3", "-q", "-v"},
+  };
+  for (std::vector<std::string> arguments : wrong) {
+    arguments.insert(arguments.begin(), "a.obj");
+    CHECK_THAT(refusal(arguments), Contains("does nothing here: add") || Contains("exclude each other"));
+  }
+  CHECK_NOTHROW(parse_options({"a.obj", "-n", "3", "-o", "a.ply", "-o", "-", "--output-format", "obj"}));
+  CHECK_NOTHROW(parse_options({"a.obj", "--radius", "3", "--seed", "1"}));
 }
 
 TEST_CASE("every target has a known extension, a folder, and a name of its own") {

@@ -56,15 +56,12 @@ TEST_CASE("every option is stored in its field") {
                                          "d.json",
                                          "--view",
                                          "v.html",
-                                         "-q",
-                                         "-v",
-                                         "--merge-coincident"});
+                                         "-q"});
   CHECK(options.input.format == "off");
   CHECK(options.input.on_defect == "largest");
   CHECK(options.generators.count == 10);
   CHECK(options.generators.sampling == SamplingKind::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
-  CHECK(options.generators.merge_coincident);
   CHECK(options.compute.method == Method::gbgvd);
   CHECK(options.compute.front == Front::planar);
   CHECK(make_diagram_options(options.compute).front == Front::planar);
@@ -78,6 +75,8 @@ TEST_CASE("every option is stored in its field") {
   CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
+  CHECK(parse_options({"a.obj", "--vertices", "3", "--merge-coincident"}).generators.merge_coincident);
+  CHECK(parse_options({"a.obj", "-n", "3", "-v"}).verbose);
 }
 
 TEST_CASE("a configuration file gives options, and the command line goes before it") {
@@ -101,6 +100,14 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK(with("vertices = [1, 2]\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
+  const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
+  CHECK(chosen.compute.method == Method::exact);
+  CHECK_FALSE(chosen.compute.front);
+  const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
+  CHECK_FALSE(listed.generators.count);
+  CHECK(listed.generators.sampling == SamplingKind::farthest);
+  const Options file = with("output = \"-\"\noutput-format = \"json\"\n", {"a.obj", "-n", "3", "-o", "a.obj"});
+  CHECK(file.output.stdout_format == "ply");
 }
 
 TEST_CASE("a list of vertices has one index between each two commas") {

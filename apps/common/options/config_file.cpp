@@ -1,0 +1,113 @@
+#include "common/options/config_file.hpp"
+
+#include <fmt/format.h>
+// The only source with this header, which takes seconds to compile.
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "gvd/error.hpp"
+
+namespace gvd::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+std::string place_of(const std::string& name, const toml::source_region& region) {
+  return fmt::format("{}:{}:{}", name, region.begin.line, region.begin.column);
+}
+
+const char* type_name(const toml::node& node) {
+  if (node.is_string()) return "a string";
+  if (node.is_integer()) return "a whole number";
+  if (node.is_floating_point()) return "a number with a fraction";
+  if (node.is_boolean()) return "a boolean";
+  if (node.is_array()) return "an array";
+  return node.is_table() ? "a table" : "a date or a time";
+}
+
+ConfigValue read_value(const toml::node& node, const std::string& name) {
+  using Type = ConfigValue::Type;
+  ConfigValue value{Type::other, type_name(node), "", place_of(name, node.source())};
+  if (const auto* const text = node.as_string()) {
+    value.type = Type::text;
+    value.text = text->get();
+  } else if (const auto* const whole = node.as_integer()) {
+    value.type = Type::whole;
+    value.text = fmt::format("{}", whole->get());
+  } else if (const auto* const number = node.as_floating_point()) {
+    value.type = Type::number;
+    value.text = fmt::format("{}", number->get());
+  } else if (const auto* const flag = node.as_boolean()) {
+    value.type = Type::flag;
+    value.text = flag->get() ? "true" : "false";
+  }
+  return value;
+}
+
+/// The place of a key; before version 3 of the library that of its value.
+template <class Key>
+std::string key_place(const Key& key, const toml::node& node, const std::string& name) {
+  if constexpr (requires { key.source(); }) {
+    return place_of(name, key.source());
+  } else {
+    return place_of(name, node.source());
+  }
+}
+
+template <class Key>
+ConfigEntry read_entry(const Key& key, const toml::node& node, const std::string& name) {
+  ConfigEntry entry{std::string(std::string_view(key)), key_place(key, node, name), node.is_array(), {}};
+  if (const auto* const array = node.as_array()) {
+    for (const toml::node& element : *array) entry.values.push_back(read_value(element, name));
+  } else {
+    entry.values.push_back(read_value(node, name));
+  }
+  return entry;
+}
+
+/// Entries with their regions: a table of the library is sorted by its keys.
+struct PlacedEntry {
+  toml::source_position begin;
+  ConfigEntry entry;
+};
+
+std::vector<ConfigEntry> in_order(const toml::table& table, const std::string& name) {
+  std::vector<PlacedEntry> placed;
+  for (const auto& [key, node] : table) {
+    placed.push_back({node.source().begin, read_entry(key, node, name)});
+  }
+  std::sort(placed.begin(), placed.end(), [](const PlacedEntry& a, const PlacedEntry& b) { return a.begin < b.begin; });
+  std::vector<ConfigEntry> entries;
+  for (PlacedEntry& each : placed) entries.push_back(std::move(each.entry));
+  return entries;
+}
+
+}  // namespace
+
+std::vector<ConfigEntry> parse_config(const std::string& content, const std::string& name) {
+  try {
+    return in_order(toml::parse(content, name), name);
+  } catch (const toml::parse_error& error) {
+    refuse(fmt::format("{}: no TOML: {}", place_of(name, error.source()), error.description()));
+  }
+}
+
+std::vector<ConfigEntry> read_config_file(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse(path + ": is a directory; name a TOML file");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(fmt::format("--config '{}': {}; name a TOML file", path, std::strerror(errno)));
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (file.bad()) refuse(path + ": could not be read to its end");
+  return parse_config(std::move(content).str(), path);
+}
+
+}  // namespace gvd::app

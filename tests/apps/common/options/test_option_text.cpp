@@ -1,0 +1,19 @@
+#include "common/options/option_text.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::app;
+
+TEST_CASE("names are split at commas") {
+  CHECK(split_names("-n,--count") == std::vector<std::string>{"-n", "--count"});
+  CHECK(split_names("INPUT") == std::vector<std::string>{"INPUT"});
+}
+
+TEST_CASE("an option is given by any of its names, with any of its values, unless it is a flag that is false") {
+  const DeclaredOption output{{"-o,--output", "", ""}, true, {}};
+  const GivenOption files{&output, "-o", "", {"a.ply", "-"}};
+  for (const char* wanted : {"-o", "--output", "-o -", "--output a.ply"}) CHECK(is_given_as(files, wanted));
+  for (const char* wanted : {"--out", "--output b.ply", "-"}) CHECK(!is_given_as(files, wanted));
+  const DeclaredOption quiet{{"--quiet", "", "", "", {}, {}, ValueKind::flag}, false, {}};
+  CHECK(is_given_as({&quiet, "", "", {"true"}}, "--quiet"));
+  CHECK(!is_given_as({&quiet, "", "", {"false"}}, "--quiet"));
+}
