@@ -12,6 +12,7 @@
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/sampling.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -148,6 +149,28 @@ TEST_CASE("remesh: a tube cut open along a seam, with generators that coincide i
     }
   }
   CHECK(in_one_place > 0);
+}
+
+TEST_CASE("remesh: tips of 40 degrees and less do not attract ever more generators") {
+  for (const double angle : {40, 30, 25, 10, 1}) {
+    for (const int count : {4, 8, 20}) {
+      CAPTURE(angle, count);
+      const Mesh mesh = test::make_pyramid(angle, 5);
+      SamplingOptions farthest;
+      farthest.count = count;
+      const RemeshResult result = require_remesh(mesh, sample_generators(mesh, farthest));
+      CHECK(result.added <= 2 * count + 8);
+      CHECK(result.rounds <= 20);
+    }
+  }
+}
+
+TEST_CASE("remesh: the tip of a flat spike, front and back") {
+  for (const double angle : {40, 25}) {
+    CAPTURE(angle);
+    const Mesh wedge = test::make_pyramid(angle, 2);
+    for (unsigned seed = 0; seed < 3; ++seed) require_remesh(wedge, test::random_generators(wedge, 5, seed));
+  }
 }
 
 TEST_CASE("remesh: many generators in one face") {

@@ -43,6 +43,23 @@ inline Mesh make_cut_tube(int around, int across, double height) {
   return make_mesh(std::move(positions), faces);
 }
 
+/// A closed pyramid over a regular polygon: `total_angle` degrees at the apex, vertex 0, and lateral edges of length 1.
+/// Its last vertex is the centre of the base. Two sides are a flat wedge, front and back, without a base.
+inline Mesh make_pyramid(double total_angle, int sides) {
+  const double half = 0.5 * total_angle * std::acos(-1.0) / 180 / sides, slice = 2 * std::acos(-1.0) / sides;
+  const double radius = std::sin(half) / std::sin(0.5 * slice), height = std::sqrt(1 - radius * radius);
+  std::vector<Vec3> positions{{0, 0, height}};
+  for (int i = 0; i < sides; ++i) {
+    positions.emplace_back(radius * std::cos(slice * i), radius * std::sin(slice * i), 0);
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < sides; ++i) faces.push_back({0, 1 + i, 1 + (i + 1) % sides});
+  if (sides == 2) return make_mesh(std::move(positions), faces);
+  positions.emplace_back(0, 0, 0);
+  for (int i = 0; i < sides; ++i) faces.push_back({sides + 1, 1 + (i + 1) % sides, 1 + i});
+  return make_mesh(std::move(positions), faces);
+}
+
 /// The same mesh, `scale` times as large.
 inline Mesh scaled(const Mesh& mesh, double scale) {
   std::vector<Vec3> positions = mesh.positions();

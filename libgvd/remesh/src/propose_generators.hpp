@@ -15,7 +15,8 @@ namespace gvd {
 /// | property that fails | new generators                                                                            |
 /// | ------------------- | ----------------------------------------------------------------------------------------- |
 /// | component_reached   | the component's first vertex                                                              |
-/// | cell_is_disc        | thirds of the cell's shortest non-contractible loop, else as for enough_neighbours        |
+/// | cell_is_disc        | round a tip: two more points at the generator's distance from the tip (`TipRings`); else  |
+/// |                     | thirds of the cell's shortest non-contractible loop, else as for enough_neighbours        |
 /// | one_boundary_arc    | of each boundary arc of the cell the point nearest to the generator; of these the farthest |
 /// | bisector_has_face   | closed: its point farthest from the two generators; open: the farther of its two ends     |
 /// | one_bisector        | the midpoint of that bisector of the pair that is shortest relative to its distance       |

@@ -40,6 +40,9 @@ void DefectRepair::add_to_component(std::int32_t component) {
 
 void DefectRepair::split_loop(GeneratorId g) {
   const std::size_t before = added_.size();
+  if (!rings_) rings_.emplace(mesh_, diagram_);
+  for (const SurfacePoint& p : rings_->find(g)) added_.add(p);
+  if (added_.size() > before) return;
   if (CellLoops* loops = cell_loops()) {
     for (const SurfacePoint& p : loops->find(g)) added_.add(p);
   }

@@ -9,6 +9,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
+#include "tip_rings.hpp"
 
 namespace gvd {
 
@@ -41,6 +42,7 @@ class DefectRepair {
   const Mesh& mesh_;
   const Diagram& diagram_;
   AddedGenerators& added_;
+  std::optional<TipRings> rings_;
   std::optional<CellLoops> loops_;
   bool can_cut_ = true;  // the mesh can be cut along the bisectors, as far as is known
   std::optional<std::vector<BoundaryArc>> arcs_;

@@ -1,0 +1,157 @@
+#include "tip_rings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gvd/geodesic_tracing.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// Largest relative difference between the length of a straight line and the distance of its end for which the line
+/// counts as a shortest path. Distances are right to 1e-13 of themselves; a line across a fold is longer by far.
+constexpr double kStraightTolerance = 1e-9;
+
+/// Where the two new points of a ring may lie, as parts of a full turn from the generator. Equal angles are best on a
+/// round tip. On a flat one, which is folded along two lines, they coincide in space if the generator lies on a fold.
+constexpr std::array<std::pair<double, double>, 3> kRingTurns{
+    {{1.0 / 3, 2.0 / 3}, {1.0 / 4, 1.0 / 2}, {1.0 / 2, 3.0 / 4}}};
+
+Vec2 turned(const Vec2& v, double turn) {
+  const double c = std::cos(2 * std::numbers::pi * turn), s = std::sin(2 * std::numbers::pi * turn);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+double least_distance(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
+  const Vec3 p = position(mesh, a), q = position(mesh, b), r = position(mesh, c);
+  return std::min({(p - q).norm(), (q - r).norm(), (r - p).norm()});
+}
+
+bool is_annulus(const Cell& cell) {
+  return cell.components == 1 && cell.euler_characteristic == 0 && cell.boundary_loops == 2;
+}
+
+bool is_tip(const Mesh& mesh, VertexId v) { return v.valid() && total_angle(mesh, v) < kTipAngle; }
+
+/// The inner vertex of each cell with the least total angle; invalid for a cell without one.
+IdVector<GeneratorId, VertexId> find_sharpest_vertices(const Mesh& mesh, const Diagram& diagram) {
+  IdVector<GeneratorId, VertexId> sharpest(diagram.generators.size());
+  std::vector<double> least(diagram.generators.size(), 10 * std::numbers::pi);
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    const GeneratorId g = diagram.vertex_label[v];
+    if (!g.valid() || mesh.is_boundary(v)) continue;
+    const double angle = total_angle(mesh, v);
+    if (angle >= least[g.index()]) continue;
+    least[g.index()] = angle;
+    sharpest[g] = v;
+  }
+  return sharpest;
+}
+
+}  // namespace
+
+double total_angle(const Mesh& mesh, VertexId v) {
+  double sum = 0;
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) {
+    const Vec3 first = mesh.position(mesh.to(h)) - mesh.position(v);
+    const Vec3 second = mesh.position(mesh.opposite(h)) - mesh.position(v);
+    sum += std::atan2(first.cross(second).norm(), first.dot(second));
+  });
+  return sum;
+}
+
+TipRings::TipRings(const Mesh& mesh, const Diagram& diagram)
+    : mesh_(mesh), diagram_(diagram), tips_(diagram.generators.size()) {
+  if (std::none_of(diagram.cells.begin(), diagram.cells.end(), is_annulus)) return;
+  const auto sharpest = find_sharpest_vertices(mesh, diagram);
+  for (const Cell& cell : diagram.cells) {
+    if (!is_annulus(cell)) continue;
+    tips_[cell.generator] = find_tips(cell.generator, sharpest);
+    sources_.insert(sources_.end(), tips_[cell.generator].begin(), tips_[cell.generator].end());
+  }
+  if (sources_.empty()) return;
+  std::sort(sources_.begin(), sources_.end());
+  sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : sources_) points.push_back(vertex_point(mesh, v));
+  field_.emplace(mesh, points);
+}
+
+/// The sharpest vertex on each side of the annulus that is a tip. The largest side counts only where no other one has a
+/// tip: its sharpest vertex may be far away.
+std::vector<VertexId> TipRings::find_tips(GeneratorId annulus, const IdVector<GeneratorId, VertexId>& sharpest) const {
+  std::vector<std::pair<double, VertexId>> sides;  // area, tip
+  for (const auto& side : list_sides(annulus)) {
+    double area = 0, least = kTipAngle;
+    VertexId tip;
+    for (const GeneratorId g : side) {
+      area += diagram_.cells[g].area;
+      if (!is_tip(mesh_, sharpest[g]) || total_angle(mesh_, sharpest[g]) >= least) continue;
+      least = total_angle(mesh_, sharpest[g]);
+      tip = sharpest[g];
+    }
+    sides.emplace_back(area, tip);
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<VertexId> tips;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i].second.valid() && (i + 1 < sides.size() || tips.empty())) tips.push_back(sides[i].second);
+  }
+  return tips;
+}
+
+/// The cells on each side of an annulus: those that its neighbours reach from cell to cell without crossing it.
+std::vector<std::vector<GeneratorId>> TipRings::list_sides(GeneratorId annulus) const {
+  IdVector<GeneratorId, char> seen(diagram_.cells.size(), 0);
+  seen[annulus] = 1;
+  std::vector<std::vector<GeneratorId>> sides;
+  for (const GeneratorId first : diagram_.cells[annulus].neighbours) {
+    if (seen[first]) continue;
+    seen[first] = 1;
+    std::vector<GeneratorId> side{first};
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      for (const GeneratorId next : diagram_.cells[side[i]].neighbours) {
+        if (!seen[next]) side.push_back(next);
+        seen[next] = 1;
+      }
+    }
+    sides.push_back(std::move(side));
+  }
+  return sides;
+}
+
+std::vector<SurfacePoint> TipRings::find(GeneratorId cell) const {
+  const std::vector<VertexId>& tips = tips_[cell];
+  if (tips.empty()) return {};
+  const SurfacePoint& generator = diagram_.generators[cell.index()];
+  const GeneratorId source = field_->nearest(generator).generator;
+  if (!source.valid()) return {};
+  const auto here = std::find(tips.begin(), tips.end(), sources_[source.index()]);
+  const Vec2 out = field_->departure(generator);
+  if (here == tips.end() || !(out.norm() > 0)) return {};
+  std::vector<SurfacePoint> best;
+  double largest = 0;
+  for (const auto& [first, second] : kRingTurns) {
+    const auto a = follow(source, turned(out, first)), b = follow(source, turned(out, second));
+    if (!a || !b) continue;
+    const double least = least_distance(mesh_, generator, *a, *b);
+    if (least <= largest) continue;
+    largest = least;
+    best = {*a, *b};
+  }
+  return best;
+}
+
+/// The end of a straight line from a tip, if no other way to it is shorter.
+std::optional<SurfacePoint> TipRings::follow(GeneratorId source, const Vec2& tangent) const {
+  const SurfacePoint start = vertex_point(mesh_, sources_[source.index()]);
+  const GeodesicTrace line = trace_geodesic(mesh_, start, tangent);
+  const auto [distance, nearest] = field_->nearest(line.points.back());
+  if (!line.complete || nearest != source || distance < (1 - kStraightTolerance) * tangent.norm()) return std::nullopt;
+  return line.points.back();
+}
+
+}  // namespace gvd

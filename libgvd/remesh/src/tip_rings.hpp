@@ -1,0 +1,51 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// An inner vertex is a tip if its total angle, in radians, is below this. At a larger angle one generator can't
+/// surround a vertex: its bisector with the vertex does not close.
+inline constexpr double kTipAngle = std::numbers::pi;
+
+/// Total angle of the faces round a vertex, radians. Cost: O(degree).
+double total_angle(const Mesh& mesh, VertexId v);
+
+/// Finds generators that divide a cell round a tip.
+///
+/// On a cone of total angle a, a generator at distance r from the tip shuts a second one out if that is farther from
+/// the tip than r / cos(b), for the angle b < a / 2 between them. Points on the shortest loop round the tip lie just
+/// that far, because the loop is a straight line: each generator there shuts the others out, at half the distance of
+/// the one before, and so on. Three points at the same distance r, an angle of a / 3 apart, shut no other one out.
+class TipRings {
+ public:
+  /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each cell that is an annulus, of m
+  /// cells; where one surrounds a tip, that of an exact field.
+  TipRings(const Mesh& mesh, const Diagram& diagram);
+
+  /// Two points at the distance of the cell's generator from the tip that its cell surrounds, so that the three divide
+  /// the tip's total angle in parts of at most a half, and lie far apart in space. Empty for a cell that is no annulus
+  /// or surrounds no tip, and where the surface is no cone as far as the generator: where a straight line from the tip
+  /// to the point is not the shortest one.
+  std::vector<SurfacePoint> find(GeneratorId cell) const;
+
+ private:
+  std::optional<SurfacePoint> follow(GeneratorId source, const Vec2& tangent) const;
+  std::vector<VertexId> find_tips(GeneratorId annulus, const IdVector<GeneratorId, VertexId>& sharpest) const;
+  std::vector<std::vector<GeneratorId>> list_sides(GeneratorId annulus) const;
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  IdVector<GeneratorId, std::vector<VertexId>> tips_;  // that each annulus surrounds, one a side
+  std::vector<VertexId> sources_;                      // the tips of all annuli, ascending
+  std::optional<ExactField> field_;                    // distances from sources_
+};
+
+}  // namespace gvd
