@@ -258,6 +258,37 @@ TEST_CASE("commands: standard output carries data only, and standard input is re
   }
 }
 
+TEST_CASE("commands: a list of generators comes through a pipe, in any format") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("figure.obj"), made = mesh + " -n 12 -q --iterations 1 -o - ";
+  for (const char* format : {"txt", "csv", "json"}) {
+    CAPTURE(format);
+    const CommandResult file =
+        run_command("gvd-lloyd", made + "--output-format " + format + " > " + scratch / "list." + format);
+    REQUIRE(file.exit_code == 0);
+    const auto labels_of = [&](const std::string& arguments) {
+      const CommandResult result = run_command("gvd-segment", mesh + " -q -o - " + arguments);
+      CAPTURE(arguments, result.err);
+      CHECK(result.exit_code == 0);
+      return result.out;
+    };
+    const std::string list = scratch / "list." + format;
+    const std::string expected = labels_of("--generators " + list);
+    CHECK(labels_of("--generators - < " + list) == expected);
+    const std::string same = std::string(format) == "txt" ? "text" : format;
+    CHECK(labels_of("--generators - --generators-format " + same + " < " + list) == expected);
+  }
+  require_error("gvd-segment", mesh + " --generators - --generators-format json < " + scratch / "list.csv", 3,
+                "standard input");
+  require_error("gvd-segment", mesh + " --generators -", 3, "standard input:1: the list holds no generator");
+  require_error("gvd-segment", "- --input-format obj --generators -", 2,
+                "INPUT and --generators are both standard input");
+  require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format does nothing here");
+  const std::string list = scratch / "list.csv";
+  require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2,
+                "this is the file that is read");
+}
+
 TEST_CASE("commands: the same call gives the same bytes") {
   const ScratchFolder scratch;
   for (const std::string& name : built_commands()) {

@@ -62,11 +62,10 @@ std::string one_name(const std::string& path) {
 /// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
 /// symbolic and hard links are found.
 void check_not_read(const std::string& option, const std::string& path, const Options& options) {
-  const std::string input = options.input.path == "-" ? "/dev/stdin" : options.input.path;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
-  for (const std::string& read : {input, options.generators.file}) {
-    if (read.empty() || !fs::equivalent(path, read, ignored)) continue;
+  for (const std::string& read : {options.input.path, options.generators.file}) {
+    if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
   }
 }
@@ -136,6 +135,9 @@ void check_output(const Options& options, const std::vector<std::string>& format
 void check_options(const Options& options, const std::vector<std::string>& output_formats) {
   if (options.input.path == "-" && options.input.format.empty()) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
+  }
+  if (options.input.path == "-" && options.generators.file == "-") {
+    refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
   }
   check_generator_source(options.generators);
   check_chord_tolerance(options.compute);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/generator_list.hpp"
 
 namespace gvd::app {
 
@@ -24,7 +25,8 @@ struct GeneratorOptions {
   std::optional<std::int32_t> count;  ///< >= 1
   SamplingKind sampling = SamplingKind::farthest;
   std::uint64_t seed = 0;
-  std::string file;                                   ///< a list of generators: text, .csv or .json
+  std::string file;                                   ///< a list of generators, or "-" for standard input
+  std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
   std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
   std::optional<double> radius;                       ///< covering radius in mesh units, > 0
   std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0

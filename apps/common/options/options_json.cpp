@@ -19,6 +19,18 @@ const char* name_of(SamplingKind kind) {
   return "farthest";
 }
 
+const char* name_of(GeneratorFormat format) {
+  switch (format) {
+    case GeneratorFormat::csv:
+      return "csv";
+    case GeneratorFormat::json:
+      return "json";
+    case GeneratorFormat::text:
+      break;
+  }
+  return "text";
+}
+
 template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
@@ -37,6 +49,7 @@ void add_generators(Json& json, const GeneratorOptions& generators) {
   json["sampling"] = name_of(generators.sampling);
   json["seed"] = generators.seed;
   json["generators"] = or_null(generators.file);
+  json["generators_format"] = generators.format ? Json(name_of(*generators.format)) : Json();
   json["vertices"] = or_null(generators.vertices);
   json["radius"] = or_null(generators.radius);
   json["max_snap"] = or_null(generators.max_snap);

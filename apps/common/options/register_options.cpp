@@ -74,11 +74,20 @@ void register_lists(CommandLine& line, GeneratorOptions& generators) {
   add_text(line,
            {"--generators",
             "FILE",
-            "A list of generators: text, .csv or .json; see docs/guide/generators.md",
+            "A list of generators: text, .csv or .json; - for standard input",
             kGenerators,
             {},
             sources_but("--generators")},
            generators.file);
+  add_choice(line,
+             {"--generators-format",
+              "",
+              "The list's format, else told from extension and content",
+              kGenerators,
+              {"--generators"}},
+             generators.format,
+             Choices<GeneratorFormat>{
+                 {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}});
   line.add_list({"--vertices",
                  "LIST",
                  "Vertices of the input file, from 0: 3,17,99",

@@ -2,26 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
-#include <sstream>
-
 #include "common/options/file_extension.hpp"
+#include "common/steps/standard_input.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
 
 namespace gvd::app {
 namespace {
 
-std::string name_of(const InputOptions& input) { return input.path == "-" ? "standard input" : input.path; }
+std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
 PolygonSoup read(const InputOptions& input) {
   const auto format = format_from_extension(input.format);
   if (input.path != "-") return read_soup(input.path, format);
-  std::ostringstream bytes;
-  bytes << std::cin.rdbuf();
-  check_interrupt();
-  if (std::cin.bad()) throw Error(ErrorCode::unreadable_input, "standard input: could not be read to its end");
-  return parse_soup(bytes.view(), *format, name_of(input));
+  return parse_soup(read_standard_input(), *format, kStandardInput);
 }
 
 DefectPolicy policy(const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/steps/standard_input.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 
@@ -11,7 +12,11 @@ namespace gvd::app {
 namespace {
 
 GeneratorList read_list(const GeneratorOptions& options) {
-  if (!options.vertices) return read_generators(options.file);
+  if (options.file == "-") {
+    const std::string content = read_standard_input();
+    return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
+  }
+  if (!options.vertices) return read_generators(options.file, options.format);
   GeneratorList list{"--vertices", {}};
   for (const std::int64_t vertex : *options.vertices) {
     list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});

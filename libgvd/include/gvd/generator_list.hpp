@@ -36,16 +36,17 @@ struct GeneratorList {
 /// How a list is written; docs/guide/generators.md describes each.
 enum class GeneratorFormat { text, csv, json };
 
-/// .json and .csv by extension, text otherwise.
-GeneratorFormat generator_format(const std::filesystem::path& path);
+/// The format that a list is written in. JSON begins with a brace or bracket. A line of CSV that holds more than a
+/// comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).
+GeneratorFormat detect_generator_format(std::string_view content);
 
 /// Parses a list in any locale. `name` is the file's, for messages.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name);
 
-/// Reads a file in the format of its extension.
-/// Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
-GeneratorList read_generators(const std::filesystem::path& path);
+/// Reads a file in the given format, or else in that of its extension: .json, .csv or .txt, or else in that of its
+/// content. Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
+GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format = {});
 
 struct ResolveOptions {
   /// The vertex of the mesh for each vertex of the input file, invalid where there is none. Null: the vertices of the

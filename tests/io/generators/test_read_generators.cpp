@@ -1,3 +1,4 @@
+#include "io/fixture.hpp"
 #include "io/generators/generator_fixture.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -64,9 +65,40 @@ TEST_CASE("files that can't be read are refused") {
              Catch::Matchers::Contains("No such file"));
   CHECK_THAT(refusal([] { read_generators("/tmp"); }, ErrorCode::unreadable_input),
              Catch::Matchers::Contains("is a directory"));
-  CHECK(generator_format("a.JSON") == GeneratorFormat::json);
-  CHECK(generator_format("a.csv") == GeneratorFormat::csv);
-  CHECK(generator_format("a.dat") == GeneratorFormat::text);
+}
+
+TEST_CASE("the format of a list is told from its content") {
+  using Format = GeneratorFormat;
+  for (const char* text : {"17\n", "", "\n# 1,2\n 3 0.25 0.5 0.25\n", "p 1 2 3", "17 # a, b\n", "# only",
+                           "\xef\xbb\xbf"
+                           "17\n"}) {
+    CAPTURE(text);
+    CHECK(detect_generator_format(text) == Format::text);
+  }
+  for (const char* csv : {"3,0.5,0.5,0\n", "vertex\r\n17\r\n", "# list\n\"x\",\"y\",\"z\"\n", "\"vertex\"\n17\n"}) {
+    CAPTURE(csv);
+    CHECK(detect_generator_format(csv) == Format::csv);
+  }
+  for (const char* json : {"{", " \n\t{\"generators\":[]}", "[1]", "\xef\xbb\xbf{"})
+    CHECK(detect_generator_format(json) == Format::json);
+}
+
+TEST_CASE("a file is read in the given format, in that of its extension, or by its content") {
+  const TemporaryFolder folder;
+  const std::string json = "{\"generators\":[{\"vertex\":7}]}";
+  for (const auto& [name, content] : std::vector<std::pair<std::string, std::string>>{{"a.JSON", json},
+                                                                                      {"a.csv", "vertex\n7\n"},
+                                                                                      {"a.txt", "7\n"},
+                                                                                      {"list", json},
+                                                                                      {"a.dat", "vertex\n7\n"},
+                                                                                      {"a", "7"}}) {
+    CAPTURE(name);
+    write_bytes(folder / name, content);
+    CHECK(read_generators(folder / name).entries.at(0).index == 7);
+  }
+  CHECK_THROWS_AS(read_generators(folder / "a.csv", GeneratorFormat::json), Error);
+  write_bytes(folder / "b.csv", json);
+  CHECK(read_generators(folder / "b.csv", GeneratorFormat::json).entries.at(0).index == 7);
 }
 
 }  // namespace gvd::test

@@ -5,6 +5,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "io/generators/list_fields.hpp"
 #include "io/generators/parse_csv.hpp"
 #include "io/generators/parse_json.hpp"
 #include "io/generators/parse_text.hpp"
@@ -26,13 +27,22 @@ std::string read_whole(const std::filesystem::path& path) {
   return std::move(content).str();
 }
 
-}  // namespace
-
-GeneratorFormat generator_format(const std::filesystem::path& path) {
+std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (extension == ".json") return GeneratorFormat::json;
-  return extension == ".csv" ? GeneratorFormat::csv : GeneratorFormat::text;
+  if (extension == ".csv") return GeneratorFormat::csv;
+  return extension == ".txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
+}
+
+}  // namespace
+
+GeneratorFormat detect_generator_format(std::string_view content) {
+  const std::vector<detail::ListLine> lines = detail::split_lines(content);
+  const std::string_view first = lines.empty() ? std::string_view() : lines.front().text;
+  if (first.starts_with('{') || first.starts_with('[')) return GeneratorFormat::json;
+  const bool csv = first.find(',') != first.npos || first == "vertex" || first == "\"vertex\"";
+  return csv ? GeneratorFormat::csv : GeneratorFormat::text;
 }
 
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name) {
@@ -53,8 +63,10 @@ GeneratorList parse_generators(std::string_view content, GeneratorFormat format,
   return list;
 }
 
-GeneratorList read_generators(const std::filesystem::path& path) {
-  return parse_generators(read_whole(path), generator_format(path), path.string());
+GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format) {
+  const std::string content = read_whole(path);
+  if (!format) format = format_of_extension(path);
+  return parse_generators(content, format ? *format : detect_generator_format(content), path.string());
 }
 
 }  // namespace gvd
