@@ -35,14 +35,17 @@ void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) 
 
 void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram); });
+  const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
   app::report_cut(run, cut);
   app::report_regions(run, cut.mesh, cut.label, diagram.generators.size());
   LabelledMesh output{cut.mesh};
   output.face_label = &cut.label;
   output.face_parent = &cut.parent;
+  output.vertex_label = &vertices.label;
+  output.vertex_distance = &vertices.distance;
   output.diagram = &diagram;
   output.diagram_mesh = &mesh;
-  const auto json = [&](std::ostream& out) { app::write_cut_json(out, mesh, diagram, cut); };
+  const auto json = [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); };
   app::write_output_files(run, output, {{"json", json}});
 }
 

@@ -1,5 +1,8 @@
 #include "segment/segment_json.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 #include "common/steps/diagram_members.hpp"
@@ -7,15 +10,24 @@
 namespace gvd::app {
 namespace {
 
-template <class Id>
-void write_ids(std::ostream& out, const IdVector<FaceId, Id>& ids) {
-  std::string text;
-  for (const Id id : ids) {
-    text += text.empty() ? "[" : ",";
-    text += std::to_string(id.value());
+/// Writes an array on one line; `format_item` gives the text of each item.
+template <class Items, class FormatItem>
+void write_array(std::ostream& out, const Items& items, FormatItem format_item) {
+  const char* separator = "[";
+  for (const auto& item : items) {
+    out << separator << format_item(item);
+    separator = ",";
   }
-  out << (text.empty() ? "[" : text) << ']';
+  out << (items.empty() ? "[]" : "]");
 }
+
+template <class Ids>
+void write_ids(std::ostream& out, const Ids& ids) {
+  write_array(out, ids, [](auto id) { return fmt::format("{}", id.value()); });
+}
+
+/// JSON has no infinity.
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
 }  // namespace
 
@@ -27,13 +39,17 @@ void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram&
   finish(out);
 }
 
-void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {
-  out << open_diagram(mesh, diagram) << ",\"cut_mesh\":{";
-  write_mesh_members(out, cut.mesh);
+void write_cut_json(std::ostream& out, const CutOutput& output) {
+  out << open_diagram(output.mesh, output.diagram) << ",\"cut_mesh\":{";
+  write_mesh_members(out, output.cut.mesh);
   out << ",\n\"labels\":";
-  write_ids(out, cut.label);
+  write_ids(out, output.cut.label);
   out << ",\n\"parents\":";
-  write_ids(out, cut.parent);
+  write_ids(out, output.cut.parent);
+  out << ",\n\"vertex_labels\":";
+  write_ids(out, output.vertices.label);
+  out << ",\n\"vertex_distances\":";
+  write_array(out, output.vertices.distance, json_number);
   out << "}}\n";
   finish(out);
 }

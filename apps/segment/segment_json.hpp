@@ -11,8 +11,16 @@ namespace gvd::app {
 void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
                              const Segmentation& segmentation);
 
-/// The same with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[]}`, the last
-/// two one for each face.
-void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
+/// A mesh, its diagram, and the mesh cut along the diagram's bisectors. It owns nothing.
+struct CutOutput {
+  const Mesh& mesh;
+  const Diagram& diagram;
+  const CutMesh& cut;
+  const CutVertices& vertices;
+};
+
+/// The same with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
+/// "vertex_labels":[],"vertex_distances":[]}`: labels and parents are those of the faces; a distance is null for none.
+void write_cut_json(std::ostream& out, const CutOutput& output);
 
 }  // namespace gvd::app

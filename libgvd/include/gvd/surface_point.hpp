@@ -47,6 +47,10 @@ inline constexpr double kCoincidence = 1e-12;
 /// Position in mesh units.
 Vec3 position(const Mesh& mesh, const SurfacePoint& point);
 
+/// The value at a point that is linear between the values of its face's vertices. A vertex with weight 0 is left out,
+/// as its value may be infinite.
+double interpolate_at(const Mesh& mesh, const IdVector<VertexId, double>& values, const SurfacePoint& point);
+
 /// The vertex that a point of kind vertex lies on.
 VertexId vertex(const Mesh& mesh, const SurfacePoint& point);
 

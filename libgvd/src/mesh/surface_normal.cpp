@@ -12,21 +12,24 @@ Vec3 normalized_or_zero(const Vec3& v) {
   return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 
-/// Unit normal of a face; zero for one without area.
+}  // namespace
+
 Vec3 face_normal(const Mesh& mesh, FaceId f) {
   const auto& [a, b, c] = mesh.vertices(f);
   return normalized_or_zero((mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)));
 }
 
-double angle_at(const Mesh& mesh, HalfedgeId h) {
+double corner_angle(const Mesh& mesh, HalfedgeId h) {
   const Vec3 along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
   const Vec3 other = mesh.position(mesh.opposite(h)) - mesh.position(mesh.from(h));
   return std::atan2(along.cross(other).norm(), along.dot(other));
 }
 
+namespace {
+
 Vec3 vertex_normal(const Mesh& mesh, VertexId v) {
   Vec3 sum = Vec3::Zero();
-  for_each_outgoing(mesh, v, [&](HalfedgeId h) { sum += angle_at(mesh, h) * face_normal(mesh, Mesh::face(h)); });
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) { sum += corner_angle(mesh, h) * face_normal(mesh, Mesh::face(h)); });
   return normalized_or_zero(sum);
 }
 

@@ -67,6 +67,14 @@ Vec3 position(const Mesh& mesh, const SurfacePoint& point) {
   return interpolate(point.bary, mesh.position(a), mesh.position(b), mesh.position(c));
 }
 
+double interpolate_at(const Mesh& mesh, const IdVector<VertexId, double>& values, const SurfacePoint& point) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point.bary[i] > 0) sum += point.bary[i] * values[mesh.vertices(point.face)[i]];
+  }
+  return sum;
+}
+
 VertexId vertex(const Mesh& mesh, const SurfacePoint& point) {
   const auto corner = std::max_element(point.bary.begin(), point.bary.end()) - point.bary.begin();
   return mesh.vertices(point.face)[static_cast<std::size_t>(corner)];

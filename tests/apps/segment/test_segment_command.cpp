@@ -45,6 +45,8 @@ TEST_CASE("gvd-segment: JSON carries the diagram and a label for each face") {
   const auto [output, report] = segment("");
   CHECK(output["schema"] == "gvd-diagram/1");
   CHECK(output["face_labels"].size() == report["input"]["faces"]);
+  CHECK(output["vertex_labels"].size() == report["input"]["vertices"]);
+  CHECK(output["vertex_distances"].size() == report["input"]["vertices"]);
   CHECK(report["options"]["cut"] == false);
   CHECK(report["results"]["generators_without_face"] == nlohmann::json::array());
   check_regions(report, output["face_labels"].get<std::vector<int>>());
@@ -56,6 +58,8 @@ TEST_CASE("gvd-segment: JSON of a cut mesh carries its faces, their labels and t
   CHECK(cut["faces"].size() > report["input"]["faces"].get<std::size_t>());
   CHECK(cut["labels"].size() == cut["faces"].size());
   CHECK(cut["parents"].size() == cut["faces"].size());
+  CHECK(cut["vertex_labels"].size() == cut["vertices"].size());
+  CHECK(cut["vertex_distances"].size() == cut["vertices"].size());
   CHECK(report["options"]["cut"] == true);
   CHECK(report["results"]["uncut_faces"] == 0);
   check_regions(report, cut["labels"].get<std::vector<int>>());

@@ -1,4 +1,6 @@
 #include <clocale>
+#include <cstdlib>
+#include <fstream>
 
 #include "io/generators/generator_fixture.hpp"
 #include "support/catch.hpp"
@@ -20,6 +22,15 @@ TEST_CASE("a written list reads back bit by bit") {
     }
   }
   std::setlocale(LC_ALL, "C");
+}
+
+// Hidden: tests/formats/check_schemas.py asks for it.
+TEST_CASE("write a list as JSON to the file that GVD_LIST_SAMPLE names", "[.list]") {
+  const char* file = std::getenv("GVD_LIST_SAMPLE");
+  REQUIRE(file != nullptr);
+  const Mesh mesh = make_sphere(1);
+  std::ofstream(file) << format_generators(
+      mesh, {vertex_point(mesh, VertexId(3)), make_surface_point(FaceId(5), {0.25, 0.25, 0.5})}, GeneratorFormat::json);
 }
 
 }  // namespace gvd::test

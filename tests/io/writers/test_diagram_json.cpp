@@ -1,4 +1,5 @@
 #include <clocale>
+#include <cmath>
 #include <locale>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -35,7 +36,8 @@ SurfacePoint to_point(const Json& json) {
 
 TEST_CASE("a diagram's JSON has the contract's keys in its order") {
   const Json json = Json::parse(diagram_text(Labelled()));
-  CHECK(keys(json) == Names{"schema", "generators", "branch_points", "bisectors", "cells"});
+  CHECK(keys(json) ==
+        Names{"schema", "generators", "branch_points", "bisectors", "cells", "vertex_labels", "vertex_distances"});
   CHECK(json["schema"] == "gvd-diagram/1");
   CHECK(keys(json["generators"][0]) == Names{"face", "bary", "position"});
   CHECK(keys(json["branch_points"][0]) == Names{"face", "bary", "position", "generators", "distance"});
@@ -52,6 +54,13 @@ TEST_CASE("a diagram's JSON brings every number back") {
     CHECK(to_point(json["generators"][i]) == diagram.generators[i]);
     const Vec3 p = position(labelled.mesh, diagram.generators[i]);
     CHECK(json["generators"][i]["position"].get<std::array<double, 3>>() == std::array<double, 3>{p.x(), p.y(), p.z()});
+  }
+  REQUIRE(json["vertex_labels"].size() == diagram.vertex_label.size());
+  for (std::size_t v = 0; v < diagram.vertex_label.size(); ++v) {
+    CHECK(json["vertex_labels"][v] == diagram.vertex_label.raw()[v].value());
+    const double distance = diagram.vertex_distance.raw()[v];
+    if (std::isfinite(distance)) CHECK(json["vertex_distances"][v].get<double>() == distance);
+    CHECK(json["vertex_distances"][v].is_null() == !std::isfinite(distance));
   }
   CHECK(to_point(json["branch_points"][0]) == diagram.branch_points[BranchPointId(0)].point);
   CHECK(json["branch_points"][0]["generators"] == Json({0, 1, 2}));

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -52,6 +54,31 @@ struct Glb {
   std::string binary;
 };
 
+using Corner = std::array<float, 3>;
+
+/// The position of every corner of every triangle, in order.
+std::vector<Corner> corner_positions(const Glb& glb, const Json& primitive) {
+  const auto values = glb.get<float>(primitive["attributes"]["POSITION"].get<std::size_t>());
+  std::vector<Corner> corners;
+  for (const std::uint32_t i : glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>())) {
+    corners.push_back({values.at(3 * i), values.at(3 * i + 1), values.at(3 * i + 2)});
+  }
+  return corners;
+}
+
+/// The same of the faces with one label.
+std::vector<Corner> corner_positions(const Labelled& labelled, GeneratorId label) {
+  std::vector<Corner> corners;
+  for (int f = 0; f < labelled.mesh.face_count(); ++f) {
+    if (labelled.face_label[FaceId(f)] != label) continue;
+    for (const VertexId v : labelled.mesh.vertices(FaceId(f))) {
+      const Eigen::Vector3f p = labelled.mesh.position(v).cast<float>();
+      corners.push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
 TEST_CASE("a labelled GLB has one primitive a region, with its colour") {
@@ -71,31 +98,46 @@ TEST_CASE("a labelled GLB has one primitive a region, with its colour") {
     const double red = label_color(GeneratorId(labels[i])).red / 255.0;
     CHECK(material["pbrMetallicRoughness"]["baseColorFactor"][0].get<double>() ==
           Approx(std::pow((red + 0.055) / 1.055, 2.4)).margin(1e-4));
-    std::vector<std::uint32_t> expected;
-    for (int f = 0; f < 24; ++f) {
-      if (labelled.face_label[FaceId(f)].value() != labels[i]) continue;
-      for (const VertexId v : labelled.mesh.vertices(FaceId(f))) expected.push_back(static_cast<unsigned>(v.value()));
-    }
-    CHECK(glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>()) == expected);
+    CHECK(corner_positions(glb, primitive) == corner_positions(labelled, GeneratorId(labels[i])));
   }
 }
 
-TEST_CASE("positions of a GLB are the mesh's, within the bounds that it names") {
+TEST_CASE("each region of a GLB has vertices of its own, within the bounds that it names") {
   const Labelled labelled;
   const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
-  const auto index = glb.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>();
-  const auto values = glb.get<float>(index);
-  REQUIRE(values.size() == 60);
-  std::array<float, 3> low, high;
-  low.fill(std::numeric_limits<float>::max());
-  high.fill(std::numeric_limits<float>::lowest());
-  for (std::size_t i = 0; i < 60; ++i) {
-    CHECK(values[i] == static_cast<float>(labelled.mesh.positions()[i / 3][static_cast<int>(i % 3)]));
-    low[i % 3] = std::min(low[i % 3], values[i]);
-    high[i % 3] = std::max(high[i % 3], values[i]);
+  std::size_t vertices = 0;
+  for (const Json& primitive : glb.json["meshes"][0]["primitives"]) {
+    const auto index = primitive["attributes"]["POSITION"].get<std::size_t>();
+    const auto values = glb.get<float>(index);
+    vertices += values.size() / 3;
+    const auto indices = glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>());
+    CHECK(3 * (*std::max_element(indices.begin(), indices.end()) + 1) == values.size());
+    std::array<float, 3> low, high;
+    low.fill(std::numeric_limits<float>::max());
+    high.fill(std::numeric_limits<float>::lowest());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      low[i % 3] = std::min(low[i % 3], values[i]);
+      high[i % 3] = std::max(high[i % 3], values[i]);
+    }
+    CHECK(glb.json["accessors"][index]["min"].get<std::array<float, 3>>() == low);
+    CHECK(glb.json["accessors"][index]["max"].get<std::array<float, 3>>() == high);
+    // Views that several accessors share must name their stride.
+    CHECK(glb.json["bufferViews"][glb.json["accessors"][index]["bufferView"].get<std::size_t>()]["byteStride"] == 12);
   }
-  CHECK(glb.json["accessors"][index]["min"].get<std::array<float, 3>>() == low);
-  CHECK(glb.json["accessors"][index]["max"].get<std::array<float, 3>>() == high);
+  CHECK(vertices <= 72);
+}
+
+TEST_CASE("the normals of a GLB have length 1 and point out of the surface") {
+  const Labelled labelled;
+  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  for (const Json& primitive : glb.json["meshes"][0]["primitives"]) {
+    const auto normals = glb.get<float>(primitive["attributes"]["NORMAL"].get<std::size_t>());
+    CHECK(normals.size() == glb.get<float>(primitive["attributes"]["POSITION"].get<std::size_t>()).size());
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
+      CHECK(std::hypot(normals[i], normals[i + 1], normals[i + 2]) == Approx(1));
+      CHECK(normals[i + 2] == Approx(1));  // the grid lies flat
+    }
+  }
 }
 
 TEST_CASE("the bisectors of a GLB are line segments") {

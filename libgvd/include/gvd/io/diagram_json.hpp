@@ -7,7 +7,8 @@
 
 namespace gvd {
 
-/// Writes the diagram as `gvd-diagram/1`: generators, branch points, bisectors, cells, each by id, one a line.
+/// Writes the diagram as `gvd-diagram/1`: generators, branch points, bisectors, cells, each by id, one a line; then the
+/// labels and distances of the vertices, null where no generator reaches.
 ///
 /// Surface points refer to the faces of `mesh`. Numbers have the digits that bring the same double back. The stream is
 /// flushed and checked. Throws Error{unwritable_output}. Cost: O(n) time, O(1) memory.

@@ -50,6 +50,19 @@ struct CutMesh {
 /// manifold. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram);
 
+/// What the vertices of a cut mesh carry.
+struct CutVertices {
+  IdVector<VertexId, GeneratorId> label;  ///< a nearest generator; invalid where none reaches
+  IdVector<VertexId, double> distance;    ///< mesh units; infinity where no generator reaches
+};
+
+/// Carries the labels and distances of the vertices of `mesh` over to `cut`, which is `mesh` cut along `diagram`.
+///
+/// The vertices of the input keep theirs. A new one has the smallest label of its faces, as ties are broken, and the
+/// distance that is linear between the corners of the face that it lies in.
+/// Throws Error{precondition} if the three do not belong together. Cost: O(n).
+CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
+
 /// The faces that have one label.
 struct RegionSize {
   std::int64_t faces = 0;

@@ -50,6 +50,10 @@ void write_diagram_json(std::ostream& stream, const Mesh& mesh, const Diagram& d
   io::print_lines(out, diagram.bisectors, [&](const Bisector& bisector) { print_bisector(out, mesh, bisector); });
   out.text(",\n\"cells\":");
   io::print_lines(out, diagram.cells, [&](const Cell& cell) { print_cell(out, cell); });
+  out.text(",\n\"vertex_labels\":");
+  print_ids(out, diagram.vertex_label.raw());
+  out.text(",\n\"vertex_distances\":");
+  io::print_array(out, diagram.vertex_distance, [&](double distance) { out.text(io::json_number(distance)); });
   out.text("}\n");
   out.finish();
 }

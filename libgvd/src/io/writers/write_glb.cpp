@@ -5,12 +5,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/io/label_color.hpp"
 #include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/regions.hpp"
+#include "io/writers/shading_vertices.hpp"
 
 // Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 namespace gvd::io {
@@ -19,9 +22,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr int kFloat = 5126, kUnsignedInt = 5125;           // accessor.componentType
-constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;  // bufferView.target
-constexpr int kLines = 1, kTriangles = 4;                   // primitive.mode
+constexpr int kFloat = 5126, kUnsignedInt = 5125;             // accessor.componentType
+constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;    // bufferView.target
+constexpr int kLines = 1, kTriangles = 4;                     // primitive.mode
+constexpr const char *kScalar = "SCALAR", *kVector = "VEC3";  // accessor.type
 /// Bytes of the file header and the headers of both chunks.
 constexpr std::uint64_t kHeadBytes = 12 + 8 + 8;
 
@@ -48,6 +52,7 @@ class GlbWriter {
       : mesh_(labelled.mesh),
         has_labels_(labelled.face_label != nullptr),
         regions_(collect_regions(labelled)),
+        surface_(split_shading_vertices(labelled.mesh, labelled.face_label, regions_)),
         lines_(collect_bisector_lines(labelled)) {
     describe_surface();
     describe_bisectors();
@@ -72,46 +77,43 @@ class GlbWriter {
   }
 
  private:
-  /// Appends a buffer view of `bytes` bytes at the end of the buffer; returns its index.
+  /// Appends a buffer view of `bytes` bytes at the end of the buffer; returns its index. Vertices are three floats.
   std::size_t add_view(std::uint64_t bytes, int target) {
-    gltf_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", binary_bytes_}, {"byteLength", bytes}, {"target", target}});
+    Json& views = gltf_["bufferViews"];
+    views.push_back({{"buffer", 0}, {"byteOffset", binary_bytes_}, {"byteLength", bytes}, {"target", target}});
+    if (target == kVertexBuffer) views.back()["byteStride"] = 12;
     binary_bytes_ += bytes;
-    return gltf_["bufferViews"].size() - 1;
+    return views.size() - 1;
   }
 
-  /// Appends an accessor of indices, `offset` bytes into a view; returns its index.
-  std::size_t add_indices(std::size_t view, std::size_t offset, std::size_t count) {
+  /// Appends an accessor of `count` elements, `offset` bytes into a view; returns its index.
+  std::size_t add_accessor(std::size_t view, std::uint64_t offset, std::size_t count, const char* type) {
     gltf_["accessors"].push_back({{"bufferView", view},
                                   {"byteOffset", offset},
-                                  {"componentType", kUnsignedInt},
+                                  {"componentType", std::string_view(type) == kScalar ? kUnsignedInt : kFloat},
                                   {"count", count},
-                                  {"type", "SCALAR"}});
+                                  {"type", type}});
     return gltf_["accessors"].size() - 1;
   }
 
-  /// Appends an accessor of positions with its bounds, and its view; returns its index.
+  /// Adds their bounds to an accessor of positions.
   template <class ForEachPoint>
-  std::size_t add_positions(std::size_t count, ForEachPoint for_each_point) {
+  void set_bounds(std::size_t accessor, ForEachPoint for_each_point) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
     for_each_point([&](const Vec3& p) {
       low = low.cwiseMin(p.cast<float>());
       high = high.cwiseMax(p.cast<float>());
     });
-    gltf_["accessors"].push_back({{"bufferView", add_view(12 * count, kVertexBuffer)},
-                                  {"componentType", kFloat},
-                                  {"count", count},
-                                  {"type", "VEC3"},
-                                  {"min", {low.x(), low.y(), low.z()}},
-                                  {"max", {high.x(), high.y(), high.z()}}});
-    return gltf_["accessors"].size() - 1;
+    gltf_["accessors"][accessor]["min"] = {low.x(), low.y(), low.z()};
+    gltf_["accessors"][accessor]["max"] = {high.x(), high.y(), high.z()};
   }
 
-  void add_primitive(Json& primitives, std::size_t positions, std::size_t indices, int mode) {
-    primitives.push_back({{"attributes", {{"POSITION", positions}}},
-                          {"indices", indices},
-                          {"material", gltf_["materials"].size() - 1},
-                          {"mode", mode}});
+  /// A primitive of the last material.
+  Json make_primitive(Json attributes, std::size_t indices, int mode) const {
+    return {{"attributes", std::move(attributes)},
+            {"indices", indices},
+            {"material", gltf_["materials"].size() - 1},
+            {"mode", mode}};
   }
 
   void add_node(const std::string& name, Json primitives) {
@@ -121,24 +123,43 @@ class GlbWriter {
     gltf_["scenes"][0]["nodes"].push_back(index);
   }
 
-  /// The regions share the positions and one view of indices.
+  /// Positions, normals and indices have one view each. Every region has its own part of them: programs that copy what
+  /// an accessor holds would otherwise copy the whole mesh for each region.
   void describe_surface() {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "libgvd"}};
     gltf_["scene"] = 0;
-    const std::size_t positions = add_positions(mesh_.positions().size(), [this](auto visit) {
-      for (const Vec3& p : mesh_.positions()) visit(p);
-    });
-    const std::size_t view = add_view(std::uint64_t{12} * static_cast<std::uint64_t>(mesh_.face_count()), kIndexBuffer);
+    const std::uint64_t vertex_bytes = 12 * std::uint64_t{surface_.vertices.size()};
+    surface_views_.positions = add_view(vertex_bytes, kVertexBuffer);
+    surface_views_.normals = add_view(vertex_bytes, kVertexBuffer);
+    surface_views_.indices = add_view(12 * static_cast<std::uint64_t>(mesh_.face_count()), kIndexBuffer);
     Json primitives = Json::array();
-    std::size_t offset = 0;
-    for (const Region& region : regions_) {
+    std::uint64_t index_offset = 0;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      const Region& region = regions_[r];
       gltf_["materials"].push_back(
           make_material(has_labels_ ? region_name(region.label) : "surface", label_color(region.label)));
-      add_primitive(primitives, positions, add_indices(view, offset, 3 * region.faces.size()), kTriangles);
+      Json attributes = add_region_vertices(r);
+      const std::size_t indices = add_accessor(surface_views_.indices, index_offset, 3 * region.faces.size(), kScalar);
+      primitives.push_back(make_primitive(std::move(attributes), indices, kTriangles));
       if (has_labels_) primitives.back()["extras"] = {{"label", region.label.value()}};
-      offset += 12 * region.faces.size();
+      index_offset += 12 * region.faces.size();
     }
     add_node("surface", std::move(primitives));
+  }
+
+  /// Appends the accessors of region r's positions and normals; returns the attributes of its primitive.
+  Json add_region_vertices(std::size_t r) {
+    const std::uint64_t offset = 12 * std::uint64_t{surface_.first[r]};
+    const std::size_t count = surface_.first[r + 1] - surface_.first[r];
+    const std::size_t positions = add_accessor(surface_views_.positions, offset, count, kVector);
+    set_bounds(positions, [&](auto visit) {
+      for (std::size_t i = surface_.first[r]; i < surface_.first[r + 1]; ++i) visit(position_of(i));
+    });
+    return {{"POSITION", positions}, {"NORMAL", add_accessor(surface_views_.normals, offset, count, kVector)}};
+  }
+
+  const Vec3& position_of(std::size_t shading_vertex) const {
+    return mesh_.position(surface_.vertices[shading_vertex].vertex);
   }
 
   /// All bisectors are one primitive of line segments.
@@ -147,16 +168,17 @@ class GlbWriter {
     for (const BisectorLine& line : lines_) points += line.points.size();
     if (points == 0) return;
     const std::size_t segments = points - lines_.size();
-    const std::size_t positions = add_positions(points, [this](auto visit) {
+    const std::size_t positions = add_accessor(add_view(12 * points, kVertexBuffer), 0, points, kVector);
+    set_bounds(positions, [this](auto visit) {
       for (const BisectorLine& line : lines_) {
         for (const Vec3& p : line.points) visit(p);
       }
     });
     const std::size_t view = add_view(8 * segments, kIndexBuffer);
     gltf_["materials"].push_back(make_material("bisectors", Rgb{0, 0, 0}));
-    Json primitives = Json::array();
-    add_primitive(primitives, positions, add_indices(view, 0, 2 * segments), kLines);
-    add_node("bisectors", std::move(primitives));
+    add_node(
+        "bisectors",
+        Json::array({make_primitive({{"POSITION", positions}}, add_accessor(view, 0, 2 * segments, kScalar), kLines)}));
   }
 
   static void write_point(ByteWriter& out, const Vec3& p) {
@@ -164,10 +186,13 @@ class GlbWriter {
   }
 
   void write_surface(ByteWriter& out) const {
-    for (const Vec3& p : mesh_.positions()) write_point(out, p);
-    for (const Region& region : regions_) {
-      for (const FaceId f : region.faces) {
-        for (const VertexId v : mesh_.vertices(f)) out.binary(v.value());
+    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) write_point(out, position_of(i));
+    for (const ShadingVertex& vertex : surface_.vertices) {
+      for (int i = 0; i < 3; ++i) out.binary(vertex.normal[i]);
+    }
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      for (const FaceId f : regions_[r].faces) {
+        for (int i = 0; i < 3; ++i) out.binary(surface_.of_corner[Mesh::halfedge(f, i)] - surface_.first[r]);
       }
     }
   }
@@ -189,6 +214,11 @@ class GlbWriter {
   const Mesh& mesh_;
   bool has_labels_;
   std::vector<Region> regions_;
+  ShadingVertices surface_;
+  struct Views {
+    std::size_t positions = 0, normals = 0, indices = 0;
+  };
+  Views surface_views_;
   std::vector<BisectorLine> lines_;
   Json gltf_;
   std::uint64_t binary_bytes_ = 0;

@@ -6,7 +6,8 @@
 
 namespace gvd::io {
 
-/// Binary glTF 2.0: a primitive and a material for each region, the bisectors as line segments.
+/// Binary glTF 2.0: a primitive with vertices and normals of its own and a material for each region, the bisectors as
+/// line segments.
 /// The lengths of the arrays have been checked. Throws Error{unwritable_output}.
 /// The file can't exceed 4 GiB.
 void write_glb(std::ostream& stream, const LabelledMesh& mesh);

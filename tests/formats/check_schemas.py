@@ -1,0 +1,77 @@
+"""The JSON of the commands follows the schemas of docs/schema: check_schemas.py BIN_FOLDER WORK_FOLDER.
+
+The schemas allow members that they do not name, so that later versions can add some. Here each member must be named.
+"""
+import copy
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import files
+import jsonschema
+
+bin_folder, work = map(pathlib.Path, sys.argv[1:])
+SCHEMAS = pathlib.Path(__file__).resolve().parents[2] / "docs" / "schema"
+
+
+def strict(schema):
+    """The schema with every member forbidden that it does not name."""
+    if isinstance(schema, list):
+        return [strict(item) for item in schema]
+    if not isinstance(schema, dict):
+        return schema
+    result = {key: strict(value) for key, value in schema.items()}
+    if schema.get("type") == "object" and "properties" in schema:
+        result.setdefault("additionalProperties", False)
+    return result
+
+
+def load(name):
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return schema
+
+
+def errors(schema, document):
+    found = list(jsonschema.Draft202012Validator(schema).iter_errors(document))
+    return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}" for e in found]
+
+
+def check(name):
+    document = json.loads((work / name).read_text())
+    schema = load(document["schema"].replace("/", "-"))
+    found = errors(strict(schema), document)
+    assert not found, f"{name}: " + "; ".join(found[:5])
+    # A schema that allows everything would be no check: each required member is missed, each wrong type seen.
+    for member in schema["required"]:
+        broken = copy.deepcopy(document)
+        del broken[member]
+        assert errors(schema, broken), f"{name}: nobody misses {member}"
+        assert errors(schema, {**document, member: True}), f"{name}: {member} may be a truth value"
+    return document
+
+
+def write_documents():
+    files.write_files(bin_folder, work)
+    vertices = ["--vertices", ",".join(map(str, files.GENERATORS))]
+    run = lambda *arguments: files.run(bin_folder, work, *arguments)
+    run("gvd-segment", "sheet.off", *vertices, "-o", "s.json", "--report", "s-report.json")
+    run("gvd-segment", "sheet.off", *vertices, "--cut", "-o", "c.json", "--diagram", "d.json", "--report", "c-report.json")
+    run("gvd-segment", "ball.off", "-n", "4", "--method", "gbgvd", "-o", "g.json", "--report", "g-report.json")
+    run("gvd-lloyd", "ball.off", "-n", "6", "--sampling", "random", "-o", "l.json", "--report", "l-report.json")
+    run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--report", "r-report.json")
+    (work / "list.txt").write_text("p 0 0 1.5\n3\n")
+    run("gvd-remesh", "ball.off", "--generators", "list.txt", "--report", "p-report.json")
+    subprocess.run([str(bin_folder / "test_io"), "[.list]"], check=True, stdout=subprocess.DEVNULL,
+                   env={**os.environ, "GVD_LIST_SAMPLE": str(work / "list.json")})
+
+
+write_documents()
+assert "face_labels" in check("s.json")
+assert None in check("c.json")["cut_mesh"]["vertex_distances"]
+assert "remesh" in check("r.json")
+assert "snap_distance" in check("p-report.json")["generators"][0]
+for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglr"]:
+    check(name)

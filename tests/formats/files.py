@@ -1,0 +1,94 @@
+"""Files of the commands for the readers beside this one: files.py BIN_FOLDER WORK_FOLDER.
+
+    whole.*   gvd-segment      text.ply   the same as text      plain.*   the same with --no-curves
+    cut.*     gvd-segment --cut           coarse.*   gvd-remesh           ball.off, sheet.off   the inputs
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+WIDTH, HEIGHT = 14, 11
+GENERATORS = [0, 13, 45, 77, 80, 118, 121, 140, 153]  # vertices of the sheet; its second component has none
+
+
+def write_off(path, points, faces):
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(repr(x) for x in p) for p in points] + [f"3 {a} {b} {c}" for a, b, c in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def make_sheet():
+    """A gently curved sheet away from the origin, and a triangle beside it."""
+    points = [(x / 3, y / 7, 100 + math.sin(x / 5) * math.cos(y / 4) / 9) for y in range(HEIGHT) for x in range(WIDTH)]
+    faces = []
+    for y in range(HEIGHT - 1):
+        for x in range(WIDTH - 1):
+            a = y * WIDTH + x
+            faces += [(a, a + 1, a + WIDTH), (a + 1, a + WIDTH + 1, a + WIDTH)]
+    first = len(points)
+    points += [(6.0, 0.0, 100.0), (7.0, 0.1, 100.0), (6.5, 1.0 / 3, 100.0)]
+    return points, faces + [(first, first + 1, first + 2)]
+
+
+def make_ball(rings=9, sectors=14):
+    points = [(0.0, 0.0, 1.0), (0.0, 0.0, -1.0)]
+    for i in range(1, rings):
+        for k in range(sectors):
+            t, u = math.pi * i / rings, 2 * math.pi * k / sectors
+            points.append((math.sin(t) * math.cos(u), math.sin(t) * math.sin(u), math.cos(t)))
+    at = lambda i, k: 2 + (i - 1) * sectors + k % sectors
+    faces = [(0, at(1, k), at(1, k + 1)) for k in range(sectors)]
+    faces += [(1, at(rings - 1, k + 1), at(rings - 1, k)) for k in range(sectors)]
+    for i in range(1, rings - 1):
+        for k in range(sectors):
+            faces += [(at(i, k), at(i + 1, k), at(i + 1, k + 1)), (at(i, k), at(i + 1, k + 1), at(i, k + 1))]
+    return points, faces
+
+
+def run(bin_folder, work, *arguments):
+    subprocess.run([str(pathlib.Path(bin_folder) / arguments[0]), *map(str, arguments[1:]), "-q"], cwd=work, check=True)
+
+
+def outputs(name, *suffixes):
+    return [word for suffix in suffixes for word in ("-o", f"{name}.{suffix}")]
+
+
+def write_files(bin_folder, work):
+    """Writes all files. Returns the diagram of whole.json and the positions of the sheet's vertices."""
+    work = pathlib.Path(work)
+    points, faces = make_sheet()
+    write_off(work / "sheet.off", points, faces)
+    write_off(work / "ball.off", *make_ball())
+    sheet = ["gvd-segment", "sheet.off", "--vertices", ",".join(map(str, GENERATORS))]
+    run(bin_folder, work, *sheet, *outputs("whole", "ply", "obj", "stl", "vtp", "glb", "json"))
+    run(bin_folder, work, *sheet, *outputs("text", "ply"), "--ascii-ply")
+    run(bin_folder, work, *sheet, *outputs("plain", "obj", "vtp", "glb"), "--no-curves")
+    run(bin_folder, work, *sheet, "--cut", *outputs("cut", "vtp", "glb", "json"))
+    run(bin_folder, work, *sheet, "--cut", *outputs("cut", "ply"), "--ascii-ply")
+    run(bin_folder, work, "gvd-remesh", "ball.off", "-n", "30", *outputs("coarse", "ply", "glb"))
+    diagram = json.loads((work / "whole.json").read_text())
+    assert -1 in diagram["face_labels"] and None in diagram["vertex_distances"], "nothing is unreached"
+    return diagram, points, faces
+
+
+def unnull(distances):
+    return [math.inf if d is None else d for d in distances]
+
+
+def segments(diagram):
+    """Number of straight pieces of all bisectors, as written to OBJ, VTP and GLB."""
+    return sum(len(b["points"]) - (0 if b["closed"] else 1) for b in diagram["bisectors"])
+
+
+def region_vertices(labels, faces):
+    """For each label the number of vertices of its faces."""
+    vertices = {}
+    for label, face in zip(labels, faces):
+        vertices.setdefault(label, set()).update(face)
+    return {label: len(of_label) for label, of_label in vertices.items()}
+
+
+if __name__ == "__main__":
+    write_files(sys.argv[1], sys.argv[2])
