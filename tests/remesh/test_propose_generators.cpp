@@ -26,7 +26,7 @@ struct Case {
     std::copy_if(defects.begin(), defects.end(), std::back_inserter(some),
                  [&](const DualDefect& d) { return d.property == property; });
     REQUIRE(!some.empty());
-    return propose_generators(mesh, diagram, some, max_count);
+    return propose_generators(mesh, diagram, some, max_count).points;
   }
 };
 
@@ -41,7 +41,7 @@ std::vector<SurfacePoint> vertices(const Mesh& mesh, const std::vector<int>& ids
 TEST_CASE("proposed generators: none without defects") {
   const Mesh mesh = test::make_sphere(2);
   const Diagram diagram = compute_diagram(mesh, vertices(mesh, {0, 3, 8}));
-  CHECK(propose_generators(mesh, diagram, {}, 10).empty());
+  CHECK(propose_generators(mesh, diagram, {}, 10).points.empty());
 }
 
 TEST_CASE("proposed generators: a component without a generator gets its first vertex") {
@@ -108,7 +108,7 @@ TEST_CASE("proposed generators: a cell takes part in one repair only") {
   const Mesh sphere = test::make_sphere(3);
   const Case c(sphere, vertices(sphere, {0, 3}));
   REQUIRE(c.defects.size() > 1);
-  CHECK(propose_generators(c.mesh, c.diagram, c.defects, 100).size() == 1);
+  CHECK(propose_generators(c.mesh, c.diagram, c.defects, 100).points.size() == 1);
 }
 
 TEST_CASE("proposed generators: on every family each one is clear of the others of its component") {
@@ -117,7 +117,7 @@ TEST_CASE("proposed generators: on every family each one is clear of the others 
       CAPTURE(name, count);
       const Case c(mesh, test::random_generators(mesh, count, 1));
       if (c.defects.empty()) continue;
-      const auto points = propose_generators(mesh, c.diagram, c.defects, 100);
+      const auto points = propose_generators(mesh, c.diagram, c.defects, 100).points;
       CHECK(!points.empty());
       std::vector<SurfacePoint> all = c.diagram.generators;
       for (const SurfacePoint& p : points) {

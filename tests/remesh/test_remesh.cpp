@@ -165,6 +165,19 @@ TEST_CASE("remesh: tips of 40 degrees and less do not attract ever more generato
   }
 }
 
+TEST_CASE("remesh: where a spike is too narrow, the reason names its tip and its angle, and what helps") {
+  const auto reason = [](double angle) {
+    const Mesh spike = test::make_pyramid(angle, 5);
+    const SurfacePoint near_tip = make_surface_point(FaceId(0), {0.9, 0.03, 0.07});
+    return std::string(
+        refusal(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))}, {}).what());
+  };
+  CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("the total angle of vertex 0 at (0, 0, 1) is 0.001 degrees"));
+  CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("remove the generators nearer than 0.172 to it"));
+  CHECK_THAT(reason(1e-5), Catch::Matchers::Contains("is 1e-05 degrees"));
+  CHECK_THAT(reason(1e-5), Catch::Matchers::Contains("cut the surface off there"));
+}
+
 TEST_CASE("remesh: the tip of a flat spike, front and back") {
   for (const double angle : {40, 25}) {
     CAPTURE(angle);

@@ -76,3 +76,17 @@ TEST_CASE("tip rings: no points for a disc, and for an annulus without a tip") {
   const Mesh tube = test::make_ring(24, 6);
   CHECK(TipRings(tube, compute_diagram(tube, {vertex_point(tube, VertexId(0))})).find(kTip).empty());
 }
+
+TEST_CASE("tip rings: a tip is narrow where three generators would be closer than their least distance") {
+  const Mesh spike = test::make_pyramid(1e-3, 5);
+  const double least = 3e-6 * spike.bbox_diagonal() / (1e-3 * std::numbers::pi / 180);
+  const auto find = [&](double distance) {
+    return TipRings(spike, compute_diagram(spike, on_spike(spike, distance))).find_narrow_tip(kAnnulus);
+  };
+  const auto narrow = find(0.9 * least);
+  REQUIRE(narrow);
+  CHECK(narrow->tip == VertexId(0));
+  CHECK(narrow->angle == Approx(1e-3 * std::numbers::pi / 180));
+  CHECK(narrow->least_distance == Approx(least));
+  CHECK_FALSE(find(1.1 * least));
+}

@@ -23,8 +23,9 @@ bool is_repaired(const CellFlags& repaired, const Diagram& diagram, const DualDe
 
 }  // namespace
 
-std::vector<SurfacePoint> propose_generators(const Mesh& mesh, const Diagram& diagram,
-                                             const std::vector<DualDefect>& defects, std::size_t max_count) {
+ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
+                                      std::size_t max_count) {
+  ProposedGenerators proposed;
   AddedGenerators added(mesh, diagram.generators, max_count);
   DefectRepair repair(mesh, diagram, added);
   CellFlags repaired(diagram.generators.size(), 0);
@@ -32,11 +33,14 @@ std::vector<SurfacePoint> propose_generators(const Mesh& mesh, const Diagram& di
     if (added.is_full()) break;
     if (is_repaired(repaired, diagram, defect)) continue;
     const std::size_t before = added.size();
+    proposed.narrow = repair.find_narrow_tip(defect);
+    if (proposed.narrow) return proposed;
     repair.repair(defect);
     if (added.size() == before) continue;
     for (const GeneratorId g : defect.cells) repaired[g] = 1;
   }
-  return added.take();
+  proposed.points = added.take();
+  return proposed;
 }
 
 }  // namespace gvd

@@ -1,14 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
+#include "tip_rings.hpp"
 
 namespace gvd {
+
+struct ProposedGenerators {
+  std::vector<SurfacePoint> points;
+  std::optional<NarrowTip> narrow;  ///< the first tip at which a defect can't be repaired
+};
 
 /// New generators that repair defects of the dual.
 ///
@@ -26,9 +33,10 @@ namespace gvd {
 ///
 /// A candidate that is too close to a generator along the surface (kMinAddedSpacing) is skipped for the next best one.
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
-/// cell's other defects too. Returns at most `max_count` points; none where every candidate is too close.
+/// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
+/// Returns at most `max_count` points; none where every candidate is too close.
 /// Cost: O(n log n) where a cell is no disc, else O(n) and O(k m) for k defects and m generators.
-std::vector<SurfacePoint> propose_generators(const Mesh& mesh, const Diagram& diagram,
-                                             const std::vector<DualDefect>& defects, std::size_t max_count);
+ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
+                                      std::size_t max_count);
 
 }  // namespace gvd

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <utility>
 
 #include "base/counted.hpp"
@@ -105,11 +106,26 @@ class Remesher {
       refuse(defects, fmt::format("{} generators were added in {} rounds: give more or other ones{}", result_.added,
                                   result_.rounds, may_add <= 0 ? ", or raise max_added" : ""));
     }
-    const auto points = propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
-    if (points.empty())
+    const auto [points, narrow] =
+        propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
+    if (narrow) refuse(defects, describe(*narrow));
+    if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
+    }
     result_.generators.insert(result_.generators.end(), points.begin(), points.end());
     result_.added += static_cast<std::int64_t>(points.size());
+  }
+
+  std::string describe(const NarrowTip& narrow) const {
+    const Vec3& at = mesh_.position(narrow.tip);
+    const std::string advice =
+        narrow.least_distance < mesh_.bbox_diagonal()
+            ? fmt::format("remove the generators nearer than {:.3g} to it", narrow.least_distance)
+            : "cut the surface off there";
+    return fmt::format(
+        "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
+        "round it would be too close to each other; {}",
+        narrow.tip.value(), at.x(), at.y(), at.z(), narrow.angle * 180 / std::numbers::pi, advice);
   }
 
   static std::string others(std::size_t count) {

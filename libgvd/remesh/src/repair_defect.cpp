@@ -40,13 +40,22 @@ void DefectRepair::add_to_component(std::int32_t component) {
 
 void DefectRepair::split_loop(GeneratorId g) {
   const std::size_t before = added_.size();
-  if (!rings_) rings_.emplace(mesh_, diagram_);
-  for (const SurfacePoint& p : rings_->find(g)) added_.add(p);
+  for (const SurfacePoint& p : rings().find(g)) added_.add(p);
   if (added_.size() > before) return;
   if (CellLoops* loops = cell_loops()) {
     for (const SurfacePoint& p : loops->find(g)) added_.add(p);
   }
   if (added_.size() == before) add_farthest(g);
+}
+
+std::optional<NarrowTip> DefectRepair::find_narrow_tip(const DualDefect& defect) {
+  if (defect.property != DualProperty::cell_is_disc) return std::nullopt;
+  return rings().find_narrow_tip(defect.cells[0]);
+}
+
+const TipRings& DefectRepair::rings() {
+  if (!rings_) rings_.emplace(mesh_, diagram_);
+  return *rings_;
 }
 
 /// Null where cutting along the bisectors gives no manifold mesh: two edges would have the same ends.

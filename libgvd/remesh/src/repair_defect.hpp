@@ -23,6 +23,9 @@ class DefectRepair {
   /// Adds nothing where no candidate is far enough from the other generators.
   void repair(const DualDefect& defect);
 
+  /// The tip at which the defect can't be repaired, because the surface round it is too narrow.
+  std::optional<NarrowTip> find_narrow_tip(const DualDefect& defect);
+
  private:
   void add_to_component(std::int32_t component);
   void split_loop(GeneratorId g);
@@ -34,6 +37,7 @@ class DefectRepair {
   void add_farthest(GeneratorId g);
 
   CellLoops* cell_loops();
+  const TipRings& rings();
   /// Euclidean, from a generator of the diagram.
   double distance(const SurfacePoint& point, GeneratorId g) const {
     return (position(mesh_, point) - added_.position_of(g)).norm();

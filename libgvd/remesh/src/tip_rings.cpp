@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "added_generators.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -123,26 +124,44 @@ std::vector<std::vector<GeneratorId>> TipRings::list_sides(GeneratorId annulus) 
   return sides;
 }
 
-std::vector<SurfacePoint> TipRings::find(GeneratorId cell) const {
+/// Where the cell's generator lies, seen from the tip that the cell surrounds.
+std::optional<TipRings::Polar> TipRings::locate(GeneratorId cell) const {
   const std::vector<VertexId>& tips = tips_[cell];
-  if (tips.empty()) return {};
+  if (tips.empty()) return std::nullopt;
   const SurfacePoint& generator = diagram_.generators[cell.index()];
   const GeneratorId source = field_->nearest(generator).generator;
-  if (!source.valid()) return {};
-  const auto here = std::find(tips.begin(), tips.end(), sources_[source.index()]);
-  const Vec2 out = field_->departure(generator);
-  if (here == tips.end() || !(out.norm() > 0)) return {};
+  if (!source.valid()) return std::nullopt;
+  const Vec2 tangent = field_->departure(generator);
+  const bool is_own = std::find(tips.begin(), tips.end(), sources_[source.index()]) != tips.end();
+  if (!is_own || !(tangent.norm() > 0)) return std::nullopt;
+  return Polar{source, tangent};
+}
+
+std::vector<SurfacePoint> TipRings::find(GeneratorId cell) const {
+  const auto at = locate(cell);
+  if (!at) return {};
   std::vector<SurfacePoint> best;
   double largest = 0;
   for (const auto& [first, second] : kRingTurns) {
-    const auto a = follow(source, turned(out, first)), b = follow(source, turned(out, second));
+    const auto a = follow(at->source, turned(at->tangent, first)), b = follow(at->source, turned(at->tangent, second));
     if (!a || !b) continue;
-    const double least = least_distance(mesh_, generator, *a, *b);
+    const double least = least_distance(mesh_, diagram_.generators[cell.index()], *a, *b);
     if (least <= largest) continue;
     largest = least;
     best = {*a, *b};
   }
   return best;
+}
+
+std::optional<NarrowTip> TipRings::find_narrow_tip(GeneratorId cell) const {
+  const auto at = locate(cell);
+  if (!at) return std::nullopt;
+  NarrowTip narrow;
+  narrow.tip = sources_[at->source.index()];
+  narrow.angle = total_angle(mesh_, narrow.tip);
+  narrow.least_distance = 3 * kMinAddedSpacing * mesh_.bbox_diagonal() / narrow.angle;
+  if (at->tangent.norm() >= narrow.least_distance) return std::nullopt;
+  return narrow;
 }
 
 /// The end of a straight line from a tip, if no other way to it is shorter.

@@ -18,6 +18,13 @@ inline constexpr double kTipAngle = std::numbers::pi;
 /// Total angle of the faces round a vertex, radians. Cost: O(degree).
 double total_angle(const Mesh& mesh, VertexId v);
 
+/// A tip with a cell round it where the surface is too narrow for three generators.
+struct NarrowTip {
+  VertexId tip;
+  double angle = 0;           ///< total angle, radians
+  double least_distance = 0;  ///< from the tip, mesh units: farther away there is room for three generators
+};
+
 /// Finds generators that divide a cell round a tip.
 ///
 /// On a cone of total angle a, a generator at distance r from the tip shuts a second one out if that is farther from
@@ -36,7 +43,16 @@ class TipRings {
   /// to the point is not the shortest one.
   std::vector<SurfacePoint> find(GeneratorId cell) const;
 
+  /// The tip that the cell surrounds, if the circle round it through the cell's generator is shorter than three times
+  /// the least distance between generators (kMinAddedSpacing). Nearer to the tip there is still less room.
+  std::optional<NarrowTip> find_narrow_tip(GeneratorId cell) const;
+
  private:
+  struct Polar {
+    GeneratorId source;  // the tip, an index of sources_
+    Vec2 tangent;        // at the tip
+  };
+  std::optional<Polar> locate(GeneratorId cell) const;
   std::optional<SurfacePoint> follow(GeneratorId source, const Vec2& tangent) const;
   std::vector<VertexId> find_tips(GeneratorId annulus, const IdVector<GeneratorId, VertexId>& sharpest) const;
   std::vector<std::vector<GeneratorId>> list_sides(GeneratorId annulus) const;
