@@ -1,5 +1,6 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 
+#include "common/options/typed_options.hpp"
 #include "common/run/command.hpp"
 #include "common/steps/build_diagram.hpp"
 #include "common/steps/load_input.hpp"
@@ -20,9 +21,10 @@ constexpr const char* kExamples =
     "  gvd-segment scan.stl --radius 2.5 --cut -o pieces.ply --report report.json\n"
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < mesh.ply > regions.ply\n";
 
-void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
-  const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram); });
+void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
+  const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   app::report_segmentation(run, segmentation);
+  app::report_borders(run, compute_border_length(mesh, segmentation.face_label), diagram.length);
   app::report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
   LabelledMesh output{mesh};
   output.face_label = &segmentation.face_label;
@@ -49,15 +51,15 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   app::write_output_files(run, output, {{"json", json}});
 }
 
-void segment(app::Run& run, bool cut) {
-  app::report_segment_options(run, cut);
+void segment(app::Run& run, const app::OwnOptions& own) {
+  app::report_segment_options(run, own);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const Diagram diagram = app::build_diagram(run, mesh, app::make_generators(run, input));
-  if (cut) {
+  if (own.cut) {
     write_cut_faces(run, mesh, diagram);
   } else {
-    write_whole_faces(run, mesh, diagram);
+    write_whole_faces(run, mesh, diagram, own.segment_options());
   }
   app::write_diagram_file(run, mesh, diagram);
   app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", mesh, diagram)}; });
@@ -68,11 +70,16 @@ void segment(app::Run& run, bool cut) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool cut = false;
+  app::OwnOptions own;
   app::Command command({"gvd-segment",
                         "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                         kExamples,
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
-  command.line().add_flag({"--cut", "", "Split faces along the bisectors instead of labelling whole faces"}, cut);
-  return command.run(argc, argv, [&](app::Run& run) { segment(run, cut); });
+  command.line().add_flag({"--cut", "", "Split faces along the bisectors instead of labelling whole faces"}, own.cut);
+  app::OptionText labels{"--labels", "",
+                         "Whole faces on a bisector: shortest borders, or largest share (default smooth)"};
+  labels.excludes = {"--cut"};
+  app::add_choice(command.line(), labels, own.labels,
+                  app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});
+  return command.run(argc, argv, [&](app::Run& run) { segment(run, own); });
 }

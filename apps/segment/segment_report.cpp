@@ -28,7 +28,11 @@ void note_without_face(Run& run, const std::vector<GeneratorId>& without_face) {
 
 }  // namespace
 
-void report_segment_options(Run& run, bool cut) { run.report().options()["cut"] = cut; }
+void report_segment_options(Run& run, const OwnOptions& own) {
+  run.report().options()["cut"] = own.cut;
+  const bool smooth = own.segment_options().labels == FaceLabels::smooth;
+  run.report().options()["labels"] = own.cut ? Json() : Json(smooth ? "smooth" : "nearest");
+}
 
 void report_segmentation(Run& run, const Segmentation& segmentation) {
   note_without_face(run, segmentation.without_face);
@@ -38,6 +42,19 @@ void report_segmentation(Run& run, const Segmentation& segmentation) {
   results["generators_without_face"] = std::move(without_face);
   results["moved_faces"] = segmentation.moved_faces;
   results["given_faces"] = segmentation.given_faces;
+  results["smoothed_faces"] = segmentation.smoothed_faces;
+}
+
+void report_borders(Run& run, double border_length, double bisector_length) {
+  Json ratio;
+  if (bisector_length > 0) {
+    ratio = border_length / bisector_length;
+    run.console().detail(fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", border_length,
+                                     border_length / bisector_length));
+  }
+  Json& results = run.report().results();
+  results["border_length"] = border_length;
+  results["border_ratio"] = std::move(ratio);
 }
 
 void report_cut(Run& run, const CutMesh& cut) {

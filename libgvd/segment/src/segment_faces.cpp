@@ -6,6 +6,7 @@
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
 #include "label_components.hpp"
+#include "smooth_borders.hpp"
 
 namespace gvd {
 namespace {
@@ -14,11 +15,12 @@ class Segmenter {
  public:
   Segmenter(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram), shares_(diagram) {}
 
-  Segmentation run() {
+  Segmentation run(const SegmentOptions& options) {
     label_by_area();
     release_minor_components();
     label_released_faces();
     assign_missing_faces(mesh_, diagram_, shares_, result_);
+    if (options.labels == FaceLabels::smooth) smooth_borders(mesh_, diagram_, shares_, result_);
     return std::move(result_);
   }
 
@@ -115,9 +117,9 @@ class Segmenter {
 
 }  // namespace
 
-Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram) {
+Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   check_belongs(mesh, diagram);
-  return Segmenter(mesh, diagram).run();
+  return Segmenter(mesh, diagram).run(options);
 }
 
 }  // namespace gvd

@@ -64,3 +64,36 @@ TEST_CASE("gvd-segment: JSON of a cut mesh carries its faces, their labels and t
   CHECK(report["results"]["uncut_faces"] == 0);
   check_regions(report, cut["labels"].get<std::vector<int>>());
 }
+
+TEST_CASE("gvd-segment: --labels smooth is the default, with shorter borders than nearest") {
+  const auto smooth = segment("").report, same = segment("--labels smooth").report;
+  const auto nearest = segment("--labels nearest").report;
+  CHECK(smooth["options"]["labels"] == "smooth");
+  CHECK(nearest["options"]["labels"] == "nearest");
+  CHECK(smooth["results"] == same["results"]);
+  CHECK(smooth["results"]["border_ratio"] < 1.1);
+  CHECK(nearest["results"]["border_ratio"] > 1.25);
+  CHECK(smooth["results"]["smoothed_faces"] > 0);
+  CHECK(nearest["results"]["smoothed_faces"] == 0);
+  const double length = smooth["diagram"]["length"];
+  CHECK(smooth["results"]["border_length"] == Approx(smooth["results"]["border_ratio"].get<double>() * length));
+}
+
+TEST_CASE("gvd-segment: --labels with --cut, or with another name, is a usage error") {
+  for (const std::string options : {"--cut --labels smooth", "--labels sharp"}) {
+    const CommandResult result = run_command("gvd-segment", data_file("figure.obj") + " -n 2 " + options);
+    CAPTURE(options, result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(result.err.find("--labels") != std::string::npos);
+  }
+}
+
+TEST_CASE("gvd-segment: without bisectors the ratio of the borders is null") {
+  const ScratchFolder scratch;
+  const CommandResult result =
+      run_command("gvd-segment", data_file("figure.obj") + " -q -n 1 --report " + scratch / "r.json");
+  REQUIRE(result.exit_code == 0);
+  const auto results = nlohmann::json::parse(read_text(scratch / "r.json"))["results"];
+  CHECK(results["border_length"] == 0);
+  CHECK(results["border_ratio"].is_null());
+}

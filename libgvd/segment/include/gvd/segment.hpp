@@ -10,12 +10,23 @@
 
 namespace gvd {
 
+/// How faces that bisectors cut are labelled.
+enum class FaceLabels {
+  nearest,  ///< with the cell that has the largest share: each face by itself, so borders are jagged
+  smooth,   ///< so that the borders between regions are short
+};
+
+struct SegmentOptions {
+  FaceLabels labels = FaceLabels::smooth;
+};
+
 /// A label for every face.
 struct Segmentation {
   IdVector<FaceId, GeneratorId> face_label;  ///< invalid where no generator reaches
   std::vector<GeneratorId> without_face;     ///< generators that own no face, ascending
   std::int32_t moved_faces = 0;  ///< faces labelled with a cell that does not have the largest share, for connectivity
   std::int32_t given_faces = 0;  ///< faces given to generators that would own none otherwise
+  std::int32_t smoothed_faces = 0;  ///< faces with another label than FaceLabels::nearest gives; 0 with that
 };
 
 /// Labels the faces of a mesh by the cells of its diagram.
@@ -25,11 +36,19 @@ struct Segmentation {
 /// generator, or else the one with the largest area. The faces of its other components take the label of an adjacent
 /// face, the one with the largest share. (c) A generator without a face is given one that its cell has a share of,
 /// first of all the face that it lies in. The label that loses the face must keep another one and stay connected.
+/// (d) Smooth labels: cut faces are relabelled so that the borders become short. A face takes only labels of cells with
+/// a share of it. Of the faces round a generator with its label, the one with its largest share keeps it. It is a
+/// minimum multiway cut, which is NP-hard; the borders found are near to it, see docs/developer/segment-borders.md.
 ///
 /// Properties: (1) the faces of each label are connected through edges; (2) each generator owns a face or is listed in
-/// `without_face`; (3) a face has no label exactly where no generator reaches it.
+/// `without_face`; (3) a face has no label exactly where no generator reaches it; (4) smooth borders are not longer
+/// than nearest ones, and a region has the topology that it has with nearest labels: discs stay discs.
 /// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
-Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram);
+Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options = {});
+
+/// Length of the edges between faces with different labels, in mesh units. Cost: O(n).
+/// Throws Error{precondition} where there is not one label for each face.
+double compute_border_length(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label);
 
 /// A mesh whose faces each lie in one cell.
 struct CutMesh {

@@ -1,0 +1,107 @@
+#include <limits>
+
+#include "border_forest.hpp"
+#include "gvd/segment.hpp"
+#include "segment/two_pieces.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/random.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+using Labels = IdVector<FaceId, GeneratorId>;
+
+namespace {
+
+/// A mesh whose faces, all but the first one, are cut between two of three generators at random.
+struct RandomCuts {
+  Mesh mesh;
+  Diagram diagram;
+  Labels label;
+
+  RandomCuts(Mesh m, unsigned seed) : mesh(std::move(m)) {
+    diagram = test::make_whole_diagram(mesh, {make_surface_point(FaceId(0), {0.2, 0.3, 0.5})});
+    diagram.generators.resize(3, diagram.generators[0]);
+    test::Random random(seed);
+    label.assign(diagram.face_label.size(), GeneratorId(0));
+    for (int f = 1; f < mesh.face_count(); ++f) {
+      const int tip = random.below(3), rest = (tip + 1 + random.below(2)) % 3;
+      const double t = random.real(0.3, 0.95);
+      test::cut_in_two(diagram, FaceId(f), t, GeneratorId(tip), GeneratorId(rest));
+      label[FaceId(f)] = GeneratorId(t * t >= 0.5 ? tip : rest);
+    }
+  }
+};
+
+/// The cost of all labels, from its definition.
+double cost(const Mesh& mesh, const FreeFaces& free, const BorderCosts& costs, const Labels& label) {
+  double sum = compute_border_length(mesh, label);
+  for (int i = 0; i < free.count(); ++i) {
+    for (const FaceShare& share : free.candidates(FreeFaceId(i))) {
+      if (share.generator == label[free.face(FreeFaceId(i))]) sum += costs.of_share(FreeFaceId(i), share.fraction);
+    }
+  }
+  return sum;
+}
+
+/// The least cost of all labels, tried one after the other.
+double least_cost(const Mesh& mesh, const FreeFaces& free, const BorderCosts& costs, Labels label, int next = 0) {
+  if (next == free.count()) return cost(mesh, free, costs, label);
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceShare& share : free.candidates(FreeFaceId(next))) {
+    label[free.face(FreeFaceId(next))] = share.generator;
+    least = std::min(least, least_cost(mesh, free, costs, label, next + 1));
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("border forest: nothing to choose") {
+  const Mesh mesh = test::make_triangle();
+  const Diagram diagram = test::make_whole_diagram(mesh, {vertex_point(mesh, VertexId(0))});
+  const FaceShares shares(diagram);
+  const FreeFaces free(mesh, diagram, shares, diagram.face_label);
+  const BorderCosts costs(mesh, free, diagram.face_label);
+  CHECK(BorderForest(free, costs, diagram.face_label, 1).choose(FreeFaceId(0)).empty());
+}
+
+TEST_CASE("border forest: on a strip, which has no cycle, the labels have the least cost of all") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const RandomCuts cuts(test::make_jittered_grid(5, 1, 0.2, seed), seed);
+    const FaceShares shares(cuts.diagram);
+    const FreeFaces free(cuts.mesh, cuts.diagram, shares, cuts.label);
+    const BorderCosts costs(cuts.mesh, free, cuts.label);
+    BorderForest forest(free, costs, cuts.label, 3);
+    const double least = least_cost(cuts.mesh, free, costs, cuts.label);
+    for (const int first : {0, 3, free.count() - 1}) {
+      CAPTURE(seed, first);
+      Labels label = cuts.label;
+      const auto& chosen = forest.choose(FreeFaceId(first));
+      for (int i = 0; i < free.count(); ++i) label[free.face(FreeFaceId(i))] = chosen[FreeFaceId(i)];
+      CHECK(cost(cuts.mesh, free, costs, label) == Approx(least));
+    }
+  }
+}
+
+TEST_CASE("border forest: with cycles the cost is between the least and the present one") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    for (const Mesh& mesh : {test::make_tetrahedron(), test::make_grid(2, 2), test::make_pillow()}) {
+      const RandomCuts cuts(mesh, seed);
+      const FaceShares shares(cuts.diagram);
+      const FreeFaces free(cuts.mesh, cuts.diagram, shares, cuts.label);
+      const BorderCosts costs(cuts.mesh, free, cuts.label);
+      BorderForest forest(free, costs, cuts.label, 3);
+      for (int first = 0; first < free.count(); ++first) {
+        CAPTURE(seed, first, mesh.face_count());
+        Labels label = cuts.label;
+        const auto& chosen = forest.choose(FreeFaceId(first));
+        for (int i = 0; i < free.count(); ++i) label[free.face(FreeFaceId(i))] = chosen[FreeFaceId(i)];
+        const double found = cost(cuts.mesh, free, costs, label), present = cost(cuts.mesh, free, costs, cuts.label);
+        CHECK(found <= present * (1 + 1e-12));
+        CHECK(found >= least_cost(cuts.mesh, free, costs, cuts.label) * (1 - 1e-12));
+        CHECK(present == Approx(compute_border_length(cuts.mesh, cuts.label)));  // the first labels cost their border
+      }
+    }
+  }
+}
