@@ -6,6 +6,7 @@ import copy
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -53,6 +54,20 @@ def check(name):
     return document
 
 
+def has_viewer():
+    """Whether the commands were built with the page of --view."""
+    line = [str(bin_folder / "gvd-segment"), "ball.off", "-n", "2", "--view", "page.html"]
+    return "lacks the viewer" not in subprocess.run(line, cwd=work, capture_output=True, text=True).stderr
+
+
+def save_manifest(name, *arguments):
+    """The manifest of a page, as a file of its own."""
+    files.run(bin_folder, work, *arguments, "--view", "page.html")
+    page = (work / "page.html").read_text()
+    manifest = re.search('<script type="application/json" id="manifest">(.*?)</script>', page, re.DOTALL)
+    (work / name).write_text(manifest.group(1))
+
+
 def write_documents():
     files.write_files(bin_folder, work)
     vertices = ["--vertices", ",".join(map(str, files.GENERATORS))]
@@ -75,3 +90,9 @@ assert "remesh" in check("r.json")
 assert "snap_distance" in check("p-report.json")["generators"][0]
 for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglr"]:
     check(name)
+if has_viewer():
+    save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")
+    save_manifest("v2.json", "gvd-remesh", "ball.off", "-n", "2")
+    save_manifest("v3.json", "gvd-segment", "ball.off", "-n", "9", "--method", "gbgvd")
+    for name in ("v1.json", "v2.json", "v3.json"):
+        check(name)
