@@ -184,6 +184,94 @@ TEST_CASE("commands: what can't be written exits with 6") {
   }
 }
 
+TEST_CASE("commands: whether outputs can be written is found out before the work") {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "folder.ply");
+  fs::create_directory(scratch / "c.mtl");
+  write_text(scratch / "options.toml", "quiet = true\n");
+  const std::string missing = scratch / "missing.obj", start = missing + " -n 20 --config " + scratch / "options.toml ";
+  // The input is missing, which is said once it is read: what is said of an output is said before.
+  for (const std::string& name : built_commands()) {
+    require_error(name, start + "-o /proc/x.ply", 6, "/proc/x.ply");
+    require_error(name, start + "-o " + scratch / "folder.ply", 6, "is a directory");
+    require_error(name, start + "-o " + scratch / "none/a.ply", 6, "create it first");
+    require_error(name, start + "-o " + scratch / "c.obj", 6, "c.mtl: is a directory");
+    require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two options name this file");
+    require_error(name, start + "--report " + scratch / "options.toml", 2, "this is the file that is read");
+    require_error(name, start + "-o - >&-", 6, "standard output is closed");
+    for (const char* option : {"--report ", "--diagram ", "--view "}) {
+      require_error(name, start + option + "''", 2, "the name is empty");
+      require_error(name, start + option + "/proc/x", 6, "/proc/x");
+    }
+    require_error(name, start + "-o " + scratch / "a.ply", 3, missing);
+  }
+  fs::remove_all(scratch / "folder.ply");
+  fs::remove_all(scratch / "c.mtl");
+  fs::remove(scratch / "options.toml");
+  CHECK(fs::is_empty(scratch / ""));
+}
+
+TEST_CASE("commands: a file that grows too large is one line, and leaves nothing") {
+  const ScratchFolder scratch;
+  write_text(scratch / "a.ply", "old");
+  for (const std::string& name : built_commands()) {
+    // Long enough for any of the three: 1 is 512 bytes.
+    const std::string run = "ulimit -f 1; exec '" + std::string(GVD_BIN_DIR) + "/" + name + "' " +
+                            data_file("figure.obj") + " -n 40 -q -o " + scratch / "a.ply";
+    const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 6);
+    CHECK(line_count(result.err) == 1);
+    CHECK_THAT(result.err, StartsWith(name + ": error: cannot write ") && Contains("a.ply"));
+    CHECK(read_text(scratch / "a.ply") == "old");
+  }
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch / ""), {}) == 1);
+}
+
+TEST_CASE("commands: a reader that goes away ends the run without a word") {
+  for (const std::string& name : built_commands()) {
+    const std::string command = "'" + std::string(GVD_BIN_DIR) + "/" + name + "' ";
+    const auto piped = [&](const std::string& arguments) {
+      return run_command("/bin/bash", "-c \"" + command + arguments + " | true; echo \\${PIPESTATUS[0]}\"");
+    };
+    // More than a pipe holds.
+    const CommandResult data = piped(data_file("figure.obj") + " -n 400 -q -o - --output-format json");
+    CAPTURE(name);
+    CHECK(data.out == "141\n");
+    CHECK(data.err.empty());
+  }
+}
+
+TEST_CASE("commands: closed streams are not taken by the files of the run") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const std::string arguments =
+        data_file("figure.obj") + " -n 40 -o " + scratch / "a.off" + " --report " + scratch / "r.json";
+    CHECK(run_command(name, arguments + " <&- >&- 2>&-").exit_code == 0);
+    CHECK_THAT(read_text(scratch / "a.off"), !Contains(name));
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["command"] == name);
+  }
+}
+
+TEST_CASE("commands: no binary goes to a terminal, but text does") {
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const auto shown = [&](const std::string& format) {
+      return run_on_terminal(name, {data_file("figure.obj"), "-n", "40", "-q", "-o", "-", "--output-format", format});
+    };
+    for (const char* format : {"ply", "stl", "glb"}) {
+      const CommandResult result = shown(format);
+      CHECK(result.exit_code == 2);
+      CHECK_THAT(result.err,
+                 Contains(std::string("-o -: .") + format + " is binary, and standard output is a terminal"));
+      CHECK(line_count(result.err) == 1);
+    }
+    CHECK_THAT(shown("off").err, StartsWith("OFF") || StartsWith("COFF"));
+  }
+}
+
 TEST_CASE("commands: generators without a face are named in one line, all of them in the report") {
   const ScratchFolder scratch;
   const std::string report = scratch / "r.json";

@@ -131,8 +131,8 @@ void CommandLine::add_flag(const OptionText& option, bool& target) {
   parser_->describe(parser_->cli.add_flag(option.names, parser_->entries.back().flag, option.description));
 }
 
-void CommandLine::add_config(const OptionText& option) {
-  const auto keep = [this](const std::string& path) { parser_->config = path; };
+void CommandLine::add_config(const OptionText& option, std::string& target) {
+  const auto keep = [this, &target](const std::string& path) { parser_->config = target = path; };
   parser_->cli.add_option_function<std::string>(option.names, keep, option.description)->type_name(option.type);
 }
 

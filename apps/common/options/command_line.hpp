@@ -25,8 +25,9 @@ class CommandLine {
   void add_list(const OptionText& option, const StoreList& store);
   /// An option without a value; `option.type` is not used.
   void add_flag(const OptionText& option, bool& target);
-  /// An option that names a TOML file with more options. The command line overrides it: see merge_options.
-  void add_config(const OptionText& option);
+  /// An option that names a TOML file with more options, and stores its name. The command line overrides the file: see
+  /// merge_options.
+  void add_config(const OptionText& option, std::string& target);
 
   /// Parses and stores. Returns the text that --help or --version asks for, or nothing.
   /// Throws Error{invalid_option} that names the option and, where it comes from a file, file, line and column.

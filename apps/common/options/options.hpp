@@ -57,6 +57,7 @@ struct Options {
   GeneratorOptions generators;
   ComputeOptions compute;
   OutputOptions output;
+  std::string config;  ///< the file of options; empty: none
   bool quiet = false;
   bool verbose = false;
 };

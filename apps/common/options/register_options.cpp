@@ -45,7 +45,7 @@ std::string trim(const std::string& text) {
 }
 
 void register_input(CommandLine& line, InputOptions& input) {
-  add_text(line, {"INPUT", "", "The mesh: .obj, .ply, .off or .stl; - for standard input"}, input.path);
+  add_file(line, {"INPUT", "", "The mesh: .obj, .ply, .off or .stl; - for standard input"}, input.path);
   add_choice(line,
              {"--input-format", "", "The input's format; needed with -, else told from content and extension", kInput},
              input.format, self_named({"obj", "ply", "off", "stl"}));
@@ -67,11 +67,19 @@ void register_sampling(CommandLine& line, GeneratorOptions& generators) {
           {"farthest", SamplingKind::farthest}, {"random", SamplingKind::random}, {"poisson", SamplingKind::poisson}});
   add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators, {"-n", "--radius"}}, generators.seed,
              kAnyWhole);
+  add_number(line,
+             {"--radius",
+              "",
+              "As many generators as leave no point farther than this, in mesh units",
+              kGenerators,
+              {},
+              sources_but("--radius")},
+             generators.radius, kPositive);
 }
 
-/// Options that list generators, and those for positions and coincident generators in a list.
+/// Options that list generators.
 void register_lists(CommandLine& line, GeneratorOptions& generators) {
-  add_text(line,
+  add_file(line,
            {"--generators",
             "FILE",
             "A list of generators: text, .csv or .json; - for standard input",
@@ -98,14 +106,10 @@ void register_lists(CommandLine& line, GeneratorOptions& generators) {
                 [&generators](const std::vector<std::string>& lists) {
                   generators.vertices = parse_vertex_list(join(lists, ","));
                 });
-  add_number(line,
-             {"--radius",
-              "",
-              "As many generators as leave no point farther than this, in mesh units",
-              kGenerators,
-              {},
-              sources_but("--radius")},
-             generators.radius, kPositive);
+}
+
+/// Options for positions and coincident generators in a list.
+void register_list_rules(CommandLine& line, GeneratorOptions& generators) {
   add_number(line,
              {"--max-snap",
               "",
@@ -161,9 +165,9 @@ void register_output(CommandLine& line, OutputOptions& output, const std::vector
   line.add_flag({"--no-curves", "", "Leave the bisectors out of .obj, .vtp and .glb", kOutput}, output.no_curves);
   line.add_flag({"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only", kOutput},
                 output.ascii_ply);
-  add_text(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
-  add_text(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
-  add_text(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);
+  add_file(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
+  add_file(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
+  add_file(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);
 }
 
 }  // namespace
@@ -188,9 +192,11 @@ void register_options(CommandLine& line, Options& options, const std::vector<std
   register_input(line, options.input);
   register_sampling(line, options.generators);
   register_lists(line, options.generators);
+  register_list_rules(line, options.generators);
   register_compute(line, options.compute);
   register_output(line, options.output, output_formats);
-  line.add_config({"--config", "FILE.toml", "Read options from this TOML file; the command line goes before it"});
+  line.add_config({"--config", "FILE.toml", "Read options from this TOML file; the command line overrides it"},
+                  options.config);
   line.add_flag({"-q,--quiet", "", "Say nothing but errors"}, options.quiet);
   line.add_flag({"-v,--verbose", "", "Say what each step took", "", {}, {"--quiet"}}, options.verbose);
 }

@@ -56,4 +56,13 @@ inline void add_text(CommandLine& line, const OptionText& option, std::string& t
   });
 }
 
+/// Adds an option that names a file, which an empty text does not.
+inline void add_file(CommandLine& line, const OptionText& option, std::string& target) {
+  line.add_value(option, [&target](const std::string& text) {
+    if (text.empty()) return std::optional<std::string>("the name is empty; name a file");
+    target = text;
+    return std::optional<std::string>();
+  });
+}
+
 }  // namespace gvd::app

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <new>
+#include <ostream>
 
 #include "common/options/check_options.hpp"
 #include "common/options/register_options.hpp"
 #include "common/run/name_options.hpp"
+#include "common/run/standard_output.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -33,14 +34,6 @@ int exit_code(ErrorCode code) {
   return kNoResult;
 }
 
-/// Prints the text of --help or --version. Returns the exit code.
-int print_answer(const std::string& text, Console& console) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return kDone;
-  console.error("standard output: could not be written; is it full or closed?");
-  return exit_code(ErrorCode::unwritable_output);
-}
-
 std::string help_footer(const std::string& examples) {
   return "\nExamples:\n" + examples +
          "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition, 5 no valid result,\n"
@@ -56,11 +49,15 @@ Command::Command(CommandInfo info)
 }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
+  reserve_standard_streams();
   install_signal_handlers();
   const ConsoleStyle style = detect_console_style();
   Console plain(info_.name, {}, false, false);
   try {
-    if (const auto answer = line_.parse(argc, argv)) return print_answer(*answer, plain);
+    if (const auto answer = line_.parse(argc, argv)) {
+      write_standard_output([&](std::ostream& out) { out << *answer; });
+      return kDone;
+    }
     check_options(options_, info_.output_formats);
     Console console(info_.name, style, options_.quiet, options_.verbose);
     Run run(info_.name, options_, console);
@@ -69,6 +66,8 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
   } catch (const Error& error) {
     plain.error(name_options(error.what()));
     return exit_code(error.code());
+  } catch (const ReaderGone&) {
+    return end_by_broken_pipe();
   } catch (const std::bad_alloc&) {
     plain.error("out of memory; use a smaller mesh or fewer generators");
     return kNoResult;

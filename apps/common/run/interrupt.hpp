@@ -2,8 +2,8 @@
 
 namespace gvd::app {
 
-/// From now on the first SIGINT or SIGTERM only sets a flag; the second one ends the process. A write to a closed pipe
-/// becomes an error instead of a signal. Clears the flag.
+/// From now on the first SIGINT or SIGTERM only sets a flag; the second one ends the process. A write to a closed pipe,
+/// or beyond the largest file that is allowed, becomes an error instead of a signal. Clears the flag.
 void install_signal_handlers();
 
 /// Whether the flag is set.

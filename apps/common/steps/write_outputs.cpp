@@ -1,29 +1,16 @@
 #include "common/steps/write_outputs.hpp"
 
 #include <filesystem>
-#include <iostream>
+#include <ostream>
 
 #include "common/options/file_extension.hpp"
+#include "common/run/standard_output.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
 
 namespace gvd::app {
 namespace {
-
-void write_stdout(const OutputWriter& write) {
-  std::cout.clear();
-  bool failed = false;
-  try {
-    write(std::cout);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::unwritable_output) throw;
-    failed = true;
-  }
-  if (failed || !std::cout.flush()) {
-    throw Error(ErrorCode::unwritable_output, "standard output: could not be written; is it full or closed?");
-  }
-}
 
 /// The mesh as the options want it in one format. JSON is the diagram itself, and keeps its bisectors.
 LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, OutputFormat format) {
@@ -38,13 +25,13 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   const std::string format = standard ? run.options().output.stdout_format : file_extension(path);
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
-    if (standard) return write_stdout(own->second);
+    if (standard) return write_standard_output(own->second);
     return write_file(path, own->second, run.progress());
   }
   const auto known = parse_output_format(format);
   if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
   const LabelledMesh chosen = choose_content(run.options().output, mesh, *known);
-  if (standard) return write_stdout([&](std::ostream& out) { write_mesh(out, chosen, *known); });
+  if (standard) return write_standard_output([&](std::ostream& out) { write_mesh(out, chosen, *known); });
   write_mesh(path, chosen, run.progress());
 }
 

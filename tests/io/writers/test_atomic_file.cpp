@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <string>
@@ -142,4 +143,23 @@ TEST_CASE("a file without a folder lands in the current one") {
   write_file("plain.txt", write_text);
   fs::current_path(before);
   CHECK(read_bytes(folder / "plain.txt") == "new");
+}
+
+TEST_CASE("whether a target can be written is found out without a trace") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "old", "old");
+  check_writable(folder / "old");
+  check_writable(folder / "new");
+  check_writable("/dev/null");
+  CHECK(folder.names() == std::vector<std::string>{"old"});
+  CHECK(read_bytes(folder / "old") == "old");
+  for (const fs::path& path : {folder / "none" / "a", folder / "", fs::path("/proc/x"), fs::path()}) {
+    CHECK(contains(message_of(ErrorCode::unwritable_output, [&] { check_writable(path); }), path.string()));
+  }
+}
+
+TEST_CASE("a pipe is not opened to find out whether it can be written") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  check_writable(folder / "pipe");  // opening it would wait for a reader
 }

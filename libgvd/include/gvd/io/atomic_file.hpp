@@ -36,6 +36,11 @@ class AtomicFile {
   std::unique_ptr<State> state_;
 };
 
+/// Finds out, before the work that makes the content, whether an AtomicFile could be opened for `target`. Leaves what
+/// is there as it is. A device or a pipe is not opened, since a pipe's reader would end.
+/// Throws Error{unwritable_output} with the path and the reason.
+void check_writable(const std::filesystem::path& target);
+
 /// Writes a complete file or none: the content is what `write` puts into its stream.
 /// Throws what `write` throws, and what AtomicFile throws.
 void write_file(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write,

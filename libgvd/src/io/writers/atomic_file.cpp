@@ -1,6 +1,7 @@
 #include "gvd/io/atomic_file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -171,6 +172,17 @@ void AtomicFile::commit() {
   fs::rename(state_->temporary, state_->file, error);
   if (error) fail(state_->target, error.message());
   state_->temporary.clear();
+}
+
+void check_writable(const fs::path& target) {
+  std::error_code ignored;
+  const fs::path file = follow_links(target);
+  const fs::file_status status = fs::status(file, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
+    const AtomicFile opened(target);  // removes what it created
+  } else if (::access(file.c_str(), W_OK) != 0) {
+    fail(target, reason_of(errno));
+  }
 }
 
 void write_file(const fs::path& target, const std::function<void(std::ostream&)>& write, const Progress& progress) {

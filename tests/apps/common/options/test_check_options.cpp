@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
 #include "common/options/check_options.hpp"
@@ -64,42 +62,4 @@ TEST_CASE("an option that does nothing is refused") {
   }
   CHECK_NOTHROW(parse_options({"a.obj", "-n", "3", "-o", "a.ply", "-o", "-", "--output-format", "obj"}));
   CHECK_NOTHROW(parse_options({"a.obj", "--radius", "3", "--seed", "1"}));
-}
-
-TEST_CASE("every target has a known extension, a folder, and a name of its own") {
-  const test::ScratchFolder scratch;
-  const auto with = [&](std::vector<std::string> outputs) {
-    outputs.insert(outputs.begin(), {"a.obj", "-n", "3"});
-    return outputs;
-  };
-  CHECK_THAT(refusal(with({"-o", "a.doc"})), Contains("a.doc") && Contains(".ply, .obj, .json"));
-  CHECK_THAT(refusal(with({"-o", ""})), Contains("empty"));
-  CHECK_THAT(refusal(with({"-o", "a.ply", "-o", "./a.ply"})), Contains("-o ./a.ply: two options name this file"));
-  CHECK_THAT(refusal(with({"-o", "-", "-o", "-"})), Contains("two options name this file"));
-  CHECK_THAT(refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two options"));
-  CHECK_THAT(refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
-  CHECK_THAT(refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output), Contains("is a directory"));
-  CHECK_THAT(refusal(with({"-o", scratch / "none/a.ply"}), ErrorCode::unwritable_output),
-             Contains("there is no directory"));
-  CHECK_NOTHROW(check_options(parse_options(with({"-o", scratch / "a.ply", "-o", "-", "--report", scratch / "r.json"})),
-                              kFormats));
-}
-
-TEST_CASE("an option of a format that is not written is refused") {
-  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
-  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
-  CHECK_NOTHROW(check_options(
-      parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kFormats));
-}
-
-TEST_CASE("no target is a file that the run reads, whatever it is called") {
-  const test::ScratchFolder scratch;
-  const std::string mesh = scratch / "mesh.obj", list = scratch / "list.json";
-  test::write_text(mesh, "v 0 0 0\n");
-  test::write_text(list, "{}");
-  std::filesystem::create_hard_link(mesh, scratch / "hard.obj");
-  for (const char* name : {"mesh.obj", "hard.obj", "./mesh.obj"}) {
-    CHECK_THAT(refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("this is the file that is read"));
-  }
-  CHECK_THAT(refusal({mesh, "--generators", list, "--report", list}), Contains("this is the file that is read"));
 }

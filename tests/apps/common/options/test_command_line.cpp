@@ -32,7 +32,7 @@ struct Fixture {
     });
     line.add_list({"-f,--file", "FILE", "Some files"}, [this](const std::vector<std::string>& all) { files = all; });
     line.add_flag({"--flag", "", "A flag", "Numbers", {"--even"}}, flag);
-    line.add_config({"--config", "FILE.toml", "More options"});
+    line.add_config({"--config", "FILE.toml", "More options"}, config);
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
@@ -46,7 +46,7 @@ struct Fixture {
   }
 
   CommandLine line{"gvd-test", "A test.", "gvd-test 1.2", "The footer."};
-  std::string input, even, other;
+  std::string input, even, other, config;
   std::vector<std::string> files;
   bool flag = false;
 };
@@ -114,6 +114,7 @@ TEST_CASE("a configuration file gives what the command line does not, the input 
   const std::string text = "even = 8\nfile = [\"x\", \"y\"]\nflag = true\ninput = 'a b'\n";
   ConfigFixture from_file(text), overridden(text);
   from_file.parsed({});
+  CHECK(from_file.config == from_file.path);
   CHECK(from_file.input == "a b");
   CHECK(from_file.even == "8");
   CHECK(from_file.files == std::vector<std::string>{"x", "y"});

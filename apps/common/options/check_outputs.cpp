@@ -1,0 +1,145 @@
+#include "common/options/check_outputs.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "common/options/file_extension.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/atomic_file.hpp"
+
+namespace gvd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// Refuses, before the run starts, a target that can't be written.
+void check_target(const std::string& option, const std::string& path) {
+  std::error_code ignored;
+  const fs::path target(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (fs::is_directory(target, ignored)) {
+    throw Error(ErrorCode::unwritable_output, fmt::format("{} {}: is a directory; name a file", option, path));
+  }
+  if (!fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} {}: there is no directory {}; create it first", option, path, folder.string()));
+  }
+}
+
+/// Longest chain of symbolic links that is followed: the limit of Linux.
+constexpr int kMaxLinks = 40;
+
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no target
+/// may overwrite another.
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  fs::path target = fs::absolute(path, failed);
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(target, failed); ++i) {
+    target = target.parent_path() / fs::read_symlink(target, failed);
+  }
+  target = fs::weakly_canonical(target, failed);
+  return failed ? path : target.string();
+}
+
+/// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
+/// symbolic and hard links are found.
+void check_not_read(const std::string& option, const std::string& path, const Options& options) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return;
+  for (const std::string& read : {options.input.path, options.generators.file, options.config}) {
+    if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
+    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
+  }
+}
+
+bool is_binary(const std::string& format, const OutputOptions& output) {
+  return (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb";
+}
+
+void check_standard_output(const OutputOptions& output) {
+  const int flags = ::fcntl(STDOUT_FILENO, F_GETFL);
+  if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
+    throw Error(ErrorCode::unwritable_output, "-o -: standard output is closed; redirect it to a file or a pipe");
+  }
+  if (is_binary(output.stdout_format, output) && ::isatty(STDOUT_FILENO) == 1) {
+    refuse(
+        fmt::format("-o -: .{} is binary, and standard output is a terminal; redirect it, as in > a.{}, or choose "
+                    "text with --output-format",
+                    output.stdout_format, output.stdout_format));
+  }
+}
+
+/// The targets of a run: each one is claimed once.
+class Targets {
+ public:
+  explicit Targets(const Options& options) : options_(options) {}
+
+  void claim(const std::string& option, const std::string& path) {
+    if (path.empty()) return;
+    if (!names_.insert(path == "-" ? path : one_name(path)).second) {
+      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
+    }
+    if (path == "-") {
+      if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+      return check_standard_output(options_.output);
+    }
+    check_target(option, path);
+    check_not_read(option, path, options_);
+    check_writable(path);
+  }
+
+ private:
+  const Options& options_;
+  std::set<std::string> names_;
+};
+
+void check_format(const std::string& file, const std::vector<std::string>& formats) {
+  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file == "-" || std::find(formats.begin(), formats.end(), file_extension(file)) != formats.end()) return;
+  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
+}
+
+/// Whether a file or standard output gets one of the formats.
+bool writes_any(const OutputOptions& output, const std::vector<std::string>& formats) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
+    const std::string format = file == "-" ? output.stdout_format : file_extension(file);
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  });
+}
+
+/// Refuses options of formats that the run does not write.
+void check_format_options(const OutputOptions& output) {
+  if (output.no_curves && !writes_any(output, {"obj", "vtp", "glb"})) {
+    refuse("--no-curves: only .obj, .vtp and .glb hold curves; write one of them with -o or leave --no-curves out");
+  }
+  if (output.ascii_ply && !writes_any(output, {"ply"})) {
+    refuse("--ascii-ply: no .ply is written; write one with -o or leave --ascii-ply out");
+  }
+}
+
+}  // namespace
+
+void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+  const OutputOptions& output = options.output;
+  Targets targets(options);
+  for (const std::string& file : output.files) {
+    check_format(file, formats);
+    targets.claim("-o", file);
+    if (file_extension(file) == "obj") {
+      targets.claim("the materials of -o", fs::path(file).replace_extension(".mtl").string());
+    }
+  }
+  check_format_options(output);
+  targets.claim("--report", output.report);
+  targets.claim("--diagram", output.diagram);
+  targets.claim("--view", output.view);
+}
+
+}  // namespace gvd::app

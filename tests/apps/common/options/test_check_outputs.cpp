@@ -1,0 +1,92 @@
+#include <filesystem>
+
+#include "apps/common/options/parse_options.hpp"
+#include "apps/run_command.hpp"
+#include "common/options/check_outputs.hpp"
+#include "gvd/error.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd;
+using namespace gvd::app;
+using Catch::Matchers::Contains;
+using gvd::test::kFormats;
+using gvd::test::parse_options;
+
+namespace {
+
+/// The message of a refusal, which is one line.
+std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
+  CAPTURE(arguments);
+  try {
+    check_outputs(parse_options(arguments), kFormats);
+  } catch (const Error& error) {
+    CHECK(error.code() == code);
+    CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+}  // namespace
+
+TEST_CASE("every target has a known extension, a folder, and a name of its own") {
+  const test::ScratchFolder scratch;
+  const auto with = [&](std::vector<std::string> outputs) {
+    outputs.insert(outputs.begin(), {"a.obj", "-n", "3"});
+    return outputs;
+  };
+  CHECK_THAT(refusal(with({"-o", "a.doc"})), Contains("a.doc") && Contains(".ply, .obj, .json"));
+  CHECK_THAT(refusal(with({"-o", ""})), Contains("empty"));
+  CHECK_THAT(refusal(with({"-o", "a.ply", "-o", "./a.ply"})), Contains("-o ./a.ply: two options name this file"));
+  CHECK_THAT(refusal(with({"-o", "-", "-o", "-"})), Contains("two options name this file"));
+  CHECK_THAT(refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two options"));
+  CHECK_THAT(refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
+  CHECK_THAT(refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output), Contains("is a directory"));
+  CHECK_THAT(refusal(with({"-o", scratch / "none/a.ply"}), ErrorCode::unwritable_output),
+             Contains("there is no directory"));
+  CHECK_NOTHROW(check_outputs(parse_options(with({"-o", scratch / "a.ply", "-o", "-", "--report", scratch / "r.json"})),
+                              kFormats));
+}
+
+TEST_CASE("an option of a format that is not written is refused") {
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
+  CHECK_NOTHROW(check_outputs(
+      parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kFormats));
+}
+
+TEST_CASE("no target is a file that the run reads, whatever it is called") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "mesh.obj", list = scratch / "list.json";
+  test::write_text(mesh, "v 0 0 0\n");
+  test::write_text(list, "{}");
+  std::filesystem::create_hard_link(mesh, scratch / "hard.obj");
+  for (const char* name : {"mesh.obj", "hard.obj", "./mesh.obj"}) {
+    CHECK_THAT(refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("this is the file that is read"));
+  }
+  CHECK_THAT(refusal({mesh, "--generators", list, "--report", list}), Contains("this is the file that is read"));
+}
+
+TEST_CASE("a link that leads nowhere yet is the file that it names") {
+  const test::ScratchFolder scratch;
+  std::filesystem::create_symlink("b.ply", scratch / "a.ply");
+  CHECK_THAT(refusal({"a.obj", "-o", scratch / "a.ply", "-o", scratch / "b.ply"}),
+             Contains("two options name this file"));
+}
+
+TEST_CASE("the materials of an .obj are a file of the run, too") {
+  const test::ScratchFolder scratch;
+  CHECK_THAT(refusal({"a.obj", "-o", scratch / "a.obj", "--report", scratch / "a.mtl"}),
+             Contains("two options name this file"));
+  std::filesystem::create_directory(scratch / "b.mtl");
+  CHECK_THAT(refusal({"a.obj", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output), Contains("is a directory"));
+  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "c.obj"}), kFormats));
+  CHECK(!std::filesystem::exists(scratch / "c.mtl"));
+}
+
+TEST_CASE("the file of options is not replaced") {
+  const test::ScratchFolder scratch;
+  test::write_text(scratch / "o.toml", "n = 3\n");
+  CHECK_THAT(refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
+             Contains("this is the file that is read"));
+}
