@@ -37,3 +37,15 @@ TEST_CASE("surface normal: zero where no face has an area") {
   CHECK(surface_normal(line, vertex_point(line, VertexId(0))) == Vec3(0, 0, 0));
   CHECK(surface_normal(line, make_surface_point(FaceId(0), {0.3, 0.3, 0.4})) == Vec3(0, 0, 0));
 }
+
+TEST_CASE("the normal of a face has length 1 or 0, and the angles of its corners sum to 180 degrees") {
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {2, 0, 0}, {0, 1e-3, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 0, 3}});
+  CHECK(face_normal(mesh, FaceId(0)) == Vec3(0, 0, 1));
+  CHECK(face_normal(mesh, FaceId(1)) == Vec3::Zero());
+  for (const FaceId f : {FaceId(0), FaceId(1)}) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += corner_angle(mesh, Mesh::halfedge(f, i));
+    CHECK(sum == Approx(3.14159265358979));
+  }
+  CHECK(corner_angle(mesh, Mesh::halfedge(FaceId(0), 0)) == Approx(1.570796326794897));
+}

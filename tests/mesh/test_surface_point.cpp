@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "gvd/surface_point.hpp"
 #include "support/catch.hpp"
@@ -43,4 +45,16 @@ TEST_CASE("a point is on the boundary where its vertex or its edge is, and never
     CHECK(is_on_boundary(grid, edge_point(h, 0.5)) == is_outer);
   }
   CHECK_FALSE(is_on_boundary(grid, make_surface_point(FaceId(0), {0.2, 0.3, 0.5})));
+}
+
+TEST_CASE("a value at a point is linear between its face's vertices, of which it leaves out those without weight") {
+  const Mesh mesh = test::make_grid(1, 1);
+  IdVector<VertexId, double> values(4, std::numeric_limits<double>::infinity());
+  const auto& [a, b, c] = mesh.vertices(FaceId(0));
+  values[a] = 1;
+  values[b] = 3;
+  CHECK(interpolate_at(mesh, values, make_surface_point(FaceId(0), {0.25, 0.75, 0})) == 2.5);
+  CHECK(std::isinf(interpolate_at(mesh, values, make_surface_point(FaceId(0), {0.25, 0.5, 0.25}))));
+  values[c] = 7;
+  CHECK(interpolate_at(mesh, values, make_surface_point(FaceId(0), {0.25, 0.5, 0.25})) == 3.5);
 }

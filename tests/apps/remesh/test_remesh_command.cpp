@@ -52,3 +52,11 @@ TEST_CASE("gvd-remesh: a note says why generators were added") {
   CHECK(many.exit_code == 0);
   CHECK_THAT(many.err, !Contains("were added"));
 }
+
+TEST_CASE("gvd-remesh: --no-curves is refused, since its files have no curves") {
+  const ScratchFolder scratch;
+  const CommandResult result =
+      run_command("gvd-remesh", data_file("torus.ply") + " -n 9 --no-curves -o " + scratch / "coarse.obj");
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Contains("--no-curves: the files of gvd-remesh have no curves"));
+}

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -49,4 +50,13 @@ TEST_CASE("(3) no label is grey, and hundreds differ") {
   }
   CHECK(colors.size() > 290);
   CHECK(spread(label_color(GeneratorId(2147483647))) > 80);
+}
+
+TEST_CASE("the colour and the low byte of a label tell 10,000 regions apart") {
+  // All that VTK keeps of a label in a PLY: docs/guide/formats.md.
+  std::set<std::array<int, 4>> seen;
+  for (int i = 0; i < 10000; ++i) {
+    const Rgb color = label_color(GeneratorId(i));
+    CHECK(seen.insert({color.red, color.green, color.blue, i % 256}).second);
+  }
 }
