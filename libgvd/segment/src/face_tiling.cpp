@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "base/plane.hpp"
@@ -33,6 +33,50 @@ std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::si
   }
   if (stack.size() >= 3) loops.push_back(std::move(stack));
   return loops;
+}
+
+/// Difference of the positions along a side of two points that differ by kCutWeld in each coordinate: a position is a
+/// mean of numbers from 0 to 1 with these weights.
+constexpr double kAlongWeld = 3 * kCutWeld;
+
+/// Positions of the face's corners, projected onto its longest side, from 0 to 1. `border`: begins with a corner.
+std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling::Corner>& border) {
+  std::array<Vec3, 3> corner{};
+  for (const FaceTiling::Corner& c : border) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (c.bary[i] == 1) corner[i] = c.position;
+    }
+  }
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if ((corner[(i + 1) % 3] - corner[i]).norm() > (corner[(longest + 1) % 3] - corner[longest]).norm()) longest = i;
+  }
+  const std::size_t end = (longest + 1) % 3, apex = (longest + 2) % 3;
+  const Vec3 side = corner[end] - corner[longest];
+  std::array<double, 3> positions{};
+  positions[end] = 1;
+  positions[apex] = std::clamp((corner[apex] - corner[longest]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+  return positions;
+}
+
+/// A segment with its direction, to be sorted so that its reverse follows it.
+struct DirectedSegment {
+  std::size_t low, high;
+  bool descends;
+  DirectedSegment(std::size_t from, std::size_t to)
+      : low(std::min(from, to)), high(std::max(from, to)), descends(to < from) {}
+  auto operator<=>(const DirectedSegment&) const = default;
+};
+
+/// Whether each segment occurs once, and its reverse too. Reorders the segments.
+bool is_paired(std::vector<DirectedSegment>& segments) {
+  if (segments.size() % 2 != 0) return false;
+  std::sort(segments.begin(), segments.end());
+  for (std::size_t i = 0; i < segments.size(); i += 2) {
+    const DirectedSegment &a = segments[i], &b = segments[i + 1];
+    if (a.low != b.low || a.high != b.high || a.descends || !b.descends) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -71,21 +115,35 @@ FaceTiling::FaceTiling(std::vector<Corner> border, double tolerance)
     high = high.cwiseMax(corner.position);
   }
   (high - low).maxCoeff(&axis_);
-  for (std::size_t i = 0; i < border_; ++i) index(i);
+  along_ = positions_along_longest_side(corners_);
+  for (std::size_t i = 0; i < border_; ++i) {
+    index(i);
+    by_vertex_.emplace_back(corners_[i].vertex, i);
+  }
+  std::sort(by_vertex_.begin(), by_vertex_.end());
+}
+
+double FaceTiling::along(const Corner& corner) const {
+  return corner.bary[0] * along_[0] + corner.bary[1] * along_[1] + corner.bary[2] * along_[2];
 }
 
 void FaceTiling::index(std::size_t corner) {
-  by_bary_.insert(corners_[corner].bary[1], corner);
+  by_along_.insert(along(corners_[corner]), corner);
   by_position_.insert(corners_[corner].position[axis_], corner);
+}
+
+/// The first corner of the border with this vertex; the number of all corners if there is none.
+std::size_t FaceTiling::find_vertex(VertexId vertex) const {
+  const auto found = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair(vertex, std::size_t{0}));
+  return found != by_vertex_.end() && found->first == vertex ? found->second : corners_.size();
 }
 
 std::size_t FaceTiling::find_or_add(const Corner& corner) {
   std::size_t found = corners_.size();
   if (corner.vertex.valid()) {
-    const auto same = [&corner](const Corner& known) { return known.vertex == corner.vertex; };
-    found = static_cast<std::size_t>(std::find_if(corners_.begin(), corners_.end(), same) - corners_.begin());
+    found = find_vertex(corner.vertex);
   } else {
-    found = find_near(by_bary_, corner.bary[1], kCutWeld, found,
+    found = find_near(by_along_, along(corner), kAlongWeld, found,
                       [&](std::size_t i) { return coincide(corners_[i].bary, corner.bary); });
     found = find_near(by_position_, corner.position[axis_], tolerance_, found,
                       [&](std::size_t i) { return coincide(corners_[i].position, corner.position, tolerance_); });
@@ -134,16 +192,16 @@ std::vector<std::size_t> FaceTiling::split_segments(const std::vector<std::size_
 
 void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double tolerance,
                                         std::vector<std::size_t>& out) const {
-  const Vec2 start = plane_point(from), along = plane_point(to) - start;
-  const double length = along.norm();
-  const double low = std::min(start.x(), start.x() + along.x()), high = std::max(start.x(), start.x() + along.x());
+  const Vec2 start = plane_point(from), chord = plane_point(to) - start;
+  const double length = chord.norm();
+  const auto [low, high] = std::minmax({along(corners_[from]), along(corners_[to])});
   std::vector<std::pair<double, std::size_t>> between;
   // A point on an edge of the face is off it by rounding only: less than kCutWeld.
-  for (const auto& [x, k] : by_bary_.between(low - 2 * kCutWeld, high + 2 * kCutWeld)) {
+  for (const auto& [position, k] : by_along_.between(low - 2 * kAlongWeld, high + 2 * kAlongWeld)) {
     if (k == from || k == to) continue;
     const Vec2 offset = plane_point(k) - start;
-    const double t = along.dot(offset) / (length * length);
-    const double away = std::abs(cross(along, offset)) / length;
+    const double t = chord.dot(offset) / (length * length);
+    const double away = std::abs(cross(chord, offset)) / length;
     if (t > 0 && t < 1 && (away <= tolerance || on_one_edge(from, to, k))) between.emplace_back(t, k);
   }
   std::sort(between.begin(), between.end());
@@ -158,19 +216,15 @@ bool FaceTiling::on_one_edge(std::size_t a, std::size_t b, std::size_t c) const 
 }
 
 bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
-  // Each directed segment occurs once; its reverse belongs to the adjacent polygon or to the border.
-  std::set<std::pair<std::size_t, std::size_t>> open;
-  for (std::size_t i = 0; i < border_; ++i) open.insert({(i + 1) % border_, i});
-  std::set<std::pair<std::size_t, std::size_t>> seen = open;
+  std::vector<DirectedSegment> segments;
+  for (std::size_t i = 0; i < border_; ++i) segments.emplace_back((i + 1) % border_, i);
   for (const Polygon& polygon : polygons) {
     if (twice_area(polygon.corners) < -kCutWeld) return false;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-      const std::size_t from = polygon.corners[i], to = polygon.corners[(i + 1) % polygon.corners.size()];
-      if (!seen.insert({from, to}).second) return false;
-      if (open.erase({to, from}) == 0) open.insert({from, to});
+      segments.emplace_back(polygon.corners[i], polygon.corners[(i + 1) % polygon.corners.size()]);
     }
   }
-  return open.empty();
+  return is_paired(segments);
 }
 
 double FaceTiling::twice_area(const std::vector<std::size_t>& polygon) const {

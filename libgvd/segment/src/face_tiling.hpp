@@ -66,7 +66,7 @@ class FaceTiling {
   Vec2 plane_point(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
 
  private:
-  /// Corners sorted by one of their coordinates.
+  /// Corners sorted by a coordinate.
   class SortedCorners {
    public:
     void insert(double coordinate, std::size_t corner);
@@ -78,6 +78,10 @@ class FaceTiling {
   };
 
   void index(std::size_t corner);
+  std::size_t find_vertex(VertexId vertex) const;
+  /// Position of a corner along the face's longest side, from 0 to 1: there, few corners of a needle lie between the
+  /// ends of a segment that crosses it.
+  double along(const Corner& corner) const;
   /// The smallest number below `found` of a corner that passes the test, among those within `tolerance` of the
   /// coordinate; `found` if there is none.
   template <class Test>
@@ -93,8 +97,10 @@ class FaceTiling {
   std::vector<Corner> corners_;  ///< the border first
   std::size_t border_;
   double tolerance_;
-  int axis_ = 0;  ///< the axis along which the face is longest
-  SortedCorners by_bary_, by_position_;
+  int axis_ = 0;                   ///< the axis along which the face is longest
+  std::array<double, 3> along_{};  ///< of the face's corners
+  SortedCorners by_along_, by_position_;
+  std::vector<std::pair<VertexId, std::size_t>> by_vertex_;  ///< the border's corners, ascending
   std::vector<Polygon> polygons_;
 };
 

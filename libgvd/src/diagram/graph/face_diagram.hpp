@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ namespace gvd {
 struct ArcEnd {
   CrossingId crossing;
   BranchPointId branch;
-  bool operator==(const ArcEnd&) const = default;
+  auto operator<=>(const ArcEnd&) const = default;
 };
 
 inline ArcEnd at(CrossingId c) { return {c, BranchPointId()}; }

@@ -1,6 +1,8 @@
 #include "diagram/graph/face_pieces.hpp"
 
 #include <algorithm>
+#include <compare>
+#include <utility>
 
 #include "base/barycentric.hpp"
 
@@ -19,6 +21,8 @@ class PieceTracer {
       : boundary_(boundary), arcs_(arcs), diagram_(diagram), result_(result) {}
 
   void trace() {
+    index_arcs();
+    index_crossings();
     result_.pieces.clear();
     result_.piece_of_interval.assign(boundary_.size(), kNone);
     for (std::size_t interval = 0; interval < boundary_.size(); ++interval) {
@@ -27,6 +31,28 @@ class PieceTracer {
   }
 
  private:
+  /// An arc as it is found from one of its ends, by the cell on its left on the way from there.
+  struct Departure {
+    ArcEnd from;
+    GeneratorId left;
+    std::size_t arc;
+    auto operator<=>(const Departure&) const = default;
+  };
+
+  void index_arcs() {
+    departures_.reserve(2 * arcs_.size());
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      departures_.push_back({arcs_[i].begin, arcs_[i].left, i});
+      departures_.push_back({arcs_[i].end, arcs_[i].right, i});
+    }
+    std::sort(departures_.begin(), departures_.end());
+  }
+
+  void index_crossings() {
+    for (std::size_t i = 0; i < boundary_.size(); ++i) boundary_index_.emplace_back(boundary_[i].id, i);
+    std::sort(boundary_index_.begin(), boundary_index_.end());
+  }
+
   /// Follows the boundary along interval `first`, then arcs with the piece on the left to the next interval, until it
   /// is back.
   void trace_from(std::size_t first) {
@@ -73,25 +99,23 @@ class PieceTracer {
       if (here.crossing.valid()) break;
       corners.push_back(diagram_.branches[here.branch].bary);
     }
-    const auto arrived = std::find_if(boundary_.begin(), boundary_.end(),
-                                      [&](const BoundaryCrossing& c) { return c.id == here.crossing; });
-    return static_cast<std::size_t>(arrived - boundary_.begin());
+    return std::lower_bound(boundary_index_.begin(), boundary_index_.end(), std::pair(here.crossing, std::size_t{0}))
+        ->second;
   }
 
   /// The arc that leaves `here` with `own` on its left, other than `last`.
   const FaceArc& leaving(const ArcEnd& here, GeneratorId own, const FaceArc* last) const {
-    const FaceArc* found = nullptr;
-    for (const FaceArc& arc : arcs_) {
-      if (&arc == last) continue;
-      if ((arc.begin == here && arc.left == own) || (arc.end == here && arc.right == own)) found = &arc;
-    }
-    return *found;
+    auto departure = std::lower_bound(departures_.begin(), departures_.end(), Departure{here, own, 0});
+    while (&arcs_[departure->arc] == last) ++departure;
+    return arcs_[departure->arc];
   }
 
   const std::vector<BoundaryCrossing>& boundary_;
   std::span<const FaceArc> arcs_;
   const FaceDiagram& diagram_;
   WorkingPieces& result_;
+  std::vector<Departure> departures_;                               // ascending
+  std::vector<std::pair<CrossingId, std::size_t>> boundary_index_;  // ascending
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ struct WorkingPieces {
 
 /// The pieces of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
 /// `result` is overwritten; a loop over faces passes the same one again to save allocations.
-/// Cost: O(k^2) for k crossings.
+/// Cost: O(k log k) for k crossings and arcs, and the number of their points.
 void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
                   const FaceDiagram& diagram, WorkingPieces& result);
 
