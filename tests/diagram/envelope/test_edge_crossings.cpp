@@ -176,7 +176,7 @@ TEST_CASE("a single crossing is equally far from the labels of the ends, whichev
   EdgeCrossings().append_all(envelope, EdgeId(7), kA, kB, crossings);
   CHECK(crossings.size() == 2);
   crossings.clear();
-  EdgeCrossings::append_single(envelope, EdgeId(7), kA, kB, crossings);
+  EdgeCrossings().append_single(envelope, EdgeId(7), kA, kB, crossings);
   require_chain(crossings, kA, kB);
   REQUIRE(crossings.size() == 1);
   CHECK(crossings[0].t == Approx(0.5 + 0.015).epsilon(1e-12));  // (1 + 0.04 - 0.01) / 2

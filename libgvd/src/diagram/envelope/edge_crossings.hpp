@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "diagram/envelope/edge_distances.hpp"
 #include "diagram/envelope/edge_envelope.hpp"
 #include "diagram/graph/crossings.hpp"
 
@@ -19,8 +20,8 @@ class EdgeCrossings {
 
   /// Appends a single crossing, between different labels of the ends: where their two generators are equally far, if
   /// there is such a point, whichever generators are nearest between them.
-  static void append_single(const EdgeEnvelope& envelope, EdgeId e, GeneratorId first, GeneratorId last,
-                            std::vector<Crossing>& crossings);
+  void append_single(const EdgeEnvelope& envelope, EdgeId e, GeneratorId first, GeneratorId last,
+                     std::vector<Crossing>& crossings);
 
  private:
   /// A part of the edge with one label, up to the beginning of the next interval.
@@ -29,8 +30,19 @@ class EdgeCrossings {
     GeneratorId generator;
   };
 
+  /// A position where two generators may be equally far, and the interval around it to search.
+  struct Guess {
+    double low, position, high;
+  };
+
+  void enter(const EdgeEnvelope& envelope);
   void find_label_intervals(const EdgeEnvelope& envelope, GeneratorId first, GeneratorId last);
 
+  bool is_gap(const LabelInterval& interval, double end, GeneratorId before) const;
+  double find_equidistant(GeneratorId a, GeneratorId b, const Guess& guess) const;
+
+  double length_ = 0;  // of the edge
+  EdgeDistances distances_;
   std::vector<LabelInterval> intervals_;
 };
 

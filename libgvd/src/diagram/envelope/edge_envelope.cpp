@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "diagram/envelope/compare_sources.hpp"
 
 namespace gvd {
+namespace {
+
+/// The largest distance of a source on an interval, by its straight paths: a convex function has it at an end.
+double most(const EdgeSource& source, double begin, double end) {
+  return std::max(source.straight(begin), source.straight(end));
+}
+
+}  // namespace
 
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset) {
   sources_ = sources;
@@ -17,48 +24,56 @@ void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, 
     s.begin = std::max(s.begin, 0.0);
     s.end = std::min(s.end, length);
   }
-  segments_.assign(1, {length, 0});
+  segments_.assign(1, {length, 0, most(sources_[0], 0, length)});
   for (std::size_t i = 1; i < sources_.size(); ++i) insert(static_cast<std::int32_t>(i));
-}
-
-double EdgeEnvelope::distance(GeneratorId g, double t) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const EdgeSource& s : sources_) {
-    if (s.generator == g) least = std::min(least, s.distance(t));
-  }
-  return least;
 }
 
 void EdgeEnvelope::append(double end, std::int32_t source) {
   if (!pieces_.empty() && pieces_.back().source == source) {
     pieces_.back().end = end;
   } else {
-    pieces_.push_back({end, source});
+    pieces_.push_back({end, source, 0});
   }
 }
 
 /// Gives `source` the parts of its interval on which it is nearer than all before.
 void EdgeEnvelope::insert(std::int32_t source) {
-  const double begin = sources_[static_cast<std::size_t>(source)].begin;
-  const double end = sources_[static_cast<std::size_t>(source)].end;
-  if (!(begin < end)) return;
-  const auto first = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.end > begin; });
-  pieces_.clear();
-  if (begin > (first == segments_.begin() ? 0 : (first - 1)->end)) pieces_.push_back({begin, first->source});
-  bool is_nearer = false;
-  double low = begin;
+  const EdgeSource& s = sources_[static_cast<std::size_t>(source)];
+  if (!(s.begin < s.end)) return;
+  const auto first =
+      std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& old) { return old.end <= s.begin; });
+  // Most sources are farther than this anywhere, so that one square root settles them.
+  const double least = s.straight(std::clamp(s.x, s.begin, s.end));
   auto next = first;
-  while (low < end) {
-    const double high = std::min(next->end, end);
-    is_nearer |= append_nearer(next->source, source, low, high);
+  while (next->most <= least && next->end < s.end) ++next;
+  if (next->most <= least) return;
+  pieces_.clear();
+  if (s.begin > begin_of(first)) pieces_.push_back({s.begin, first->source, 0});
+  bool is_nearer = false;
+  double low = s.begin;
+  for (next = first; low < s.end; ++next) {
+    const double high = std::min(next->end, s.end);
+    if (next->most <= least) {
+      append(high, next->source);
+    } else {
+      is_nearer |= append_nearer(next->source, source, low, high);
+    }
     if (high < next->end) append(next->end, next->source);
     low = high;
-    ++next;
   }
-  if (!is_nearer) return;
-  const auto kept = std::min(next - first, static_cast<std::ptrdiff_t>(pieces_.size()));
+  if (is_nearer) replace(first, next);
+}
+
+/// Puts the pieces in place of some segments.
+void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last) {
+  double begin = begin_of(first);
+  for (Segment& piece : pieces_) {
+    piece.most = most(sources_[static_cast<std::size_t>(piece.source)], begin, piece.end);
+    begin = piece.end;
+  }
+  const auto kept = std::min(last - first, static_cast<std::ptrdiff_t>(pieces_.size()));
   std::copy(pieces_.begin(), pieces_.begin() + kept, first);
-  if (next - first > kept) segments_.erase(first + kept, next);
+  if (last - first > kept) segments_.erase(first + kept, last);
   segments_.insert(first + kept, pieces_.begin() + kept, pieces_.end());
 }
 

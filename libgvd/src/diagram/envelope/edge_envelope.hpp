@@ -19,6 +19,7 @@ class EdgeEnvelope {
   struct Segment {
     double end;           ///< mesh units
     std::int32_t source;  ///< index
+    double most = 0;      ///< the largest distance of the source on the interval
   };
 
   /// `sources` as DistanceField::collect gives them, at least two; `length` of the edge in mesh units, > 0.
@@ -28,15 +29,19 @@ class EdgeEnvelope {
   /// Ascending, up to `length`. Neighbours have different sources, but often the same generator.
   const std::vector<Segment>& segments() const { return segments_; }
   GeneratorId generator(const Segment& s) const { return sources_[static_cast<std::size_t>(s.source)].generator; }
-  /// Length of the shortest path of generator g to t, with its symbolic offset; infinite where it has no source.
-  double distance(GeneratorId g, double t) const;
+  /// All sources, with their symbolic offsets and within the edge.
+  const std::vector<EdgeSource>& sources() const { return sources_; }
 
  private:
   std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const {
     const EdgeSource &first = sources_[static_cast<std::size_t>(a)], &second = sources_[static_cast<std::size_t>(b)];
     return second.straight(t) < first.straight(t) ? b : a;
   }
+  double begin_of(std::vector<Segment>::const_iterator segment) const {
+    return segment == segments_.begin() ? 0 : (segment - 1)->end;
+  }
   void insert(std::int32_t source);
+  void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last);
   void append(double end, std::int32_t source);
   bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
   bool append_nearer_pieces(std::int32_t old_source, std::int32_t source, double begin, double end);

@@ -29,7 +29,7 @@ class EdgeCrosser {
     field_.collect(e, sources_);
     envelope_.build(sources_, mesh_.length(e), offset_);
     if (at_most_once) {
-      EdgeCrossings::append_single(envelope_, e, first, last, result_);
+      crossings_.append_single(envelope_, e, first, last, result_);
     } else {
       crossings_.append_all(envelope_, e, first, last, result_);
     }
