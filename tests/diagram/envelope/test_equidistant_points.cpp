@@ -14,6 +14,13 @@ FaceSource source(const Vec2& image, double offset) {
   return test::through_side(0, 0, image, {image + Vec2(1, 1), image + Vec2(1, -1)}, offset);
 }
 
+std::vector<Vec2> equidistant_points(const std::vector<FaceSource>& a, const std::vector<FaceSource>& b,
+                                     const std::vector<FaceSource>& c) {
+  std::vector<Vec2> points;
+  append_equidistant_points(a, b, c, points);
+  return points;
+}
+
 double nearest_to(const std::vector<Vec2>& points, const Vec2& p) {
   double least = 1e300;
   for (const Vec2& q : points) least = std::min(least, (q - p).norm());
@@ -33,19 +40,19 @@ TEST_CASE("a point to which three images are equally far is found, whatever thei
       sources.push_back(source(image, 8 - (p - image).norm()));
     }
     INFO("round " << round);
-    REQUIRE(nearest_to(find_equidistant_points(one[0], one[1], one[2]), p) < 1e-7);
+    REQUIRE(nearest_to(equidistant_points(one[0], one[1], one[2]), p) < 1e-7);
   }
 }
 
 TEST_CASE("collinear images and equal offsets have finite points") {
   const std::vector<FaceSource> a{source({0, 0}, 0)}, b{source({2, 0}, 0)}, c{source({0, 2}, 0)},
       d{source({3, 0}, 0.5)};
-  CHECK(nearest_to(find_equidistant_points(a, b, c), {1, 1}) < 1e-12);
-  for (const Vec2& p : find_equidistant_points(a, b, d)) CHECK(p.allFinite());
+  CHECK(nearest_to(equidistant_points(a, b, c), {1, 1}) < 1e-12);
+  for (const Vec2& p : equidistant_points(a, b, d)) CHECK(p.allFinite());
   // On the line half way between the first two, sqrt(1 + y^2) + 1/2 = sqrt(4 + y^2).
   const std::vector<FaceSource> near{source({0, 0}, 0.5)}, other{source({2, 0}, 0.5)}, far{source({3, 0}, 0)};
   bool equal = false;
-  for (const Vec2& p : find_equidistant_points(near, other, far)) {
+  for (const Vec2& p : equidistant_points(near, other, far)) {
     const double first = 0.5 + p.norm(), third = (p - Vec2(3, 0)).norm();
     equal = equal || std::abs(first - third) < 1e-12;
   }
@@ -55,6 +62,6 @@ TEST_CASE("collinear images and equal offsets have finite points") {
 TEST_CASE("every triple of sources is solved, and three equal ones have no point") {
   const std::vector<FaceSource> a{source({0, 0}, 0), source({-4, 1}, 0)}, b{source({2, 0}, 0)},
       c{source({0, 2}, 0), source({5, -3}, 0)};
-  CHECK(find_equidistant_points(a, b, c).size() == 8);
-  CHECK(find_equidistant_points(b, b, b).empty());
+  CHECK(equidistant_points(a, b, c).size() == 8);
+  CHECK(equidistant_points(b, b, b).empty());
 }

@@ -37,9 +37,8 @@ void append_common_points(const Plane& first, const Plane& second, const Vec2& t
 
 }  // namespace
 
-std::vector<Vec2> find_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
-                                          std::span<const FaceSource> c) {
-  std::vector<Vec2> points;
+void append_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                               std::span<const FaceSource> c, std::vector<Vec2>& points) {
   for (const FaceSource& first : a) {
     for (const FaceSource& second : b) {
       const Plane plane(second.image - first.image, second.offset - first.offset);
@@ -48,7 +47,6 @@ std::vector<Vec2> find_equidistant_points(std::span<const FaceSource> a, std::sp
       }
     }
   }
-  return points;
 }
 
 }  // namespace gvd
