@@ -30,7 +30,8 @@ class SharedRun {
 
   /// Called by the calling thread when all items were taken.
   void finish() {
-    if (count_ > 0 && !cancelled_ && !failure_) report(1);
+    // Also after a failure: other threads may have done all work so far, and then nobody has asked yet.
+    if (count_ > 0 && !cancelled_) report(failure_ ? fraction_done() : 1);
     if (cancellation_) std::rethrow_exception(cancellation_);
     if (failure_) std::rethrow_exception(failure_);
   }
@@ -42,8 +43,8 @@ class SharedRun {
     } catch (...) {
       fail(i);
     }
-    const std::size_t done = ++done_;
-    if (std::this_thread::get_id() == caller_) report(static_cast<double>(done) / static_cast<double>(count_));
+    ++done_;
+    if (std::this_thread::get_id() == caller_) report(fraction_done());
   }
 
   void fail(std::size_t i) {
@@ -52,6 +53,8 @@ class SharedRun {
     failed_ = i;
     failure_ = std::current_exception();
   }
+
+  double fraction_done() const { return static_cast<double>(done_) / static_cast<double>(count_); }
 
   void report(double fraction) {
     try {
