@@ -141,7 +141,7 @@ TEST_CASE("the labels of the ends are kept where the sources contradict them") {
 
 TEST_CASE("a gap by rounding between two windows of one generator makes no crossing") {
   // In the gap only the cones of the ends are left of A, and B is nearer than those.
-  for (const double gap : {1e-12, 1e-9, 4e-7}) {
+  for (const double gap : {1e-12, 1e-9, 4e-7, 3e-6, 1e-3}) {
     EdgeSource left = all_over(kA, 0.5, 0.5, 0), right = left;
     left.end = 0.5 - 0.5 * gap;
     right.begin = 0.5 + 0.5 * gap;

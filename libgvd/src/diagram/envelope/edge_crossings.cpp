@@ -12,10 +12,6 @@ namespace {
 /// of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
 constexpr double kShortestExactInterval = 1e-9;
 
-/// Widest gap between two windows, as a fraction of the edge. Windows end at rays past a vertex, and rays unfolded over
-/// hundreds of thin faces are off by up to 1e-9 of the edge.
-constexpr double kWidestGap = 1e-6;
-
 /// Distance between crossings and the ends of their edge, as a fraction of it: above the snapping of surface points.
 constexpr double kEndGap = 2e-12;
 
@@ -25,10 +21,10 @@ constexpr double kEqual = 1e-14;
 
 }  // namespace
 
-/// Whether an interval after one of `before` is only a gap that rounding left between two windows of `before`. It is
-/// real if its generator is nearer than the paths of `before` that follow the edge from its windows.
+/// Whether an interval after one of `before` is only a gap between two windows of `before`: they end at rays past a
+/// vertex, and rays unfolded over hundreds of thin faces are rounded. The interval is real if its generator is nearer
+/// than the paths of `before` that follow the edge from its windows.
 bool EdgeCrossings::is_gap(const LabelInterval& interval, double end, GeneratorId before) const {
-  if (end - interval.begin > kWidestGap * length_) return false;
   const double middle = 0.5 * (interval.begin + end);
   return distances_.at(before, middle) <= distances_.at(interval.generator, middle);
 }
