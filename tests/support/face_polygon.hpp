@@ -37,7 +37,7 @@ inline FacePolygon polygon_of(const std::vector<BoundaryCrossing>& boundary) {
 
 /// Distances from points in the plane of barycentric coordinates, with all answers known. Every path comes straight
 /// through the boundary position that `entries` gives its generator.
-class PointDistances final : public FaceDistances {
+class PointDistances : public FaceDistances {
  public:
   std::vector<Vec2> points;                    ///< of the generators, as affine points of the face
   std::vector<std::optional<double>> entries;  ///< corner + t for each generator; nothing where it is unknown

@@ -67,3 +67,19 @@ TEST_CASE("no two of the pairs cross, and they come in the order of their excess
     }
   }
 }
+
+TEST_CASE("two intervals are united through a narrow channel, and those that it parts are not") {
+  // Generator 1 is nearest in a channel of a twentieth of the face, and generator 0 everywhere else.
+  class Channel final : public test::PointDistances {
+   public:
+    double at(GeneratorId g, const Bary& p) const override {
+      const double from_middle = std::abs(affine_point(p).y() - affine_point(p).x() - 0.1);
+      return g == GeneratorId(0) ? 1 : 1 + 10 * (from_middle - 0.025);
+    }
+  } distances;
+  // The channel leads from side 1 to side 2, beside corner 0.
+  const FacePolygon polygon = test::polygon_of(test::boundary_of({{1.5375, 1}, {1.5625, 0}, {2.875, 1}, {2.925, 0}}));
+  const auto pairs = find_pairs_to_unite(polygon, distances);
+  REQUIRE(pairs.size() == 1);
+  CHECK(polygon[pairs[0].i].next == GeneratorId(1));
+}

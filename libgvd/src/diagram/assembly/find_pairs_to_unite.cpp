@@ -1,6 +1,7 @@
 #include "diagram/assembly/find_pairs_to_unite.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -9,14 +10,53 @@
 namespace gvd {
 namespace {
 
-double compute_excess(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, std::size_t j) {
-  const auto between = mix(midpoint(polygon, i), midpoint(polygon, j), 0.5);
+/// How much farther the generator of interval i is at p than the nearest other one of the polygon.
+double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, const Bary& p) {
   double others = std::numeric_limits<double>::infinity();
   for (const PolygonCorner& c : polygon) {
-    if (c.next != polygon[i].next) others = std::min(others, distances.at(c.next, between));
+    if (c.next != polygon[i].next) others = std::min(others, distances.at(c.next, p));
   }
-  const double own = distances.at(polygon[i].next, between);
+  const double own = distances.at(polygon[i].next, p);
   return std::isinf(own) ? own : own - others;
+}
+
+/// Segments between two intervals of a polygon with at most so many are tried. Two cells whose four intervals alternate
+/// are the usual case. More intervals would cost the square of their number.
+constexpr std::size_t kFewIntervals = 6;
+
+/// Where these segments begin and end on their intervals, as fractions.
+constexpr std::array<double, 5> kEnds{0.5, 0.1, 0.9, 0.3, 0.7};
+
+/// Samples of a segment, in the order of multiples of the golden ratio: any number of them is spread evenly. A channel
+/// of the other cell across the segment is found if it is wider than a thirtieth of it.
+constexpr int kSamples = 48;
+constexpr double kGoldenRatio = 0.61803398874989484;
+
+/// The largest excess along the best of some segments between intervals i and j: below 0 where the segment stays in the
+/// cell, so that they belong to one piece.
+double excess_along_segments(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, std::size_t j) {
+  const auto point = [&](std::size_t k, double t) {
+    return mix(polygon[k].bary, polygon[(k + 1) % polygon.size()].bary, t);
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const double begin : kEnds) {
+    for (const double end : kEnds) {
+      double most = -std::numeric_limits<double>::infinity();
+      double t = 0.5;
+      for (int k = 0; k < kSamples && most < least; ++k, t = std::fmod(t + kGoldenRatio, 1)) {
+        most = std::max(most, excess_at(polygon, distances, i, mix(point(i, begin), point(j, end), t)));
+      }
+      least = std::min(least, most);
+    }
+  }
+  return least;
+}
+
+double compute_excess(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, std::size_t j) {
+  if (distances.can_confirm() && polygon.size() <= kFewIntervals) {
+    return excess_along_segments(polygon, distances, i, j);
+  }
+  return excess_at(polygon, distances, i, mix(midpoint(polygon, i), midpoint(polygon, j), 0.5));
 }
 
 /// All pairs of one generator, ascending by excess, then by corners.
