@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "diagram/envelope/refine_arcs.hpp"
 #include "support/catch.hpp"
 #include "support/hand_made_field.hpp"
+#include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
 using namespace gvd;
@@ -142,6 +144,38 @@ TEST_CASE("a bisector with a corner, where the nearest source of a generator cha
   CHECK(fine.farthest() <= 1e-6);
   CHECK(!fine.inner.empty());
 }
+
+TEST_CASE("corners are found wherever paths change, also where the quarters of a segment are near enough") {
+  test::Random random(3);
+  int checked = 0;
+  for (int round = 0; round < 400; ++round) {
+    // A's openings divide side 0. Its distances are continuous where one ends and the next one begins.
+    std::vector<FaceSource> sources{through_side(1, 1, {1.4, 1.3}, {k1, k2}, 0.2)};
+    double from = 0;
+    Vec2 image(random.real(0.3, 0.7), -random.real(0.3, 1));
+    double offset = 0;
+    for (int k = random.below(6); k >= 0; --k) {
+      const double to = k == 0 ? 2 : random.real(from, 2);
+      sources.push_back(through_side(0, 0, image, {Vec2(from, 0), Vec2(to, 0)}, offset));
+      const Vec2 next = image + Vec2(random.real(0, 0.3), random.real(-0.2, 0.2));
+      offset += (Vec2(to, 0) - image).norm() - (Vec2(to, 0) - next).norm();
+      image = next;
+      from = to;
+    }
+    // The bisector parts corner 2 from the other two, and crosses each of the sides there once.
+    const auto is_nearer_to_a = [&](const Vec2& p) {
+      return SourceDistances::nearest(std::span(sources).subspan(1), p).path.distance < sources[0].distance(p);
+    };
+    if (!is_nearer_to_a(k0) || !is_nearer_to_a(k1) || is_nearer_to_a(k2)) continue;
+    ++checked;
+    const double tolerance = std::pow(10, -random.real(2, 5));
+    const RefinedArc arc(sources, 1, 2, tolerance);
+    INFO("round " << round << ", tolerance " << tolerance);
+    REQUIRE(arc.farthest() <= tolerance);
+  }
+  CHECK(checked > 100);
+}
+
 TEST_CASE("a source that sees the bisector but nothing near its chord is used") {
   const auto points = RefinedArc(strong_hyperbola(), 2, 0, 1e-3).polyline();
   const Vec2 chord = points.back() - points.front(), along = chord.normalized();

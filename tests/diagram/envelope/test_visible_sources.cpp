@@ -37,7 +37,7 @@ TEST_CASE("without sources nothing is visible, and the nearest path is infinite"
   std::vector<VisibleSource> visible(3);
   collect_visible_sources({}, band_between({0, 1}, {1, 1}, 0.1), visible);
   CHECK(visible.empty());
-  CHECK(std::isinf(nearest_visible(visible, 0, {0, 1}).distance));
+  CHECK(std::isinf(nearest_visible(visible, 0, {0, 1}).path.distance));
 }
 
 TEST_CASE("corners are visible from everywhere, and every source where the band is the whole plane") {
@@ -73,7 +73,7 @@ TEST_CASE("every source that sees a point of a random band is visible at its pos
       ++seen;
       INFO("round " << round);
       REQUIRE(visible.size() == 1);
-      REQUIRE(nearest_visible(visible, band.position(p), p).distance == sources[0].distance(p));
+      REQUIRE(nearest_visible(visible, band.position(p), p).path.distance == sources[0].distance(p));
     }
   }
   CHECK(seen > 1000);

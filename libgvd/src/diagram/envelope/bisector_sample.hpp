@@ -16,6 +16,7 @@ struct BisectorSample {
 
   Vec2 point;
   FaceSource::Path left, right;
+  const FaceSource *left_source = nullptr, *right_source = nullptr;  ///< of the two paths
 
   /// Whether both generators have a path.
   bool is_known() const { return std::isfinite(left.distance) && std::isfinite(right.distance); }

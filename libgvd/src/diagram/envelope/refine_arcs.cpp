@@ -52,11 +52,9 @@ void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, 
   points_ = &points;
   const std::size_t before = points.size();
   for (const double width : {kBandWidth * length, std::numeric_limits<double>::infinity()}) {
-    band_ = {from, chord / length, turned_left(chord) / length, length, width};
-    collect_visible_sources(distances_.sources(arc.left), band_, left_);
-    collect_visible_sources(distances_.sources(arc.right), band_, right_);
+    sampler_.enter(arc, {from, chord / length, turned_left(chord) / length, length, width});
     points.resize(before);
-    const BisectorSample first = sample(from), last = sample(to);
+    const BisectorSample first = sampler_.sample(from), last = sampler_.sample(to);
     if (first.is_known() && last.is_known() && refine(BisectorPoint(first), BisectorPoint(last), 0)) return;
   }
 }
@@ -71,31 +69,29 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
   const Vec2 guess = is_flat ? middle : likely_corner(begin, end).value_or(middle);
   const auto height = [&](const Vec2& p) { return std::abs(cross(p - begin.point, chord)) / length; };
   const bool is_low = !is_flat && height(guess) <= tolerance_;
-  if (is_low && is_near_quarters(begin.point, chord)) return true;
-  const BisectorSample at_guess = sample(guess);
-  if (is_flat && is_near(at_guess)) return true;
+  if (is_low && is_near_quarters(begin, end)) return true;
+  const BisectorSample at_guess = sampler_.sample(guess);
+  if (is_flat && sampler_.is_near(at_guess) && sampler_.is_near_between(begin.sample, at_guess) &&
+      sampler_.is_near_between(at_guess, end.sample)) {
+    return true;
+  }
   const auto split = find_across(at_guess, chord / length);
-  if (!split) return band_.is_all();
-  if (!band_.contains(split->point)) return false;
-  if (!is_low && height(split->point) <= kShown * tolerance_ && is_near_quarters(begin.point, chord)) return true;
+  if (!split) return sampler_.band().is_all();
+  if (!sampler_.band().contains(split->point)) return false;
+  if (!is_low && height(split->point) <= kShown * tolerance_ && is_near_quarters(begin, end)) return true;
   if (!refine(begin, *split, halvings + 1)) return false;
   points_->push_back(distances_.layout().bary(split->point));
   return refine(*split, end, halvings + 1);
 }
 
-BisectorSample ArcRefiner::sample(const Vec2& p) const {
-  const double position = band_.position(p);
-  return {p, nearest_visible(left_, position, p), nearest_visible(right_, position, p)};
-}
-
-/// Whether the bisector is near enough to a sample of a segment: its distance is the error divided by the gradient.
-bool ArcRefiner::is_near(const BisectorSample& sample) const {
-  return std::abs(sample.error()) <= 8 * sample.rounding() + kShown * tolerance_ * sample.gradient().norm();
-}
-
-bool ArcRefiner::is_near_quarters(const Vec2& begin, const Vec2& chord) const {
-  return std::all_of(kSamples.begin(), kSamples.end(),
-                     [&](double fraction) { return is_near(sample(begin + fraction * chord)); });
+bool ArcRefiner::is_near_quarters(const BisectorPoint& begin, const BisectorPoint& end) const {
+  BisectorSample last = begin.sample;
+  for (const double fraction : kSamples) {
+    const BisectorSample next = sampler_.sample(begin.point + fraction * (end.point - begin.point));
+    if (!sampler_.is_near(next) || !sampler_.is_near_between(last, next)) return false;
+    last = next;
+  }
+  return sampler_.is_near_between(last, end.sample);
 }
 
 /// The corner of a bisector that is straight on both sides of it: the intersection of the tangents at the two ends.
@@ -125,25 +121,36 @@ std::pair<double, double> ArcRefiner::feasible_interval(const Vec2& p, const Vec
   return {low, high};
 }
 
-/// The point of the bisector on the line through a sample perpendicular to the chord direction `along`, by Newton's
-/// method inside a bracket. Nothing where the line leaves the face before.
+/// The first point of the bisector on the line through a sample perpendicular to the chord direction `along`, by
+/// Newton's method. Nothing where the line leaves the face before.
+///
+/// Another arc of the same two generators may cross the line behind the first point. So where no bracket is known yet,
+/// a step that does not lead nearer is replaced by a short one.
 std::optional<ArcRefiner::BisectorPoint> ArcRefiner::find_across(BisectorSample at, const Vec2& along) const {
   const Vec2 start = at.point, across = turned_left(along);  // towards the left generator
   auto [low, high] = feasible_interval(start, across);
+  bool knows_low = false, knows_high = false;  // whether the error has the expected sign there
   double s = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
-    if (!at.is_known()) return std::nullopt;
+  for (int step = 0; step < kMostSteps && at.is_known(); ++step) {
     const double slope = at.gradient().dot(across), error = std::abs(at.error());
     if (error <= 4 * at.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return BisectorPoint(at);
-    (at.error() > 0 ? low : high) = s;
+    const bool is_low = at.error() > 0;
+    (is_low ? low : high) = s;
+    (is_low ? knows_low : knows_high) = true;
     double next = s + at.distance_to_bisector(across, 0.1 * kOnBisector * tolerance_);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == s) {
       if (error > kIndistinguishable * at.left.distance) return std::nullopt;
       return BisectorPoint(at);
     }
+    BisectorSample ahead = sampler_.sample(start + next * across);
+    const bool is_nearer = std::abs(ahead.error()) <= 0.5 * error || (ahead.error() > 0) != is_low;
+    if (!(knows_low && knows_high) && !is_nearer) {
+      next = is_low ? std::min(s + error, 0.5 * (s + high)) : std::max(s - error, 0.5 * (s + low));
+      ahead = sampler_.sample(start + next * across);
+    }
     s = next;
-    at = sample(start + s * across);
+    at = ahead;
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/envelope/bisector_sample.hpp"
+#include "diagram/envelope/bisector_sampler.hpp"
 #include "diagram/envelope/source_distances.hpp"
 #include "diagram/envelope/visible_sources.hpp"
 #include "diagram/graph/face_diagram.hpp"
@@ -21,7 +22,8 @@ namespace gvd {
 class ArcRefiner {
  public:
   /// `distances` must outlive this. No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
-  ArcRefiner(const SourceDistances& distances, double tolerance) : distances_(distances), tolerance_(tolerance) {}
+  ArcRefiner(const SourceDistances& distances, double tolerance)
+      : distances_(distances), tolerance_(tolerance), sampler_(distances, tolerance) {}
 
   /// Appends the inner points of the arc from `begin` to `end`, in the face that the distances have entered, to
   /// `points`.
@@ -31,23 +33,21 @@ class ArcRefiner {
  private:
   /// A point of the bisector, and the bisector's direction there.
   struct BisectorPoint {
+    BisectorSample sample;
     Vec2 point, tangent;
-    explicit BisectorPoint(const BisectorSample& sample) : point(sample.point), tangent(sample.tangent()) {}
+    explicit BisectorPoint(const BisectorSample& at) : sample(at), point(at.point), tangent(at.tangent()) {}
   };
 
   bool refine(const BisectorPoint& begin, const BisectorPoint& end, int halvings);
   static double height_by_tangents(const BisectorPoint& begin, const BisectorPoint& end);
-  BisectorSample sample(const Vec2& p) const;
-  bool is_near(const BisectorSample& sample) const;
-  bool is_near_quarters(const Vec2& begin, const Vec2& chord) const;
+  bool is_near_quarters(const BisectorPoint& begin, const BisectorPoint& end) const;
   std::optional<Vec2> likely_corner(const BisectorPoint& begin, const BisectorPoint& end) const;
   std::optional<BisectorPoint> find_across(BisectorSample sample, const Vec2& along) const;
   std::pair<double, double> feasible_interval(const Vec2& p, const Vec2& direction) const;
 
   const SourceDistances& distances_;
   double tolerance_;
-  SearchBand band_{};
-  std::vector<VisibleSource> left_, right_;  // of the arc's two generators
+  BisectorSampler sampler_;
   std::vector<Bary>* points_ = nullptr;
 };
 

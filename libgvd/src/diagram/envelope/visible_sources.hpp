@@ -38,11 +38,12 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
                              std::vector<VisibleSource>& visible);
 
 /// The shortest path to p, at a position along the band, over the sources that may see it; infinite where none does.
-inline FaceSource::Path nearest_visible(const std::vector<VisibleSource>& visible, double position, const Vec2& p) {
-  FaceSource::Path best{std::numeric_limits<double>::infinity(), p};
+inline SourceDistances::Nearest nearest_visible(const std::vector<VisibleSource>& visible, double position,
+                                                const Vec2& p) {
+  SourceDistances::Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
   for (const VisibleSource& s : visible) {
     if ((position < s.first) | (position > s.last)) continue;
-    take_nearer(*s.source, p, best);
+    if (take_nearer(*s.source, p, best.path)) best.source = s.source;
   }
   return best;
 }
