@@ -6,6 +6,9 @@
 Documents are README.md, CONTRIBUTING.md, the pages of docs/ and the README of every folder. Paths may be given from the
 repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be left out. Words in
 capitals stand for anything (apps/NAME). Code is looked for as words of sources, scripts and CMake files.
+
+Fails too where the name of a test has a bracket that is not closed. CMake then joins the names that follow into one, and ctest runs
+none of them.
 """
 import pathlib
 import re
@@ -80,6 +83,16 @@ def is_missing(text, page, tops, words, names):
     return any(word not in words for word in re.findall(r"\w+", text))
 
 
+def open_brackets(files):
+    """The names of tests that CMake would join with those that follow."""
+    for path in files:
+        if path.suffix != ".cpp":
+            continue
+        for name in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', path.read_text(errors="ignore")):
+            if name.count("[") != name.count("]"):
+                yield f'{path.relative_to(ROOT)}: the test "{name}" has a bracket that is not closed'
+
+
 def main():
     files = tracked()
     words = collect_words(files)
@@ -88,7 +101,7 @@ def main():
     folders = [ROOT, ROOT / "libgvd", ROOT / "libgvd/src", ROOT / "libgvd/include", ROOT / "web"]
     tops = {child.name for folder in folders for child in folder.iterdir() if child.is_dir()}
     pages = [path for path in files if is_page(path)]
-    findings = []
+    findings = list(open_brackets(files))
     for page in pages:
         own_tops = tops | {child.name for child in page.parent.iterdir() if child.is_dir()}
         for text in sorted(set(CODE.findall(FENCE.sub("", page.read_text())))):

@@ -67,7 +67,7 @@ TEST_CASE("seeded random numbers are the upper 53 bits of the 64-bit Mersenne tw
   }
 }
 
-TEST_CASE("seeded random numbers lie in [0, 1) and fill it evenly") {
+TEST_CASE("seeded random numbers lie from 0 up to 1 and fill that evenly") {
   constexpr int kBins = 64, kCount = 64000;
   for (const std::uint64_t seed : {0, 1, 2, 99}) {
     CAPTURE(seed);

@@ -17,7 +17,7 @@ SurfacePoint grid_vertex(const Mesh& mesh, int v) { return vertex_point(mesh, Ve
 
 }  // namespace
 
-TEST_CASE("tangent fan: angles are normalized to [0, 2 pi)") {
+TEST_CASE("tangent fan: angles are normalized to 0 up to 2 pi") {
   CHECK(normalized_angle(0) == 0);
   CHECK(normalized_angle(2 * kPi) == 0);
   CHECK(normalized_angle(-1e-20) == 0);  // the sum with 2 pi rounds to 2 pi
