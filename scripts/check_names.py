@@ -7,8 +7,8 @@ Documents are README.md, CONTRIBUTING.md, the pages of docs/ and the README of e
 repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be left out. Words in
 capitals stand for anything (apps/NAME). Code is looked for as words of sources, scripts and CMake files.
 
-Fails too where the name of a test has a bracket that is not closed. CMake then joins the names that follow into one, and ctest runs
-none of them.
+Fails too where CTest can't run a test by its name: a bracket that is not closed makes CMake join the names that follow into one, and
+a name that begins with a dash is read as an option.
 """
 import pathlib
 import re
@@ -83,14 +83,14 @@ def is_missing(text, page, tops, words, names):
     return any(word not in words for word in re.findall(r"\w+", text))
 
 
-def open_brackets(files):
-    """The names of tests that CMake would join with those that follow."""
+def unusable_test_names(files):
+    """The names of tests that CTest could not run."""
     for path in files:
         if path.suffix != ".cpp":
             continue
         for name in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', path.read_text(errors="ignore")):
-            if name.count("[") != name.count("]"):
-                yield f'{path.relative_to(ROOT)}: the test "{name}" has a bracket that is not closed'
+            if name.count("[") != name.count("]") or name.startswith("-"):
+                yield f'{path.relative_to(ROOT)}: CTest cannot run a test named "{name}"'
 
 
 def main():
@@ -101,7 +101,7 @@ def main():
     folders = [ROOT, ROOT / "libgvd", ROOT / "libgvd/src", ROOT / "libgvd/include", ROOT / "web"]
     tops = {child.name for folder in folders for child in folder.iterdir() if child.is_dir()}
     pages = [path for path in files if is_page(path)]
-    findings = list(open_brackets(files))
+    findings = list(unusable_test_names(files))
     for page in pages:
         own_tops = tops | {child.name for child in page.parent.iterdir() if child.is_dir()}
         for text in sorted(set(CODE.findall(FENCE.sub("", page.read_text())))):
