@@ -88,13 +88,30 @@ std::vector<ConfigEntry> in_order(const toml::table& table, const std::string& n
   return entries;
 }
 
+/// "n: " where the last line with a `=` up to `line` begins with the key n; the parser does not tell the key of a value
+/// that it can't read.
+std::string key_before(const std::string& content, std::size_t line) {
+  std::istringstream lines(content);
+  std::string key;
+  std::string text;
+  for (std::size_t i = 0; i < line && std::getline(lines, text); ++i) {
+    const std::size_t equals = text.find('=');
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (equals == text.npos || first >= equals) continue;
+    const std::size_t last = text.find_last_not_of(" \t", equals - 1);
+    key = text.substr(first, last - first + 1) + ": ";
+  }
+  return key;
+}
+
 }  // namespace
 
 std::vector<ConfigEntry> parse_config(const std::string& content, const std::string& name) {
   try {
     return in_order(toml::parse(content, name), name);
   } catch (const toml::parse_error& error) {
-    refuse(fmt::format("{}: no TOML: {}", place_of(name, error.source()), error.description()));
+    const std::string key = key_before(content, error.source().begin.line);
+    refuse(fmt::format("{}: {}no TOML: {}", place_of(name, error.source()), key, error.description()));
   }
 }
 

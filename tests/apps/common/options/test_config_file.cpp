@@ -62,6 +62,8 @@ TEST_CASE("what is no TOML is refused with its place") {
     CHECK_THAT(refusal(wrong), StartsWith("a.toml:") && Contains(": no TOML: "));
   }
   CHECK_THAT(refusal("n = 1\nn = 2\n"), StartsWith("a.toml:2:") && Contains("'n'"));
+  CHECK_THAT(refusal("a = 1\n  n = [ 12\n"), StartsWith("a.toml:2:") && Contains(": n: no TOML: "));
+  CHECK_THAT(refusal("n 12\n"), StartsWith("a.toml:1:") && !Contains("n: "));
   CHECK(parse_config("", "f").empty());
 }
 
