@@ -7,6 +7,7 @@
 #include "common/steps/make_generators.hpp"
 #include "common/steps/verify.hpp"
 #include "common/steps/write_outputs.hpp"
+#include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
 #include "segment/segment_json.hpp"
 #include "segment/segment_report.hpp"
@@ -62,6 +63,8 @@ void segment(app::Run& run, const app::OwnOptions& own) {
     write_whole_faces(run, mesh, diagram, own.segment_options());
   }
   app::write_diagram_file(run, mesh, diagram);
+  app::write_own_file(run, "--stats",
+                      [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
   app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", mesh, diagram)}; });
   app::verify(run, mesh, diagram);
   app::write_report_file(run);
@@ -81,5 +84,6 @@ int main(int argc, char** argv) {
   labels.excludes = {"--cut"};
   app::add_choice(command.line(), labels, own.labels,
                   app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});
+  command.add_target({"--stats", "FILE.csv", "Write area, perimeter, radius, neighbours of each region as CSV"});
   return command.run(argc, argv, [&](app::Run& run) { segment(run, own); });
 }

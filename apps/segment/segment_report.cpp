@@ -30,6 +30,8 @@ void note_without_face(Run& run, const std::vector<GeneratorId>& without_face) {
 
 void report_segment_options(Run& run, const OwnOptions& own) {
   run.report().options()["cut"] = own.cut;
+  const std::string& stats = run.options().output.own.at("--stats");
+  run.report().options()["stats"] = stats.empty() ? Json() : Json(stats);
   const bool smooth = own.segment_options().labels == FaceLabels::smooth;
   run.report().options()["labels"] = own.cut ? Json() : Json(smooth ? "smooth" : "nearest");
 }

@@ -140,6 +140,7 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
   targets.claim("--report", output.report);
   targets.claim("--diagram", output.diagram);
   targets.claim("--view", output.view);
+  for (const auto& [option, file] : output.own) targets.claim(option, file);
 }
 
 }  // namespace gvd::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +48,9 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
-  bool no_curves = false;  ///< leave the bisectors out of OBJ, VTP and GLB
-  bool ascii_ply = false;  ///< PLY as text
+  bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
+  bool ascii_ply = false;                  ///< PLY as text
+  std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given
 };
 
 /// The options that the three commands share. A command keeps its own beside these.

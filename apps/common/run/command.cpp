@@ -7,6 +7,7 @@
 
 #include "common/options/check_options.hpp"
 #include "common/options/register_options.hpp"
+#include "common/options/typed_options.hpp"
 #include "common/run/name_options.hpp"
 #include "common/run/standard_output.hpp"
 #include "gvd/error.hpp"
@@ -46,6 +47,11 @@ Command::Command(CommandInfo info)
     : info_(std::move(info)),
       line_(info_.name, info_.description, info_.name + " " + GVD_VERSION, help_footer(info_.examples)) {
   register_options(line_, options_, info_.output_formats);
+}
+
+void Command::add_target(OptionText option) {
+  option.group = "Output";
+  add_file(line_, option, options_.output.own[option.names]);
 }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {

@@ -33,6 +33,10 @@ class Command {
   /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
   CommandLine& line() { return line_; }
 
+  /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
+  /// checked as the files of all commands are.
+  void add_target(OptionText option);
+
   /// Parses, runs `body` and returns the exit code: 0 where it returns; 2 to 6 and 130 for a gvd::Error of each code,
   /// with its message in one line on standard error; 5 where memory runs out.
   int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);

@@ -1,5 +1,6 @@
 #include "common/steps/write_outputs.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
@@ -39,7 +40,9 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
 
 void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
   const OutputOptions& output = run.options().output;
-  if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty()) {
+  const bool has_own =
+      std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
+  if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
     run.console().note("no file is written; name one with -o, --report, --diagram or --view");
   }
   if (output.files.empty()) return;
@@ -53,6 +56,13 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
   if (path.empty()) return;
   const auto write = [&](std::ostream& out) { write_diagram_json(out, mesh, diagram); };
   run.timed("write diagram", [&] { write_file(path, write, run.progress()); });
+}
+
+void write_own_file(Run& run, const std::string& option, const OutputWriter& write) {
+  const auto& own = run.options().output.own;
+  const auto target = own.find(option);
+  if (target == own.end() || target->second.empty()) return;
+  run.timed("write " + option.substr(2), [&] { write_file(target->second, write, run.progress()); });
 }
 
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {

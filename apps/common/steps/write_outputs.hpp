@@ -24,6 +24,9 @@ void write_output_files(Run& run, const LabelledMesh& mesh,
 /// Writes `--diagram`.
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
 
+/// Writes the file of an option that `Command::add_target` added.
+void write_own_file(Run& run, const std::string& option, const OutputWriter& write);
+
 /// Writes `--view`; `make_scenes` is called only then. The name of the input file is added to the title.
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes);
 

@@ -1,5 +1,6 @@
 // gvd-segment on files: its JSON and its report, with whole and with cut faces.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -96,4 +97,30 @@ TEST_CASE("gvd-segment: without bisectors the ratio of the borders is null") {
   const auto results = nlohmann::json::parse(read_text(scratch / "r.json"))["results"];
   CHECK(results["border_length"] == 0);
   CHECK(results["border_ratio"].is_null());
+}
+
+TEST_CASE("gvd-segment: --stats writes a row for each region, whatever the labels") {
+  const ScratchFolder scratch;
+  std::vector<std::string> texts;
+  for (const std::string options : {"", " --labels nearest", " --cut"}) {
+    const std::string file = scratch / "stats.csv";
+    const CommandResult result =
+        run_command("gvd-segment", data_file("figure.obj") + " -n 20 --stats " + file + options);
+    CAPTURE(options, result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.find("no file is written") == std::string::npos);
+    texts.push_back(read_text(file));
+  }
+  CHECK(std::count(texts[0].begin(), texts[0].end(), '\n') == 21);
+  CHECK(texts[1] == texts[0]);
+  CHECK(texts[2] == texts[0]);
+}
+
+TEST_CASE("gvd-segment: the target of --stats is checked before the work") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("figure.obj"), same = scratch / "a.json";
+  CHECK(run_command("gvd-segment", mesh + " -n 2 --stats " + scratch / "none/a.csv").exit_code == 6);
+  CHECK(run_command("gvd-segment", mesh + " -n 2 --report " + same + " --stats " + same).exit_code == 2);
+  CHECK(run_command("gvd-segment", mesh + " -n 2 --stats -").exit_code == 2);
+  CHECK(run_command("gvd-lloyd", mesh + " -n 2 --stats a.csv").exit_code == 2);
 }

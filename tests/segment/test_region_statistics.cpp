@@ -1,0 +1,124 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gvd/error.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/region_statistics.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+constexpr GeneratorId kA(0), kB(1);
+
+double total_boundary(const Mesh& mesh) {
+  double sum = 0;
+  for (int h = 0; h < mesh.halfedge_count(); ++h) {
+    if (!mesh.twin(HalfedgeId(h)).valid()) sum += mesh.length(HalfedgeId(h));
+  }
+  return sum;
+}
+
+double longest_edge(const Mesh& mesh) {
+  double longest = 0;
+  for (int e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("region statistics: one cell that is the whole surface") {
+  const Mesh mesh = test::make_tetrahedron();
+  const auto regions = compute_region_statistics(mesh, compute_diagram(mesh, {vertex_point(mesh, VertexId(0))}));
+  REQUIRE(regions.size() == 1);
+  CHECK(regions[kA].share == Approx(1));
+  CHECK(regions[kA].perimeter == 0);
+  CHECK(regions[kA].compactness == std::numeric_limits<double>::infinity());
+  CHECK(regions[kA].euler_characteristic == 2);
+  CHECK(regions[kA].neighbours.empty());
+  CHECK(regions[kA].radius == Approx(2 * std::sqrt(2)));
+}
+
+TEST_CASE("region statistics: two halves of a flat rectangle") {
+  const Mesh mesh = test::make_grid(4, 2);  // the bisector is x = 2
+  const auto at = [](double x) { return x < 2 ? FaceId(2) : FaceId(4); };
+  const std::vector<SurfacePoint> generators{edge_point(Mesh::halfedge(at(1), 0), 0),
+                                             edge_point(Mesh::halfedge(at(3), 0), 1)};
+  const auto regions = compute_region_statistics(mesh, compute_diagram(mesh, generators));
+  for (const GeneratorId g : {kA, kB}) {
+    CAPTURE(g.value());
+    CHECK(regions[g].area == Approx(4));
+    CHECK(regions[g].share == Approx(0.5));
+    CHECK(regions[g].perimeter == Approx(8));
+    CHECK(regions[g].radius == Approx(std::sqrt(5)));
+    CHECK(regions[g].compactness == Approx(std::numbers::pi / 4));
+    CHECK(regions[g].euler_characteristic == 1);
+    REQUIRE(regions[g].neighbours.size() == 1);
+    CHECK(regions[g].neighbours[0].region == (g == kA ? kB : kA));
+    CHECK(regions[g].neighbours[0].border_length == Approx(2));
+  }
+}
+
+TEST_CASE("region statistics: a cell inside one face has the radius of its corners") {
+  const Mesh mesh = test::make_triangle();
+  std::vector<SurfacePoint> generators{make_surface_point(FaceId(0), {0.4, 0.3, 0.3})};
+  for (int i = 0; i < 3; ++i) {
+    std::array<double, 3> bary{0.35, 0.325, 0.325};
+    bary[std::size_t(i)] += 0.1;
+    generators.push_back(make_surface_point(FaceId(0), {bary[0] / 1.1, bary[1] / 1.1, bary[2] / 1.1}));
+  }
+  const auto regions = compute_region_statistics(mesh, compute_diagram(mesh, generators));
+  CHECK(regions[kA].radius > 0.01);
+  CHECK(regions[kA].area <= std::numbers::pi * regions[kA].radius * regions[kA].radius);
+}
+
+TEST_CASE("region statistics: sums and bounds over mesh families") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    if (compute_mesh_summary(mesh).components > 1) continue;
+    for (const int count : {1, 2, 9, 60}) {
+      CAPTURE(name, count);
+      const auto generators = test::random_generators(mesh, count, 4);
+      const Diagram diagram = compute_diagram(mesh, generators);
+      const auto regions = compute_region_statistics(mesh, diagram);
+      double share = 0, perimeter = 0, border = 0;
+      for (std::size_t i = 0; i < regions.size(); ++i) {
+        const RegionStatistics& r = regions.raw()[i];
+        share += r.share;
+        perimeter += r.perimeter;
+        CHECK(r.neighbours.size() == diagram.cells.raw()[i].neighbours.size());
+        for (const RegionNeighbour& n : r.neighbours) {
+          border += n.border_length;
+          CHECK(n.border_length >= 0);
+        }
+        CHECK(r.radius > 0);
+      }
+      CHECK(share == Approx(1));
+      CHECK(perimeter == Approx(2 * diagram.length + total_boundary(mesh)));
+      CHECK(border <= 2 * diagram.length * (1 + 1e-9));
+      const ExactField field(mesh, generators);
+      const double longest = longest_edge(mesh);
+      for (int f = 0; f < mesh.face_count(); ++f) {
+        const auto [distance, g] = field.nearest(make_surface_point(FaceId(f), {0.2, 0.3, 0.5}));
+        REQUIRE(distance <= regions[g].radius + longest);
+      }
+    }
+  }
+}
+
+TEST_CASE("region statistics: a component without a generator has no figures, and lowers the shares") {
+  const Mesh mesh = test::make_two_components();
+  const auto regions = compute_region_statistics(mesh, compute_diagram(mesh, {vertex_point(mesh, VertexId(0))}));
+  CHECK(regions[kA].share < 0.99);
+  CHECK(std::isfinite(regions[kA].radius));
+}
+
+TEST_CASE("region statistics: a diagram of another mesh is refused") {
+  const Mesh mesh = test::make_grid(1, 1);
+  CHECK_THROWS_AS(
+      compute_region_statistics(test::make_sphere(1), compute_diagram(mesh, {vertex_point(mesh, VertexId(0))})), Error);
+}
