@@ -1,9 +1,12 @@
 // Faces of a remesh against the normals of the surface, on one flat square.
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "gvd/dual.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
 using namespace gvd;
@@ -39,4 +42,15 @@ TEST_CASE("a face without area, or upright on the surface, counts as flipped up 
   CHECK(find_flipped({a, b, {0.5, 0, 1}}).size() == 1);
   CHECK(find_flipped({a, b, {0.5, 0.5 * kFlipTolerance, 1}}).size() == 1);
   CHECK(find_flipped({a, b, {0.5, 2 * kFlipTolerance, 1}}).empty());
+}
+
+TEST_CASE("triangles of a dual are judged without the rest of it") {
+  const Mesh sphere = test::make_sphere(2);
+  const Diagram diagram = compute_diagram(sphere, test::random_generators(sphere, 30, 0));
+  DualMesh dual = build_dual(sphere, diagram);
+  CHECK(find_flipped_triangles(sphere, diagram, dual).empty());
+  std::swap(dual.faces[2][0], dual.faces[2][1]);
+  dual.faces[4] = dual.faces[2];  // no mesh any more: two faces with the same corners, and a hole
+  dual.branch_points[4] = dual.branch_points[2];
+  CHECK(find_flipped_triangles(sphere, diagram, dual) == std::vector<std::size_t>{2, 4});
 }

@@ -4,6 +4,16 @@
 #include "gvd/surface_normal.hpp"
 
 namespace gvd {
+namespace {
+
+bool is_flipped(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& mean_normal) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const Vec3 area = (b - a).cross(c - a);
+  const bool has_area = area.norm() > kFlipTolerance * longest;
+  return !has_area || !(area.dot(mean_normal) > kFlipTolerance * area.norm() * mean_normal.norm());
+}
+
+}  // namespace
 
 std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
@@ -14,14 +24,25 @@ std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
   for (std::int32_t i = 0; i < remesh.face_count(); ++i) {
     const FaceId f(i);
     const auto& [a, b, c] = remesh.vertices(f);
-    const Vec3 ab = remesh.position(b) - remesh.position(a), ac = remesh.position(c) - remesh.position(a);
-    const Vec3 bc = remesh.position(c) - remesh.position(b);
-    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()});
-    const Vec3 area = ab.cross(ac);
     const Vec3 mean =
         normals[a.index()] + normals[b.index()] + normals[c.index()] + surface_normal(surface, face_points[f.index()]);
-    const bool has_area = area.norm() > kFlipTolerance * longest;
-    if (!has_area || !(area.dot(mean) > kFlipTolerance * area.norm() * mean.norm())) flipped.push_back(f);
+    if (is_flipped(remesh.position(a), remesh.position(b), remesh.position(c), mean)) flipped.push_back(f);
+  }
+  return flipped;
+}
+
+std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual) {
+  std::vector<Vec3> positions, normals;
+  for (const SurfacePoint& generator : diagram.generators) {
+    positions.push_back(position(surface, generator));
+    normals.push_back(surface_normal(surface, generator));
+  }
+  std::vector<std::size_t> flipped;
+  for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+    const auto& [a, b, c] = dual.faces[i];
+    const Vec3 at_branch = surface_normal(surface, diagram.branch_points[dual.branch_points[i]].point);
+    const Vec3 mean = normals[a.index()] + normals[b.index()] + normals[c.index()] + at_branch;
+    if (is_flipped(positions[a.index()], positions[b.index()], positions[c.index()], mean)) flipped.push_back(i);
   }
   return flipped;
 }
