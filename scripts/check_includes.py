@@ -58,7 +58,7 @@ PUBLIC = {
     "libgvd/src/io/generators": "generator_list",
     "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer",
     "libgvd/src/io/view": "io/view",
-    "libgvd/segment": "segment",
+    "libgvd/segment": "region_statistics segment",
     "libgvd/lloyd": "lloyd",
     "libgvd/remesh": "dual remesh",
     "libgvd/verify": "verify",
