@@ -26,4 +26,19 @@ TEST_CASE("far from the origin points coincide that rounding can't tell apart, a
   CHECK_NOTHROW(compute_diagram(far, {at(0), at(5e-9)}));
 }
 
+TEST_CASE("points on the two banks of a slit do not coincide, points round its tip do") {
+  // A slit from (1, 0) to the tip at the origin: vertices 1 and 2 lie there together, on either bank.
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const auto face = [](int a, int b, int c) { return std::array{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh slit(positions, {face(0, 1, 3), face(0, 3, 4), face(0, 4, 5), face(0, 5, 2)});
+  const auto at = [](int f, double u, double v, double w) { return make_surface_point(FaceId(f), {u, v, w}); };
+  CHECK(find_coincident(slit, {at(0, 0, 1, 0), at(3, 0, 0, 1)}) == std::vector<std::int32_t>{0, 1});
+  CHECK(find_coincident(slit, {at(0, 0.5, 0.5, 0), at(3, 0.5, 0, 0.5)}) == std::vector<std::int32_t>{0, 1});
+  CHECK(find_coincident(slit, {at(0, 0.4, 0.3, 0.3), at(0, 0.4, 0.3, 0.3)}) == std::vector<std::int32_t>{0, 0});
+  const double tiny = 1e-14;
+  CHECK(find_coincident(slit, {at(0, 1 - tiny, tiny, 0), at(3, 1 - tiny, 0, tiny)}) == std::vector<std::int32_t>{0, 0});
+  CHECK(find_coincident(slit, {at(0, 0.5, tiny, 0.5 - tiny), at(1, 0.5, 0.5 - tiny, tiny)}) ==
+        std::vector<std::int32_t>{0, 0});
+}
+
 }  // namespace gvd::test

@@ -2,18 +2,69 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
+#include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/generator_list.hpp"
 #include "mesh/coincidence.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
 using Cube = std::array<std::int64_t, 3>;
 
-bool share_vertex(const Mesh& mesh, FaceId f, FaceId g) {
-  const auto &a = mesh.vertices(f), &b = mesh.vertices(g);
-  return std::any_of(a.begin(), a.end(), [&](VertexId v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+/// Where a point lies round a vertex of its face, with the fan of the vertex unrolled: its distance from the vertex and
+/// its angle from the side by which one enters the face counter-clockwise.
+struct Polar {
+  double radius, angle;
+  Polar(const Mesh& mesh, HalfedgeId outgoing, const Vec3& p) {
+    const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
+    radius = (p - apex).norm();
+    angle = std::atan2(side.cross(p - apex).norm(), side.dot(p - apex));
+  }
+  double distance(const Polar& other, double turn) const {
+    const double between = turn + other.angle - angle;
+    if (between >= std::numbers::pi) return radius + other.radius;
+    return (radius * unit_vector(angle) - other.radius * unit_vector(turn + other.angle)).norm();
+  }
+};
+
+double corner_angle(const Mesh& mesh, HalfedgeId outgoing) {
+  const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
+  const Vec3 other = mesh.position(mesh.from(Mesh::previous(outgoing))) - apex;
+  return std::atan2(side.cross(other).norm(), side.dot(other));
+}
+
+/// Distance from p, in the face of a halfedge, to q in face g, counter-clockwise through the fan of the vertex that the
+/// halfedge leaves; infinite where the fan does not lead there.
+double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, FaceId g, const Vec3& q) {
+  const Polar start(mesh, from, p);
+  double turn = 0;
+  for (HalfedgeId h = from; h.valid();) {
+    if (Mesh::face(h) == g) return start.distance(Polar(mesh, h, q), turn);
+    turn += corner_angle(mesh, h);
+    h = next_outgoing(mesh, h);
+    if (h == from) break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Distance of two points along the surface, through the fans of the vertices that their faces have in common: exact
+/// for points that are much nearer than their faces are large. Infinite where the faces have no vertex in common.
+double distance_along_surface(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  const Vec3 p = position(mesh, a), q = position(mesh, b);
+  if (a.face == b.face) return (p - q).norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const HalfedgeId h = Mesh::halfedge(a.face, i);
+    least = std::min(least, distance_through_fan(mesh, h, p, b.face, q));
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId other = Mesh::halfedge(b.face, k);
+      if (mesh.from(other) == mesh.from(h)) least = std::min(least, distance_through_fan(mesh, other, q, a.face, p));
+    }
+  }
+  return least;
 }
 
 /// The points so far, in cubes with the tolerance as side: closer points lie in the same cube or in adjacent ones.
@@ -34,19 +85,18 @@ class Grid {
       const auto found = cubes_.find(near);
       if (found == cubes_.end()) continue;
       for (const Entry& other : found->second) {
-        const bool close =
-            (other.location - location).norm() <= tolerance_ && share_vertex(mesh_, other.face, point.face);
-        if (close) first = std::min(first, other.index);
+        if ((other.location - location).norm() > tolerance_) continue;
+        if (distance_along_surface(mesh_, other.point, point) <= tolerance_) first = std::min(first, other.index);
       }
     }
-    if (first == index) cubes_[centre].push_back({location, point.face, index});
+    if (first == index) cubes_[centre].push_back({location, point, index});
     return first;
   }
 
  private:
   struct Entry {
     Vec3 location;
-    FaceId face;
+    SurfacePoint point;
     std::int32_t index;
   };
 
