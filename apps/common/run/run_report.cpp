@@ -86,6 +86,7 @@ void RunReport::set_diagram(const Diagram& diagram) {
                              {"unresolved_ends", diagram.report.unresolved_ends},
                              {"relabelled_vertices", diagram.report.relabelled_vertices},
                              {"straightened_faces", diagram.report.straightened_faces},
+                             {"straightened_error", diagram.report.straightened_error},
                              {"verify", nullptr}};
 }
 

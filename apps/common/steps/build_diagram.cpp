@@ -16,6 +16,12 @@ void report_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
   run.console().note(fmt::format("{} cells, {} branch points, {} bisectors of length {:.6g}", diagram.cells.size(),
                                  diagram.branch_points.size(), diagram.bisectors.size(), diagram.length));
+  if (diagram.report.straightened_faces > 0) {
+    const std::int64_t faces = diagram.report.straightened_faces;
+    run.console().note(fmt::format(
+        "bisectors are straightened in {} {}; there they are nearer to one generator than to the other by up to {:.3g}",
+        faces, faces == 1 ? "face" : "faces", diagram.report.straightened_error));
+  }
   if (diagram.report.unresolved_ends > 0) {
     run.console().note(fmt::format("the diagram is not complete: {} ends of bisectors have no branch point",
                                    diagram.report.unresolved_ends));

@@ -101,6 +101,8 @@ struct DiagramReport {
   std::int64_t gaps_assembled = 0;       ///< of these, closed by assembly of the edge crossings
   /// Faces with an exact arc that would have intersected itself or another arc; it lost its loops, or is straight.
   std::int64_t straightened_faces = 0;
+  /// Largest difference of the distances to the two generators of an arc in these faces, mesh units; 0 without any.
+  double straightened_error = 0;
   std::int64_t unresolved_ends = 0;  ///< ends of bisectors neither at a branch point nor on the boundary
 };
 

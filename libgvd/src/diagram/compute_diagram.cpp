@@ -90,6 +90,7 @@ void take_counts(const TracerCounts& counts, DiagramReport& report) {
   report.gaps_grown = counts.gaps_grown;
   report.gaps_assembled = counts.gaps - counts.gaps_grown;
   report.straightened_faces = counts.straightened_faces;
+  report.straightened_error = counts.straightened_error;
 }
 
 }  // namespace

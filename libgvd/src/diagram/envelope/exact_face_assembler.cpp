@@ -9,6 +9,9 @@
 namespace gvd {
 namespace {
 
+/// Samples of a segment in a face whose error is measured.
+constexpr int kErrorSamples = 16;
+
 /// Whether an inner point of an arc lies inside the face. A bisector can follow a side, by a tie, or lie beyond it by
 /// rounding. Then the search in the face ends on the side, and not on the bisector.
 bool is_inside(const Bary& p) { return *std::min_element(p.begin(), p.end()) >= kInsideFace; }
@@ -29,7 +32,10 @@ void ExactFaceAssembler::assemble(FaceId f) {
     distances_.set_can_confirm(true);
     straightened = true;
   }
-  result_.straightened += straightened;
+  if (straightened) {
+    ++result_.straightened;
+    result_.straightened_error = std::max(result_.straightened_error, largest_error(face));
+  }
   measure_branches(face);
 }
 
@@ -65,6 +71,25 @@ void ExactFaceAssembler::measure_branches(const OpenFace& face) {
     }
     branches[id].distance = std::isfinite(least) ? least : distances_.nearest_of_all(branches[id].bary);
   }
+}
+
+/// The largest difference of the distances to an arc's two generators, at samples of all arcs of the face.
+double ExactFaceAssembler::largest_error(const OpenFace& face) const {
+  double largest = 0;
+  for (const FaceArc& arc : face.arcs()) {
+    Bary from = face.position(arc.begin);
+    const auto follow = [&](const Bary& to) {
+      for (int k = 1; k <= kErrorSamples; ++k) {
+        const Bary p = mix(from, to, static_cast<double>(k) / kErrorSamples);
+        const double error = std::abs(distances_.at(arc.left, p) - distances_.at(arc.right, p));
+        if (std::isfinite(error)) largest = std::max(largest, error);
+      }
+      from = to;
+    };
+    for (const Bary& p : face.inner_points(arc)) follow(p);
+    follow(face.position(arc.end));
+  }
+  return largest;
 }
 
 }  // namespace gvd

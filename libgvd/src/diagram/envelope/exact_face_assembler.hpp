@@ -20,6 +20,7 @@ namespace gvd {
 struct AssembledFaces {
   FaceDiagram diagram;
   std::int64_t straightened = 0;  ///< faces with an arc that lost points because it intersected itself or another one
+  double straightened_error = 0;  ///< largest difference of the two distances along an arc of these faces, mesh units
 };
 
 /// Assembles faces one after the other: joins their crossings by the distances in them, refines the arcs to within a
@@ -47,6 +48,7 @@ class ExactFaceAssembler {
   void join_crossings(FaceId f);
   void refine(const OpenFace& face, FaceArc& arc);
   void measure_branches(const OpenFace& face);
+  double largest_error(const OpenFace& face) const;
 
   const Mesh& mesh_;
   const Crossings& crossings_;

@@ -94,6 +94,7 @@ void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
   for (const AssembledFaces& assembled : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
     traced.faces.append(assembled.diagram);
     traced.counts.straightened_faces += assembled.straightened;
+    traced.counts.straightened_error = std::max(traced.counts.straightened_error, assembled.straightened_error);
   }
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
 }

@@ -15,6 +15,7 @@ struct TracerCounts {
   std::int64_t gaps = 0;
   std::int64_t gaps_grown = 0;
   std::int64_t straightened_faces = 0;
+  double straightened_error = 0;
 };
 
 /// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.

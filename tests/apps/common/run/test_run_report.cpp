@@ -47,6 +47,7 @@ Diagram make_diagram() {
   diagram.report.unresolved_ends = 2;
   diagram.report.relabelled_vertices = 3;
   diagram.report.straightened_faces = 4;
+  diagram.report.straightened_error = 0.5;
   return diagram;
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("a report has the contract's keys in its order") {
   CHECK(keys(json["input"]) == Names{"vertices", "faces", "components", "boundary_loops", "euler_characteristic",
                                      "area", "bbox_diagonal", "defects"});
   CHECK(keys(json["diagram"]) == Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "unresolved_ends",
-                                       "relabelled_vertices", "straightened_faces", "verify"});
+                                       "relabelled_vertices", "straightened_faces", "straightened_error", "verify"});
   CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length"});
   CHECK(keys(json["options"]).front() == "input");
   CHECK(keys(json["options"]).back() == "step");
@@ -116,6 +117,7 @@ TEST_CASE("a report's values come back") {
   CHECK(json["diagram"]["unresolved_ends"] == 2);
   CHECK(json["diagram"]["relabelled_vertices"] == 3);
   CHECK(json["diagram"]["straightened_faces"] == 4);
+  CHECK(json["diagram"]["straightened_error"] == 0.5);
   CHECK(json["diagram"]["verify"]["error_mean"] == 0.125);
   CHECK(json["peak_memory_bytes"] == std::int64_t{1} << 40);
   CHECK(json["results"]["regions"] == Json({1, 2}));
