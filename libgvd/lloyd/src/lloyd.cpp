@@ -15,9 +15,9 @@
 namespace gvd {
 namespace {
 
-/// The largest number of halvings of one generator's own step, and of all steps together: 1/16 and 1/32 of a step.
-constexpr int kOwnHalvings = 4;
-constexpr int kCommonHalvings = 5;
+/// The largest number of halvings of one generator's own step, and of all steps together: down to a thousandth each.
+constexpr int kOwnHalvings = 10;
+constexpr int kCommonHalvings = 10;
 
 /// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
 /// relaxed diagram, and far above the distance at which two points coincide.
