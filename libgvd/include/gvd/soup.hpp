@@ -23,6 +23,7 @@ enum class DefectKind {
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
+  crossing_quads,            ///< a quadrilateral that crosses itself: cut along a diagonal
   inconsistent_orientation,  ///< flipped, so that each component follows the majority of its faces
   nonmanifold_edges,         ///< three or more faces: cut apart
   nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart

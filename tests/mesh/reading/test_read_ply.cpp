@@ -78,6 +78,21 @@ TEST_CASE("PLY: lists in binary files are skipped") {
   CHECK(soup.corners == std::vector<std::int32_t>{0, 2, 1});
 }
 
+TEST_CASE("PLY: triangle strips") {
+  const std::string begin =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n5 5 5\n";
+  // A strip of three triangles, then one of a single triangle, and one too short for any.
+  CHECK(parse(begin + "12 0 1 2 3 4 -1 3 5 4 -1 0 1\n").corners ==
+        std::vector<std::int32_t>{0, 1, 2, 2, 1, 3, 2, 3, 4, 3, 5, 4});
+  // A repeated corner leads to the next strip; the triangles after it keep their orientation.
+  CHECK(parse(begin + "6 0 1 2 2 3 4\n").corners == std::vector<std::int32_t>{0, 1, 2, 3, 2, 4});
+  require_refused(begin + "4 0 1 2 6\n", MeshFormat::ply, "strip 0 refers to vertex 6, and there are 6");
+  require_refused(begin + "4 0 1 2 -2\n", MeshFormat::ply, "strip 0 refers to vertex -2");
+  require_refused(replaced(begin, "vertex_indices", "indices"), MeshFormat::ply, "'tristrips' has no list");
+}
+
 TEST_CASE("PLY: bad headers are refused with their line") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     require_refused(replaced(kPly, from, to), MeshFormat::ply, part);
@@ -92,8 +107,7 @@ TEST_CASE("PLY: bad headers are refused with their line") {
   refused("float x", "float u", "no number 'x'");
   refused("element vertex 4\n", "", "file:4: a property comes before the first element");
   refused("element face 4", "element vertex 4", "file:8: the element 'vertex' is declared twice");
-  refused("element face 4", "element tristrips 4", "triangle strips");
-  refused("element face 4", "element facet 4", "no element 'face'");
+  refused("element face 4", "element facet 4", "neither an element 'face' nor 'tristrips'");
   refused("vertex_indices", "indices", "no list 'vertex_indices'");
   refused("list uchar int", "list float int", "an integer type");
   refused("end_header", "end_headers", "is no statement of a PLY header");

@@ -137,10 +137,19 @@ TEST_CASE("polygons on a line have no area and are kept") {
   CHECK(checked.defects.zero_area_faces == 2);
 }
 
-TEST_CASE("polygons that cross themselves are refused") {
-  require_refused(one_polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}),
-                  "face 0 with its 4 corners crosses itself");
-  require_refused(one_polygon({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}), "crosses itself");
+TEST_CASE("quads that cross themselves are cut into their two triangles, and counted as a defect") {
+  for (const Vec3& second : {Vec3(1, 1, 0), Vec3(2, 2, 0), Vec3(1, 1, 0.1)}) {
+    const PolygonSoup quad = one_polygon({{0, 0, 0}, second, {second.x(), 0, 0}, {0, 1, 0}});
+    const auto checked = build_mesh(quad);
+    CHECK(checked.mesh.face_count() == 2);
+    CHECK(checked.defects.zero_area_faces == 0);
+    CHECK(checked.defects.count(DefectKind::crossing_quads) == 1);
+    CHECK(checked.defects.messages.front() == "1 quadrilateral crosses itself, first face 0: cut along a diagonal");
+    CHECK_THROWS_WITH(build_mesh(quad, DefectPolicy::error), Catch::Matchers::Contains("crosses itself"));
+  }
+}
+
+TEST_CASE("other polygons that cross themselves are refused") {
   std::vector<Vec3> pentagram;
   for (int i = 0; i < 5; ++i)
     pentagram.emplace_back(std::cos(i * 2.5132741228718345), std::sin(i * 2.5132741228718345), 0);

@@ -140,6 +140,8 @@ class BodyParser {
         read_vertices(element);
       } else if (element.name == "face") {
         read_faces(element);
+      } else if (element.name == "tristrips") {
+        read_strips(element);
       } else if (!element.properties.empty()) {
         for (std::int64_t i = 0; i < element.count; ++i) read_element(element, i, [](int) { return false; });
       }
@@ -206,7 +208,7 @@ class BodyParser {
 
   void read_faces(const PlyElement& element) {
     check_counts(0, static_cast<std::uint64_t>(element.count), name_);
-    const int list = std::max(element.find("vertex_indices"), element.find("vertex_index"));
+    const int list = find_corner_list(element);
     const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
     soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
     soup_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
@@ -221,11 +223,46 @@ class BodyParser {
     }
   }
 
+  // Strips of triangles: each corner makes a triangle with the two before it, every second one turned round. The index
+  // -1 begins another strip. A triangle with a repeated corner only leads from one strip to the next.
+  void read_strips(const PlyElement& element) {
+    const int list = find_corner_list(element);
+    const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      read_element(element, i, [&](int p) {
+        if (p != list) return false;
+        std::array<std::int32_t, 2> last{};
+        std::int64_t length = 0;
+        for (std::int64_t left = read_count(property, i); left > 0; --left) {
+          const double index = source_.read(property.type, property);
+          if (index == -1) {
+            length = 0;
+            continue;
+          }
+          const std::int32_t corner = require_index(index, i, "strip");
+          if (++length > 2)
+            add_triangle(length % 2 == 1 ? last[0] : last[1], length % 2 == 1 ? last[1] : last[0], corner);
+          last = {last[1], corner};
+        }
+        return true;
+      });
+    }
+  }
+
+  void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
+    if (a == b || b == c || c == a) return;
+    for (const std::int32_t corner : {a, b, c}) soup_.corners.push_back(corner);
+    soup_.close_polygon();
+  }
+
   std::int32_t read_index(const PlyProperty& property, std::int64_t face) {
-    const double index = source_.read(property.type, property);
+    return require_index(source_.read(property.type, property), face, "face");
+  }
+
+  std::int32_t require_index(double index, std::int64_t face, const char* kind) {
     if (!(index >= 0) || index >= static_cast<double>(vertices_) || index != std::floor(index)) {
       refuse(ErrorCode::unreadable_input,
-             fmt::format("face {} refers to vertex {}, and there are {}", face, index, vertices_), face);
+             fmt::format("{} {} refers to vertex {}, and there are {}", kind, face, index, vertices_), face);
     }
     return static_cast<std::int32_t>(index);
   }

@@ -143,15 +143,16 @@ class HeaderParser {
         text_.refuse(fmt::format("the element 'vertex' has no number '{}'", name));
       }
     }
-    const auto face = find("face");
-    if (face == none && find("tristrips") != none) {
-      text_.refuse("triangle strips (element 'tristrips') are not supported; save the mesh with faces");
+    bool has_faces = false;
+    for (const PlyElement& element : header_.elements) {
+      if (element.name != "face" && element.name != "tristrips") continue;
+      has_faces = true;
+      const int list = find_corner_list(element);
+      if (list < 0 || !element.properties[static_cast<std::size_t>(list)].count_type) {
+        text_.refuse(fmt::format("the element '{}' has no list 'vertex_indices' or 'vertex_index'", element.name));
+      }
     }
-    if (face == none) text_.refuse("the header has no element 'face'; a surface is needed");
-    const int list = std::max(face->find("vertex_indices"), face->find("vertex_index"));
-    if (list < 0 || !face->properties[static_cast<std::size_t>(list)].count_type) {
-      text_.refuse("the element 'face' has no list 'vertex_indices' or 'vertex_index'");
-    }
+    if (!has_faces) text_.refuse("the header has neither an element 'face' nor 'tristrips'; a surface is needed");
   }
 
   TextReader text_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,11 @@ struct PlyElement {
   int find(std::string_view property) const;
 };
 
+/// Index of the list of a face's or strip's corners; -1 where there is none.
+inline int find_corner_list(const PlyElement& element) {
+  return std::max(element.find("vertex_indices"), element.find("vertex_index"));
+}
+
 struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
@@ -38,7 +44,7 @@ struct PlyHeader {
 };
 
 /// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed, has no element
-/// `vertex` with x, y and z, or no element `face` with a list `vertex_indices` or `vertex_index`.
+/// `vertex` with x, y and z, or no element `face` or `tristrips` with a list `vertex_indices` or `vertex_index`.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name);
 
 }  // namespace gvd

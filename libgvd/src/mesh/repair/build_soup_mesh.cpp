@@ -129,7 +129,7 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   const std::vector<std::int32_t> weld = weld_vertices(soup, log);
   WorkPolygons polygons = remove_degenerate_faces(soup, weld, log);
   remove_duplicate_faces(polygons, soup.positions.size(), log);
-  WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions);
+  WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions, log);
   EdgeTable nonmanifold_edges = pair_halfedges(work, soup.positions.size());
   const std::vector<char> one_sided = orient_faces(work, nonmanifold_edges, log);
   const std::vector<char> on_cut_edge = cut_edges(work, nonmanifold_edges, soup.positions, one_sided, log);

@@ -5,9 +5,9 @@
 namespace gvd {
 namespace {
 
-constexpr std::array<std::string_view, 9> kKindNames = {
-    "unwelded_vertices", "zero_length_edges",    "degenerate_faces", "duplicate_faces",   "inconsistent_orientation",
-    "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices",  "dropped_components"};
+constexpr std::array<std::string_view, 10> kKindNames = {
+    "unwelded_vertices",        "zero_length_edges", "degenerate_faces",     "duplicate_faces", "crossing_quads",
+    "inconsistent_orientation", "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices", "dropped_components"};
 
 }  // namespace
 
