@@ -27,20 +27,20 @@ struct NarrowTip {
 
 /// Finds generators that divide a cell round a tip.
 ///
-/// On a cone of total angle a, a generator at distance r from the tip shuts a second one out if that is farther from
-/// the tip than r / cos(b), for the angle b < a / 2 between them. Points on the shortest loop round the tip lie just
-/// that far, because the loop is a straight line: each generator there shuts the others out, at half the distance of
-/// the one before, and so on. Three points at the same distance r, an angle of a / 3 apart, shut no other one out.
+/// On a cone of total angle a, let b < a / 2 be the angle between two generators. The one at distance r from the tip
+/// shuts the other one out if that is farther from the tip than r / cos(b). Points on the shortest loop round the tip
+/// lie just that far, because the loop is a straight line: each generator there shuts the others out, at half the
+/// distance of the one before, and so on. Three points at the same distance r, an angle of a / 3 apart, shut no other
+/// one out.
 class TipRings {
  public:
   /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each cell that is an annulus, of m
   /// cells; where one surrounds a tip, that of an exact field.
   TipRings(const Mesh& mesh, const Diagram& diagram);
 
-  /// Two points at the distance of the cell's generator from the tip that its cell surrounds, so that the three divide
-  /// the tip's total angle in parts of at most a half, and lie far apart in space. Empty for a cell that is no annulus
-  /// or surrounds no tip, and where the surface is no cone as far as the generator: where a straight line from the tip
-  /// to the point is not the shortest one.
+  /// Two points as far from the surrounded tip as the cell's generator is. The three divide the tip's total angle in
+  /// parts of at most a half, and lie far apart in space. Empty for a cell that is no annulus or surrounds no tip. Also
+  /// empty where a straight line from the tip to a point is not the shortest one: the surface is no cone there.
   std::vector<SurfacePoint> find(GeneratorId cell) const;
 
   /// The tip that the cell surrounds, if the circle round it through the cell's generator is shorter than three times

@@ -10,8 +10,8 @@ namespace gvd {
 /// What a label with a smaller share than the first one costs, as a fraction of the face's mean side.
 ///
 /// Of borders with nearly the same length it prefers the one near to the bisectors. With 0, borders are 1 % shorter,
-/// but 20 to 40 % more area lies in regions of other cells, and where cells have five faces each, a fifth of the
-/// regions shrink to one face. With 0.25, borders are 1 to 2 % longer, and less area is wrong by 10 %.
+/// but 20 to 40 % more area lies in regions of other cells. Where cells have five faces each, a fifth of the regions
+/// shrink to one face then. With 0.25, borders are 1 to 2 % longer, and less area is wrong by 10 %.
 inline constexpr double kShareWeight = 0.1;
 
 /// The cost of the labels of faces, in mesh units: the length of the borders, and little for small shares.

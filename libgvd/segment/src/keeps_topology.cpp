@@ -31,9 +31,10 @@ struct Sides {
 
 }  // namespace
 
-// The open region of a label is its faces, the edges between them, and the vertices that only they surround. Leaving a
-// face with one neighbour of its label changes F - E + V by -1 + 1, with two by -1 + 2 - 1 if the corner between the
-// two sides was inside. In every other case the region falls apart or a hole opens. Joining is the same backwards.
+// The open region of a label is its faces, the edges between them, and the vertices that only they surround. A
+// face that leaves changes F - E + V by -1 + 1 if it has one neighbour of its label. With two neighbours it changes by
+// -1 + 2 - 1, if the corner between the two sides was inside. In every other case the region falls apart or a hole
+// opens. Joining is the same backwards.
 bool keeps_topology(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, FaceId f, GeneratorId to) {
   const GeneratorId from = label[f];
   const auto find_sides = [&](GeneratorId g) {

@@ -16,8 +16,8 @@ constexpr std::size_t kFewTriples = 64;
 /// A cell is halved at most so often: its sides are then a millionth of the face's.
 constexpr int kMostHalvings = 40;
 
-/// Cells of one search. A search without ties needs some tens. Along a curve of ties the number would double with each
-/// second halving; beyond this number only the nearest sources of a cell are solved.
+/// Cells of one search. Along a curve of ties their number would double with each second halving. Beyond this number,
+/// the middle of a cell stands for the candidates in it.
 constexpr int kMostCells = 2000;
 
 /// A ray that passes beside its opening still counts, by this fraction of its length: rays unfolded over hundreds of

@@ -15,8 +15,8 @@ namespace gvd {
 /// A search along the distances themselves stagnates at their ridges, where the shortest path changes from one source
 /// to another. To solve every triple of sources is cubic, and beside needles a generator has hundreds of sources. So
 /// the face is halved again and again. Distances change by at most the way between two points. Hence a cell drops the
-/// sources that are hidden from it or farther than another one everywhere in it, and the whole cell is dropped where
-/// the three distances can't be equal. Where few sources are left, their triples are solved.
+/// sources that are hidden from it, or farther than another one everywhere in it. The whole cell is dropped where the
+/// three distances can't be equal. Where few sources are left, their triples are solved.
 class EquidistantSearch {
  public:
   /// All candidates in the face, to rounding, or to half of the digits where two rays touch: the branch points of the
