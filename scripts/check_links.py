@@ -5,12 +5,10 @@
 
 Links to other sites are not followed.
 """
-import pathlib
 import re
-import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from tracked_files import ROOT, report, tracked
 
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 INLINE_CODE = re.compile(r"`[^`\n]*`")
@@ -18,13 +16,6 @@ LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)|(?:src|srcset|href)=\"([^\"]+)\
 HEADING = re.compile(r"^#+ +(.*?) *#*$", re.MULTILINE)
 PAGE_IN_SOURCE = re.compile(r"\b(?:docs|bench|data|web)/[\w/-]*[\w-]+\.md\b")
 SOURCES = ("*.cpp", "*.hpp", "*.js", "*.mjs", "*.sh", "*.py", "*.cmake", "*.txt", "Makefile", "*.md")
-
-
-def tracked(*patterns):
-    """Files that git knows or could add, so that a page under work is checked too."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *patterns],
-                            cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
 
 
 def anchors(page):
@@ -71,10 +62,7 @@ def main():
     findings = [f"{page.relative_to(ROOT)}: {finding}" for page in pages for finding in check_page(page)]
     sources = tracked(*SOURCES)
     findings += [f"{source.relative_to(ROOT)}: {finding}" for source in sources for finding in check_names(source)]
-    for finding in findings:
-        print(finding)
-    print(f"{len(pages)} pages, {len(findings)} findings")
-    return 1 if findings else 0
+    return report(pages, findings)
 
 
 if __name__ == "__main__":

@@ -10,12 +10,10 @@ capitals stand for anything (apps/NAME). Code is looked for as words of sources,
 Fails too where CTest can't run a test by its name: a bracket that is not closed makes CMake join the names that follow into one, and
 a name that begins with a dash is read as an option.
 """
-import pathlib
 import re
-import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from tracked_files import ROOT, report, tracked
 
 # Names that are not in the sources, and why.
 FOREIGN = {
@@ -33,13 +31,6 @@ SOURCE_NAME = re.compile(r".+\.(hpp|cpp|py|sh|md|cmake|js|mjs)")
 # Identifiers that look like ours: with an underscore inside, or CamelCase; maybe qualified or called.
 IDENTIFIER = re.compile(r"(?:[A-Za-z]\w*::)*(?:[A-Za-z]\w*_\w+|[A-Z][A-Za-z0-9]*[a-z]\w*)(?:\(\))?")
 PLACEHOLDER = re.compile(r"(?<![A-Za-z])[A-Z]{4,}(?![A-Za-z])")
-
-
-def tracked():
-    """Files that git knows or could add, so that a page under work is checked too."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
-                            capture_output=True, text=True).stdout
-    return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
 
 
 def is_page(path):
@@ -107,10 +98,7 @@ def main():
         for text in sorted(set(CODE.findall(FENCE.sub("", page.read_text())))):
             if is_missing(text, page, own_tops, words, names):
                 findings.append(f"{page.relative_to(ROOT)}: names `{text}`, which is not there")
-    for finding in findings:
-        print(finding)
-    print(f"{len(pages)} pages, {len(findings)} findings")
-    return 1 if findings else 0
+    return report(pages, findings)
 
 
 if __name__ == "__main__":

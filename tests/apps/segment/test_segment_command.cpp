@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd::test;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -123,4 +125,16 @@ TEST_CASE("gvd-segment: the target of --stats is checked before the work") {
   CHECK(run_command("gvd-segment", mesh + " -n 2 --report " + same + " --stats " + same).exit_code == 2);
   CHECK(run_command("gvd-segment", mesh + " -n 2 --stats -").exit_code == 2);
   CHECK(run_command("gvd-lloyd", mesh + " -n 2 --stats a.csv").exit_code == 2);
+}
+
+TEST_CASE("gvd-segment: generators without a face are named in one line, all of them in the report") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "r.json";
+  const CommandResult result = run_command("gvd-segment", data_file("plate.stl") + " -n 3000 --report " + report);
+  CHECK(result.exit_code == 0);
+  const auto unowned = nlohmann::json::parse(read_text(report))["results"]["generators_without_face"];
+  REQUIRE(unowned.size() > 8);
+  CHECK_THAT(result.err, Contains(std::to_string(unowned.size()) + " of the generators own no face"));
+  CHECK_THAT(result.err, Contains(", ...\n"));
+  CHECK(line_count(result.err) < 8);
 }

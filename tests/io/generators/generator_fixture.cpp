@@ -1,21 +1,8 @@
 #include "io/generators/generator_fixture.hpp"
 
-#include "support/catch.hpp"
-
 namespace gvd::test {
 
 GeneratorList parse(const std::string& text, GeneratorFormat format) { return parse_generators(text, format, "list"); }
-
-std::string refusal(const std::function<void()>& work, ErrorCode code) {
-  try {
-    work();
-  } catch (const Error& error) {
-    CHECK(error.code() == code);
-    CHECK(std::string(error.what()).find('\n') == std::string::npos);
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 double uniform(std::mt19937& random) { return double(random()) / double(std::mt19937::max()); }
 

@@ -1,8 +1,8 @@
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
 #include "common/options/check_options.hpp"
-#include "gvd/error.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 using namespace gvd;
 using namespace gvd::app;
@@ -12,17 +12,9 @@ using gvd::test::parse_options;
 
 namespace {
 
-/// The message of a refusal, which is one line.
 std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
   CAPTURE(arguments);
-  try {
-    check_options(parse_options(arguments), kFormats);
-  } catch (const Error& error) {
-    CHECK(error.code() == code);
-    CHECK(std::string(error.what()).find('\n') == std::string::npos);
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal([&] { check_options(parse_options(arguments), kFormats); }, code);
 }
 
 }  // namespace

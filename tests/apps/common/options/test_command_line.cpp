@@ -1,8 +1,8 @@
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
 #include "common/options/command_line.hpp"
-#include "gvd/error.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 using namespace gvd;
 using namespace gvd::app;
@@ -36,13 +36,7 @@ struct Fixture {
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
-    try {
-      parse_line(line, arguments);
-    } catch (const Error& error) {
-      CHECK(error.code() == ErrorCode::invalid_option);
-      return error.what();
-    }
-    return "nothing was refused";
+    return test::refusal([&] { parse_line(line, arguments); });
   }
 
   CommandLine line{"gvd-test", "A test.", "gvd-test 1.2", "The footer."};

@@ -2,6 +2,7 @@
 #include "common/options/config_file.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 using namespace gvd;
 using namespace gvd::app;
@@ -11,13 +12,7 @@ using Catch::Matchers::StartsWith;
 namespace {
 
 std::string refusal(const std::string& content) {
-  try {
-    parse_config(content, "a.toml");
-  } catch (const Error& error) {
-    CHECK(error.code() == ErrorCode::invalid_option);
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal([&] { parse_config(content, "a.toml"); });
 }
 
 }  // namespace

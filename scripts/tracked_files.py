@@ -1,0 +1,20 @@
+"""What the scripts that check the repository share: the files that they look at, and how they end."""
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def tracked(*patterns):
+    """Files that git knows or could add, so that a page under work is checked too."""
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *patterns],
+                            cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
+
+
+def report(pages, findings):
+    """Prints the findings and their number. Returns the exit code."""
+    for finding in findings:
+        print(finding)
+    print(f"{len(pages)} pages, {len(findings)} findings")
+    return 1 if findings else 0

@@ -1,0 +1,121 @@
+// What the commands read, and the report of a run.
+
+#include <nlohmann/json.hpp>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+
+TEST_CASE("commands: a run reports what it did, and is silent when asked") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const std::string report = scratch / (name + ".json");
+    const CommandResult result = run_command(name, data_file("figure.obj") + " -n 40 -q --report " + report);
+    CHECK(result.exit_code == 0);
+    CHECK(result.out.empty());
+    CHECK(result.err.empty());
+    const auto content = nlohmann::json::parse(read_text(report));
+    CHECK(content["schema"] == "gvd-report/1");
+    CHECK(content["command"] == name);
+    CHECK(content["seed"] == 0);
+    CHECK(content["options"]["n"] == 40);
+    CHECK(content["input"]["faces"].get<int>() > 1000);
+    CHECK(content["generators"].size() >= 40);
+    CHECK(content["diagram"]["unresolved_ends"] == 0);
+    CHECK(content["peak_memory_bytes"].get<double>() > 1e6);
+    CHECK(content["timings_ms"].contains(name == "gvd-lloyd" ? "relaxation" : "diagram"));
+    CHECK(content["timings_ms"].contains("dual") == (name == "gvd-remesh"));
+  }
+}
+
+TEST_CASE("commands: the report names the method and what belongs to it") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "r.json";
+  const auto run_with = [&](const std::string& name, const std::string& options) {
+    CAPTURE(name, options);
+    const CommandResult result =
+        run_command(name, data_file("torus.ply") + " -n 20 -q --report " + report + " " + options);
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(read_text(report));
+  };
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const auto exact = run_with(name, ""), fine = run_with(name, "--method exact --chord-tolerance 1e-6"),
+               paper = run_with(name, "--method gbgvd"), planar = run_with(name, "--method gbgvd --front planar");
+    CHECK(exact["options"]["method"] == "exact");
+    CHECK(exact["options"]["chord_tolerance"] == 1e-4);
+    CHECK(exact["options"]["front"].is_null());
+    CHECK(exact["diagram"]["straightened_faces"] == 0);
+    CHECK(exact["diagram"]["relabelled_vertices"] == 0);
+    CHECK(fine["options"]["chord_tolerance"] == 1e-6);
+    CHECK(paper["options"]["method"] == "gbgvd");
+    CHECK(paper["options"]["chord_tolerance"].is_null());
+    CHECK(paper["options"]["front"] == "circle");
+    CHECK(planar["options"]["front"] == "planar");
+    // Four different diagrams: each option has its effect.
+    CHECK(exact["diagram"]["length"] != fine["diagram"]["length"]);
+    CHECK(exact["diagram"]["length"] != paper["diagram"]["length"]);
+    CHECK(paper["diagram"]["length"] != planar["diagram"]["length"]);
+  }
+}
+
+TEST_CASE("commands: a bad file is refused in one line that names it") {
+  const ScratchFolder scratch;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    write_text(scratch / name, text);
+    return scratch / name;
+  };
+  const std::string torus = read_text(data_file("torus.ply"));
+  const std::vector<std::pair<std::string, int>> bad{
+      {scratch / "missing.obj", 3},
+      {"/tmp", 3},
+      {file("empty.obj", ""), 3},
+      {file("empty.ply", ""), 3},
+      {file("words.obj", "this is no mesh\n"), 3},
+      {file("words.ply", "this is no mesh\n"), 3},
+      {file("bytes.stl", std::string(100, '\xff')), 3},
+      {file("short.ply", torus.substr(0, torus.size() / 2)), 3},
+      {file("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), 3},
+      {file("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), 4},
+      {file("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), 4},
+  };
+  for (const std::string& name : built_commands()) {
+    for (const auto& [path, code] : bad) require_error(name, path + " -n 1", code, path);
+    require_error(name, file("mesh.xyz", "0 0 0\n") + " -n 1", 3, "name the format with --input-format");
+    require_error(name, "- --input-format off -n 1 < " + bad[5].first, 3, "standard input");
+    require_error(name, "- --input-format off -n 1", 3, "standard input");
+  }
+}
+
+TEST_CASE("commands: a bad list of generators is refused in one line") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("torus.ply");
+  const auto refused = [&](const std::string& text, int code, const std::string& part) {
+    write_text(scratch / "list.txt", text);
+    for (const std::string& name : built_commands()) {
+      require_error(name, mesh + " --max-snap 0.01 --generators " + scratch / "list.txt", code, part);
+    }
+  };
+  refused("1\n2\nthree\n", 3, "list.txt:3: ");
+  refused("", 3, "list.txt:1: ");
+  refused("1\n99999999\n", 4, "list.txt:2: ");
+  refused("5\n6\n5\n", 4, "generator 2 is in the same place as generator 0");
+  refused("p 9 9 9\n", 4, "list.txt:1: ");
+  for (const std::string& name : built_commands()) {
+    require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");
+    require_error(name, mesh + " --generators " + scratch / "", 3, "is a directory");
+    require_error(name, mesh + " --vertices 1,99999999", 4, "99999999");
+  }
+}
+
+TEST_CASE("commands: a covering radius far too small is refused at once") {
+  for (const std::string& name : built_commands()) {
+    for (const char* radius : {"1e-300", "1e-9", "1e-4"}) {
+      require_error(name, data_file("torus.ply") + " --radius " + radius, 4, "too small for this surface");
+    }
+  }
+}

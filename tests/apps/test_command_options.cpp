@@ -1,0 +1,91 @@
+// The options of the commands: usage errors, help, and files of options.
+
+#include <nlohmann/json.hpp>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("commands: help and version go to standard output") {
+  for (const std::string& name : built_commands()) {
+    const CommandResult help = run_command(name, "--help");
+    CHECK(help.exit_code == 0);
+    CHECK(help.err.empty());
+    for (const char* part :
+         {"Examples:", "--generators", "--on-defect", "--config", "--chord-tolerance", "--report", "Exit codes:"}) {
+      CHECK_THAT(help.out, Contains(part));
+    }
+    const CommandResult version = run_command(name, "--version");
+    CHECK(version.exit_code == 0);
+    CHECK_THAT(version.out, StartsWith(name + " "));
+    CHECK(line_count(version.out) == 1);
+    CHECK(run_command(name, "--help > /dev/full").exit_code == 6);
+  }
+}
+
+TEST_CASE("commands: a bad option is a usage error") {
+  const std::string mesh = data_file("torus.ply");
+  for (const std::string& name : built_commands()) {
+    require_error(name, "", 2, "INPUT");
+    require_error(name, mesh, 2, "no generators");
+    require_error(name, mesh + " -n 5 --radius 1", 2, "-n and --radius");
+    require_error(name, mesh + " -n five", 2, "five");
+    require_error(name, mesh + " -n 5 --method other", 2, "exact|gbgvd");
+    require_error(name, mesh + " -n 5 --front planar", 2, "add --method gbgvd");
+    require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
+    require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
+    require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
+                  "--chord-tolerance 1e-11: a bisector is known to 1e-10 mean edge lengths only");
+    require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
+    require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
+    require_error(name, "- -n 5", 2, "--input-format");
+    require_error(name, mesh + " -n 5 --config /nonexistent.toml", 2, "/nonexistent.toml");
+  }
+}
+
+TEST_CASE("commands: options come from a file too") {
+  const ScratchFolder scratch;
+  write_text(scratch / "options.toml", "n = 12\nseed = 4\nquiet = true\nreport = \"" + scratch / "r.json" + "\"\n");
+  for (const std::string& name : built_commands()) {
+    const CommandResult result = run_command(name, data_file("figure.obj") + " --config " + scratch / "options.toml");
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["options"]["n"] == 12);
+  }
+}
+
+TEST_CASE("commands: a wrong file of options is refused in one line that has line and key") {
+  const ScratchFolder scratch;
+  const auto refused = [&](const std::string& text, const std::string& part) {
+    write_text(scratch / "o.toml", text);
+    for (const std::string& name : built_commands()) {
+      require_error(name, data_file("torus.ply") + " --config " + scratch / "o.toml", 2, scratch / "o.toml:" + part);
+    }
+  };
+  refused("n = [ 12\n", "");
+  refused("n = 12\nview = true\n", "2:8: view: expected a string");
+  refused("n = 12\nn = 13\n", "2:");
+  refused("n = 12\ncount = 13\n", "2:1: count: is the same option as n above");
+  refused("n = 12\n[output]\nreport = \"r.json\"\n", "2:");
+  refused("n = 12\nradius = 0.5\n", "2:1: ");
+  refused("n = \"\xff\"\n", "1:");
+}
+
+TEST_CASE("commands: the command line's generators take the place of those of the file") {
+  const ScratchFolder scratch;
+  write_text(scratch / "o.toml", "input = \"" + data_file("figure.obj") +
+                                     "\"\nn = 12\nsampling = \"random\"\nseed = 3\n" + "quiet = true\nreport = \"" +
+                                     scratch / "r.json" + "\"\n");
+  write_text(scratch / "g.txt", "1\n30\n60\n");
+  for (const std::string& choice : {std::string("--vertices 1,30,60"), "--generators " + scratch / "g.txt"}) {
+    const CommandResult result = run_command("gvd-segment", choice + " --config " + scratch / "o.toml");
+    CAPTURE(choice, result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["generators"].size() == 3);
+  }
+}

@@ -1,0 +1,132 @@
+// What the commands write: whether they can, which files they must not replace, and the same bytes every time.
+
+#include <filesystem>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("commands: what can't be written exits with 6") {
+  const std::string mesh = data_file("torus.ply") + " -n 20 ";
+  for (const std::string& name : built_commands()) {
+    require_error(name, mesh + "--report /dev/full -q", 6, "/dev/full");
+    require_error(name, mesh + "--diagram /dev/full -q", 6, "/dev/full");
+    require_error(name, mesh + "-o /nonexistent/a.json", 6, "/nonexistent");
+    require_error(name, mesh + "-o - -q > /dev/full", 6, "standard output");
+    require_error(name, mesh + "-o - -q >&-", 6, "standard output");
+    CHECK(std::filesystem::is_character_file("/dev/full"));
+  }
+}
+
+TEST_CASE("commands: whether outputs can be written is found out before the work") {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "folder.ply");
+  fs::create_directory(scratch / "c.mtl");
+  write_text(scratch / "options.toml", "quiet = true\n");
+  const std::string missing = scratch / "missing.obj", start = missing + " -n 20 --config " + scratch / "options.toml ";
+  // The input is missing, which is said once it is read: what is said of an output is said before.
+  for (const std::string& name : built_commands()) {
+    require_error(name, start + "-o /proc/x.ply", 6, "/proc/x.ply");
+    require_error(name, start + "-o " + scratch / "folder.ply", 6, "is a directory");
+    require_error(name, start + "-o " + scratch / "none/a.ply", 6, "create it first");
+    require_error(name, start + "-o " + scratch / "c.obj", 6, "c.mtl: is a directory");
+    require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two options name this file");
+    require_error(name, start + "--report " + scratch / "options.toml", 2, "this is the file that is read");
+    require_error(name, start + "-o - >&-", 6, "standard output is closed");
+    for (const char* option : {"--report ", "--diagram ", "--view "}) {
+      require_error(name, start + option + "''", 2, "the name is empty");
+      require_error(name, start + option + "/proc/x", 6, "/proc/x");
+    }
+    require_error(name, start + "-o " + scratch / "a.ply", 3, missing);
+  }
+  fs::remove_all(scratch / "folder.ply");
+  fs::remove_all(scratch / "c.mtl");
+  fs::remove(scratch / "options.toml");
+  CHECK(fs::is_empty(scratch / ""));
+}
+
+TEST_CASE("commands: a file that grows too large is one line, and leaves nothing") {
+  const ScratchFolder scratch;
+  write_text(scratch / "a.ply", "old");
+  for (const std::string& name : built_commands()) {
+    // Long enough for any of the three: 1 is 512 bytes.
+    const std::string run = "ulimit -f 1; exec '" + std::string(GVD_BIN_DIR) + "/" + name + "' " +
+                            data_file("figure.obj") + " -n 40 -q -o " + scratch / "a.ply";
+    const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 6);
+    CHECK(line_count(result.err) == 1);
+    CHECK_THAT(result.err, StartsWith(name + ": error: cannot write ") && Contains("a.ply"));
+    CHECK(read_text(scratch / "a.ply") == "old");
+  }
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch / ""), {}) == 1);
+}
+
+TEST_CASE("commands: a mesh that the format can't hold is refused before the work") {
+  const ScratchFolder scratch;
+  write_text(scratch / "vast.off", "OFF 3 1 0\n0 0 0\n1e39 0 0\n0 1e39 0\n3 0 1 2\n");
+  for (const std::string& name : built_commands()) {
+    for (const char* format : {"stl", "glb"}) {
+      // A verbose run names each step: there are only those of reading.
+      const std::string arguments = scratch / "vast.off" + " -n 3 -v -o " + scratch / "a." + format;
+      const CommandResult result = run_command(name, arguments);
+      CHECK(result.exit_code == 6);
+      CHECK_THAT(result.err, Contains("32-bit floats") && !Contains("generators"));
+      CHECK(!std::filesystem::exists(scratch / "a." + format));
+    }
+  }
+  CHECK(run_command("gvd-segment", scratch / "vast.off" + " -n 3 -q -o " + scratch / "a.ply").exit_code == 0);
+}
+
+TEST_CASE("commands: no output replaces a file that is read") {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "mesh.ply", list = scratch / "list.txt";
+  fs::copy_file(data_file("torus.ply"), mesh);
+  write_text(list, "1\n5\n");
+  fs::create_symlink(mesh, scratch / "link.ply");
+  fs::create_hard_link(mesh, scratch / "hard.ply");
+  fs::create_directory(scratch / "folder");
+  const std::string before = read_text(mesh), what = "this is the file that is read";
+  for (const std::string& name : built_commands()) {
+    for (const char* spelling : {"mesh.ply", "./mesh.ply", "folder/../mesh.ply", "link.ply", "hard.ply"}) {
+      const std::string path = scratch / spelling;
+      for (const char* option : {"-o", "--report", "--diagram", "--view"}) {
+        require_error(name, mesh + " -n 20 " + option + " " + path, 2, path + ": " + what);
+      }
+      require_error(name, path + " -n 20 -o " + mesh, 2, mesh + ": " + what);
+      require_error(name, "- --input-format ply -n 20 -o " + path + " < " + mesh, 2, path + ": " + what);
+    }
+    require_error(name, mesh + " --generators " + list + " --report " + list, 2, list + ": " + what);
+  }
+  CHECK(read_text(mesh) == before);
+  CHECK(read_text(list) == "1\n5\n");
+}
+
+TEST_CASE("commands: the same call gives the same bytes") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    std::string arguments = data_file("figure.obj") + " -q -n 40 --seed 3";
+    std::string again = arguments + " --threads 1";
+    const std::vector<std::string> files{"a.ply", "a.obj", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"};
+    std::filesystem::create_directory(scratch / "first" + name);
+    std::filesystem::create_directory(scratch / "again" + name);
+    for (const std::string& file : files) {
+      arguments += " -o " + scratch / "first" + name + "/" + file;
+      again += " -o " + scratch / "again" + name + "/" + file;
+    }
+    REQUIRE(run_command(name, arguments + " --diagram " + scratch / "first" + name + "/d.json").exit_code == 0);
+    REQUIRE(run_command(name, again + " --diagram " + scratch / "again" + name + "/d.json").exit_code == 0);
+    for (const auto& entry : std::filesystem::directory_iterator(scratch / "first" + name)) {
+      const std::string file = entry.path().filename().string();
+      CAPTURE(name, file);
+      CHECK(std::filesystem::file_size(entry.path()) > 100);
+      CHECK(read_text(entry.path().string()) == read_text(scratch / "again" + name + "/" + file));
+    }
+  }
+}
