@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gvd/counted.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -73,7 +75,8 @@ void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result) {
   results["residual"] = result.residual;
   results["mean_cell_radius"] = result.mean_cell_radius;
   results["diagrams"] = result.diagrams;
-  run.console().note(fmt::format("{} iterations, energy {:.6g} -> {:.6g}: {}", result.iterations.size(),
+  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g}: {}",
+                                 counted(std::ssize(result.iterations), "iteration", "iterations"),
                                  result.initial_energy, result.final_energy, describe(result.stop)));
   run.report().generators().clear();
   for (const SurfacePoint& p : result.generators) {

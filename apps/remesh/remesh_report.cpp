@@ -6,6 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "gvd/counted.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -70,12 +72,13 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
 }
 
 void note_result(Console& console, const RemeshResult& result) {
-  console.note(fmt::format("{} vertices, {} faces: manifold, with the input's topology", result.mesh.vertex_count(),
-                           result.mesh.face_count()));
+  console.note(fmt::format("{}, {}: manifold, with the input's topology",
+                           counted(result.mesh.vertex_count(), "vertex", "vertices"),
+                           counted(result.mesh.face_count(), "face", "faces")));
   if (result.added > 0) {
-    console.note(fmt::format("{} generators were added: with the given {}, {}", result.added,
-                             result.generators.size() - static_cast<std::size_t>(result.added),
-                             describe_defects(result.given_defects)));
+    console.note(fmt::format(
+        "{} added: with the given {}, {}", counted(result.added, "generator was", "generators were"),
+        result.generators.size() - static_cast<std::size_t>(result.added), describe_defects(result.given_defects)));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "gvd/counted.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -22,8 +24,10 @@ void note_without_face(Run& run, const std::vector<GeneratorId>& without_face) {
     names += fmt::format("{}{}", i > 0 ? ", " : "", without_face[i].value());
   }
   if (without_face.size() > kNamed) names += ", ...";
-  run.console().note(fmt::format("{} of the generators own no face, their cells lie inside faces of other regions: {}",
-                                 without_face.size(), names));
+  run.console().note(fmt::format("{} inside faces of other regions: {}",
+                                 counted(std::ssize(without_face), "generator owns no face, its cell lies",
+                                         "generators own no face, their cells lie"),
+                                 names));
 }
 
 }  // namespace
@@ -60,13 +64,15 @@ void report_borders(Run& run, double border_length, double bisector_length) {
 }
 
 void report_cut(Run& run, const CutMesh& cut) {
-  if (cut.uncut_faces > 0) run.console().note(fmt::format("{} faces could not be cut", cut.uncut_faces));
+  if (cut.uncut_faces > 0)
+    run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
   run.report().results()["uncut_faces"] = cut.uncut_faces;
 }
 
 void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
   const auto unreached = std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
-  if (unreached > 0) run.console().note(fmt::format("{} faces are reached by no generator: label -1", unreached));
+  if (unreached > 0)
+    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
   const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, label, count);
   Json regions = Json::array();
   for (std::size_t g = 0; g < sizes.size(); ++g) {

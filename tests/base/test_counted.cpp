@@ -1,4 +1,4 @@
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;

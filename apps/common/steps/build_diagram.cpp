@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "gvd/counted.hpp"
+
 namespace gvd::app {
 
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
@@ -14,17 +16,18 @@ Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint
 
 void report_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
-  run.console().note(fmt::format("{} cells, {} branch points, {} bisectors of length {:.6g}", diagram.cells.size(),
-                                 diagram.branch_points.size(), diagram.bisectors.size(), diagram.length));
+  run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
+                                 counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
+                                 counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
   if (diagram.report.straightened_faces > 0) {
-    const std::int64_t faces = diagram.report.straightened_faces;
     run.console().note(fmt::format(
-        "bisectors are straightened in {} {}; there they are nearer to one generator than to the other by up to {:.3g}",
-        faces, faces == 1 ? "face" : "faces", diagram.report.straightened_error));
+        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
+        counted(diagram.report.straightened_faces, "face", "faces"), diagram.report.straightened_error));
   }
   if (diagram.report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is not complete: {} ends of bisectors have no branch point",
-                                   diagram.report.unresolved_ends));
+    run.console().note(
+        fmt::format("the diagram is not complete: {} no branch point",
+                    counted(diagram.report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
   }
 }
 

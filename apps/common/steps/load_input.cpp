@@ -4,6 +4,7 @@
 
 #include "common/options/file_extension.hpp"
 #include "common/steps/standard_input.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
 
@@ -50,8 +51,10 @@ CheckedMesh load_input(Run& run) {
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
   run.report().set_input(summary, checked.defects);
-  run.console().detail(fmt::format("{} vertices, {} faces, {} components, {} boundary loops", summary.vertices,
-                                   summary.faces, summary.components, summary.boundary_loops));
+  run.console().detail(fmt::format("{}, {}, {}, {}", counted(summary.vertices, "vertex", "vertices"),
+                                   counted(summary.faces, "face", "faces"),
+                                   counted(summary.components, "component", "components"),
+                                   counted(summary.boundary_loops, "boundary loop", "boundary loops")));
   return checked;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/steps/standard_input.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 
@@ -28,7 +29,9 @@ void note_changes(Run& run, const ResolvedGenerators& resolved) {
   double largest = -1;
   for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
   if (largest >= 0) run.console().note(fmt::format("generators: moved to the surface, by at most {}", largest));
-  if (resolved.merged > 0) run.console().note(fmt::format("generators: {} merged with earlier ones", resolved.merged));
+  if (resolved.merged > 0)
+    run.console().note(fmt::format(
+        "generators: {}", counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
 }
 
 ResolvedGenerators resolve(Run& run, const CheckedMesh& input) {
@@ -72,7 +75,7 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
     run.report().generators().push_back(
         {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
   }
-  run.console().detail(fmt::format("{} generators", found.points.size()));
+  run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
   return std::move(found.points);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "gvd/counted.hpp"
 #include "gvd/dual.hpp"
 
 namespace gvd {
@@ -152,8 +153,9 @@ class DualChecker {
       const bool at_boundary = boundary_ends_[c.generator] > 0 || (whole_component && c.boundary_loops > 0);
       const std::size_t least = at_boundary ? 2 : 3;
       if (c.neighbours.size() >= least) continue;
-      add_cell_defect(DualProperty::enough_neighbours, c.generator,
-                      fmt::format("has {} neighbours and needs {}", c.neighbours.size(), least));
+      add_cell_defect(
+          DualProperty::enough_neighbours, c.generator,
+          fmt::format("has {} and needs {}", counted(std::ssize(c.neighbours), "neighbour", "neighbours"), least));
     }
   }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "propose_generators.hpp"
 
@@ -114,8 +114,10 @@ class Remesher {
     if (!options_.refine) refuse(defects, "give more generators there, or set refine");
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
-      refuse(defects, fmt::format("{} generators were added in {} rounds: give more or other ones{}", result_.added,
-                                  result_.rounds, may_add <= 0 ? ", or raise max_added" : ""));
+      refuse(defects,
+             fmt::format("{} added in {}: give more or other ones{}",
+                         counted(result_.added, "generator was", "generators were"),
+                         counted(result_.rounds, "round", "rounds"), may_add <= 0 ? ", or raise max_added" : ""));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
@@ -143,12 +145,13 @@ class Remesher {
     return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
   }
 
+  std::string given() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
+
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} is no valid mesh: {}{}; {}",
-                            counted(static_cast<std::int64_t>(result_.generators.size()), "generator", "generators"),
-                            defects.front().message, others(defects.size() - 1), advice),
+                fmt::format("the dual of {} is no valid mesh: {}{}; {}", given(), defects.front().message,
+                            others(defects.size() - 1), advice),
                 cells.empty() ? -1 : cells.front().value());
   }
 
@@ -156,8 +159,8 @@ class Remesher {
     result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points);
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,
-                  fmt::format("the remesh of {} generators can't be certified: {}; give other generators",
-                              result_.generators.size(), result_.certificate.first_failure()));
+                  fmt::format("the remesh of {} can't be certified: {}; give other generators", given(),
+                              result_.certificate.first_failure()));
     }
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);

@@ -21,7 +21,7 @@ void check_indices(const std::vector<std::array<VertexId, 3>>& faces, std::size_
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (const VertexId v : faces[f]) {
       if (!v.valid() || v.index() >= vertex_count) {
-        refuse(fmt::format("face {} refers to vertex {}, and there are {} vertices", f, v.value(), vertex_count),
+        refuse(fmt::format("face {} refers to vertex {}, and there are {}", f, v.value(), vertex_count),
                static_cast<std::int64_t>(f));
       }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -15,8 +16,8 @@ void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   for (std::size_t i = 0; i < generators.size(); ++i) {
     if (!generators[i].face.valid() || generators[i].face.value() >= mesh.face_count()) {
       throw Error(ErrorCode::precondition,
-                  fmt::format("generator {} lies in face {}, and the mesh has {} faces", i, generators[i].face.value(),
-                              mesh.face_count()),
+                  fmt::format("generator {} lies in face {}, and the mesh has {}", i, generators[i].face.value(),
+                              counted(mesh.face_count(), "face", "faces")),
                   static_cast<std::int64_t>(i));
     }
   }

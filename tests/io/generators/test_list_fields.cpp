@@ -9,10 +9,11 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 const std::string kName = "list";
-const detail::ListLocation kLocation{kName, 7};
+
+GeneratorEntry parse_entry(const Fields& fields) { return detail::parse_entries({{fields, 7}}, kName).front(); }
 
 std::string refused_entry(const Fields& fields) {
-  return refusal([&] { detail::parse_entry(fields, kLocation); }, ErrorCode::unreadable_input);
+  return refusal([&] { parse_entry(fields); }, ErrorCode::unreadable_input);
 }
 
 }  // namespace
@@ -35,14 +36,41 @@ TEST_CASE("blanks separate fields, however many there are") {
 }
 
 TEST_CASE("an entry is a vertex, a face or a position by its number of fields and its first one") {
-  CHECK(detail::parse_entry({"5"}, kLocation).kind == GeneratorEntry::Kind::vertex);
-  const GeneratorEntry face = detail::parse_entry({"5", "0.5", "0.25", "0.25"}, kLocation);
+  CHECK(parse_entry({"5"}).kind == GeneratorEntry::Kind::vertex);
+  const GeneratorEntry face = parse_entry({"5", "0.5", "0.25", "0.25"});
   CHECK(face.kind == GeneratorEntry::Kind::face);
   CHECK(face.index == 5);
   CHECK(face.line == 7);
-  const GeneratorEntry position = detail::parse_entry({"p", "1", "2", "-3"}, kLocation);
+  const GeneratorEntry position = parse_entry({"p", "1", "2", "-3"});
   CHECK(position.kind == GeneratorEntry::Kind::position);
   CHECK(position.values == std::array{1.0, 2.0, -3.0});
+}
+
+TEST_CASE("three numbers are a position, with or without a p before them") {
+  for (const Fields& fields : {Fields{"0", "0", "0"}, Fields{"1", "2", "-3"}, Fields{"1", "2.5", "3"}}) {
+    Fields named = fields;
+    named.insert(named.begin(), "p");
+    const GeneratorEntry bare = parse_entry(fields), with_p = parse_entry(named);
+    CHECK(bare.kind == GeneratorEntry::Kind::position);
+    CHECK(bare.values == with_p.values);
+    CHECK(bare.line == 7);
+  }
+}
+
+TEST_CASE("three different indices are not taken for a position, unless the list holds others that are one") {
+  using Catch::Matchers::Contains;
+  CHECK_THAT(refused_entry({"3", "17", "99"}),
+             Contains("list:7: '3 17 99' could be a position or three vertices; write 'p 3 17 99'"));
+  const detail::ListRow vertex{{"17"}, 1}, indices{{"1", "2", "3"}, 2}, position{{"1", "2.5", "3"}, 3};
+  CHECK_THAT(refusal(
+                 [&] {
+                   detail::parse_entries({vertex, indices}, kName);
+                 },
+                 ErrorCode::unreadable_input),
+             Contains("list:2: "));
+  const auto entries = detail::parse_entries({vertex, indices, position}, kName);
+  CHECK(entries[0].kind == GeneratorEntry::Kind::vertex);
+  CHECK(entries[1].values == std::array{1.0, 2.0, 3.0});
 }
 
 TEST_CASE("a refused entry says what was expected") {

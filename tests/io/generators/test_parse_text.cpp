@@ -20,4 +20,13 @@ TEST_CASE("a text list holds vertices, faces with coordinates and positions") {
   CHECK(list.entries[2].line == 5);
 }
 
+TEST_CASE("a text list of points needs no p") {
+  const GeneratorList bare = parse("0 0 0\n1 2 3\n"), named = parse("p 0 0 0\np 1 2 3\n");
+  REQUIRE(bare.entries.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(bare.entries[i].kind == Kind::position);
+    CHECK(bare.entries[i].values == named.entries[i].values);
+  }
+}
+
 }  // namespace gvd::test

@@ -20,7 +20,8 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
                 fmt::format("the covering radius is {}; give a number above 0", options.radius));
   }
   if (options.count < 1) {
-    throw Error(ErrorCode::invalid_option, fmt::format("{} generators asked for; ask for at least 1", options.count));
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("the number of generators is {}; ask for at least 1", options.count));
   }
   // The working mesh adds a vertex for each generator.
   const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();

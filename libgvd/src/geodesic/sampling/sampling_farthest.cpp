@@ -15,6 +15,7 @@
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
 #include "geodesic/sampling/sampling_spacing.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -166,8 +167,8 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
     auto points = try_farthest(split, options);
     if (std::ssize(points) == options.count) return points;
   }
-  throw Error(ErrorCode::precondition,
-              fmt::format("the surface has no room for {} different generators; ask for fewer", options.count));
+  throw Error(ErrorCode::precondition, fmt::format("the surface has no room for {}; ask for fewer",
+                                                   counted(options.count, "generator", "different generators")));
 }
 
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options) {

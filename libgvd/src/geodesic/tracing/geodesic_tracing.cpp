@@ -10,6 +10,7 @@
 #include "base/barycentric.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -132,10 +133,10 @@ class GeodesicWalker {
 
 GeodesicTrace trace_geodesic(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent) {
   if (!start.face.valid() || start.face.value() >= mesh.face_count()) {
-    throw Error(
-        ErrorCode::precondition,
-        fmt::format("a geodesic can't start in face {}: the mesh has {} faces", start.face.value(), mesh.face_count()),
-        start.face.value());
+    throw Error(ErrorCode::precondition,
+                fmt::format("a geodesic can't start in face {}: the mesh has {}", start.face.value(),
+                            counted(mesh.face_count(), "face", "faces")),
+                start.face.value());
   }
   if (!tangent.allFinite()) throw Error(ErrorCode::precondition, "a geodesic's tangent vector must be finite");
   return GeodesicWalker(mesh, start, tangent).run();

@@ -10,6 +10,7 @@
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/polar_update.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -62,8 +63,8 @@ LogMap LogMapSolver::compute(const SurfacePoint& origin, const std::vector<FaceI
 void LogMapSolver::check_origin(const SurfacePoint& origin) const {
   if (origin.face.valid() && origin.face.value() < mesh_.face_count()) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("the origin of a log map lies in face {}: the mesh has {} faces", origin.face.value(),
-                          mesh_.face_count()),
+              fmt::format("the origin of a log map lies in face {}: the mesh has {}", origin.face.value(),
+                          counted(mesh_.face_count(), "face", "faces")),
               origin.face.value());
 }
 

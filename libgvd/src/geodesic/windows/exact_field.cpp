@@ -26,7 +26,7 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   if (!offsets.empty() && offsets.size() != generators) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("there are {} offsets for {} generators; give one for each or none", offsets.size(), generators));
+        fmt::format("the offsets are {} and the generators {}; give one for each or none", offsets.size(), generators));
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gvd/counted.hpp"
+
 namespace gvd::detail {
 namespace {
 
@@ -14,6 +16,17 @@ std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == text.npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// Whether the three fields are different indices. Coordinates are seldom all whole, not negative and different.
+bool could_be_vertices(const std::vector<std::string_view>& fields) {
+  std::array<std::int64_t, 3> indices{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto index = parse_field<std::int64_t>(fields[i]);
+    if (!index || *index < 0) return false;
+    indices[i] = *index;
+  }
+  return indices[0] != indices[1] && indices[1] != indices[2] && indices[2] != indices[0];
 }
 
 }  // namespace
@@ -46,6 +59,8 @@ std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields
   return values;
 }
 
+namespace {
+
 GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const ListLocation& location) {
   GeneratorEntry entry;
   entry.line = location.line;
@@ -55,11 +70,35 @@ GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const Li
     entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
     if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_index(fields[0], "face", location);
     entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
+  } else if (fields.size() == 3) {
+    entry.kind = GeneratorEntry::Kind::position;
+    entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
   } else {
-    location.refuse(fmt::format(
-        "{} fields; write a vertex 'V', a face with coordinates 'F b0 b1 b2' or a position 'p x y z'", fields.size()));
+    location.refuse(
+        fmt::format("{}; write a vertex 'V', a face with coordinates 'F b0 b1 b2' or a position 'x y z' or 'p x y z'",
+                    counted(std::ssize(fields), "field", "fields")));
   }
   return entry;
+}
+
+}  // namespace
+
+std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name) {
+  std::vector<GeneratorEntry> entries;
+  const ListRow* doubtful = nullptr;
+  bool plain = false;
+  for (const ListRow& row : rows) {
+    entries.push_back(parse_entry(row.fields, {name, row.number}));
+    if (row.fields.size() != 3) continue;
+    if (!could_be_vertices(row.fields)) plain = true;
+    if (doubtful == nullptr) doubtful = &row;
+  }
+  if (doubtful != nullptr && !plain) {
+    const std::string text = fmt::format("{}", fmt::join(doubtful->fields, " "));
+    ListLocation{name, doubtful->number}.refuse(fmt::format(
+        "'{}' could be a position or three vertices; write 'p {}' for a position, or one vertex a line", text, text));
+  }
+  return entries;
 }
 
 std::vector<ListLine> split_lines(std::string_view content) {

@@ -41,7 +41,16 @@ std::int64_t parse_index(std::string_view field, std::string_view what, const Li
 /// Three finite numbers. Throws Error{unreadable_input}.
 std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields, const ListLocation& location);
 
-/// An entry out of the fields `V`, `F b0 b1 b2` or `p x y z`. Throws Error{unreadable_input}.
-GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const ListLocation& location);
+/// The fields of a line.
+struct ListRow {
+  std::vector<std::string_view> fields;
+  std::int32_t number = 0;  ///< 1-based line
+};
+
+/// The entries of a list whose rows are `V`, `F b0 b1 b2`, `p x y z` or `x y z`.
+/// Three numbers are a position. The whole list decides: if every row of three holds different indices, they could be
+/// vertices as well, and the list is refused rather than guessed at.
+/// `name` is the list's, for messages. Throws Error{unreadable_input} with name and line. Cost: O(fields).
+std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name);
 
 }  // namespace gvd::detail

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gvd/counted.hpp"
 #include "io/generators/list_fields.hpp"
 
 namespace gvd::detail {
@@ -60,8 +61,8 @@ Columns read_header(const Fields& names, const ListLocation& location) {
 /// The entry of a row: the first of face, vertex and position that the row fills.
 GeneratorEntry read_row(const Columns& columns, const Fields& fields, const ListLocation& location) {
   if (fields.size() != columns.count) {
-    location.refuse(
-        fmt::format("{} fields, but the header has {}; give as many as the header", fields.size(), columns.count));
+    location.refuse(fmt::format("{}, but the header has {}; give as many as the header",
+                                counted(std::ssize(fields), "field", "fields"), columns.count));
   }
   const auto field = [&](std::ptrdiff_t column) {
     return column < 0 ? std::string_view() : fields[static_cast<std::size_t>(column)];
@@ -82,18 +83,13 @@ GeneratorEntry read_row(const Columns& columns, const Fields& fields, const List
 }  // namespace
 
 std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::string& name) {
+  std::vector<ListRow> rows;
+  for (const auto& [text, number] : split_lines(content)) rows.push_back({split_commas(text), number});
+  if (rows.empty() || !is_header(rows.front().fields)) return parse_entries(rows, name);
+  const Columns columns = read_header(rows.front().fields, {name, rows.front().number});
   std::vector<GeneratorEntry> entries;
-  std::optional<Columns> columns;
-  bool first = true;
-  for (const auto& [text, number] : split_lines(content)) {
-    const ListLocation location{name, number};
-    const Fields fields = split_commas(text);
-    if (first && is_header(fields)) {
-      columns = read_header(fields, location);
-    } else {
-      entries.push_back(columns ? read_row(*columns, fields, location) : parse_entry(fields, location));
-    }
-    first = false;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    entries.push_back(read_row(columns, rows[i].fields, {name, rows[i].number}));
   }
   return entries;
 }

@@ -5,11 +5,9 @@
 namespace gvd::detail {
 
 std::vector<GeneratorEntry> parse_text(std::string_view content, const std::string& name) {
-  std::vector<GeneratorEntry> entries;
-  for (const auto& [text, number] : split_lines(content)) {
-    entries.push_back(parse_entry(split_blanks(text), {name, number}));
-  }
-  return entries;
+  std::vector<ListRow> rows;
+  for (const auto& [text, number] : split_lines(content)) rows.push_back({split_blanks(text), number});
+  return parse_entries(rows, name);
 }
 
 }  // namespace gvd::detail

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -33,7 +34,8 @@ template <class Array>
 void check_length(const Array* values, std::int32_t expected, const char* what) {
   if (values == nullptr || values->size() == static_cast<std::size_t>(expected)) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("{}: {} values for {} elements; give one for each", what, values->size(), expected));
+              fmt::format("{}: {} for {}; give one for each", what, counted(std::ssize(*values), "value", "values"),
+                          counted(expected, "element", "elements")));
 }
 
 void check_lengths(const LabelledMesh& mesh) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_text.hpp"
 

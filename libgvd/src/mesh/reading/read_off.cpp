@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "mesh/reading/read_text.hpp"
 
 namespace gvd {
@@ -69,14 +69,15 @@ class OffParser {
     const std::int64_t count = text_.integer(what);
     if (count < 0) text_.refuse(fmt::format("{} is {}", what, count));
     if (static_cast<std::uint64_t>(count) > (text_.remaining() + 1) / shortest_line) {
-      text_.refuse(fmt::format("{} is {}, and the file has only {} more bytes", what, count, text_.remaining()));
+      text_.refuse(fmt::format("{} is {}, and the file has only {}", what, count,
+                               counted(static_cast<std::int64_t>(text_.remaining()), "more byte", "more bytes")));
     }
     return count;
   }
 
   void read_face(std::int64_t f) {
     const std::int64_t size = text_.integer("the number of corners");
-    if (size < 0) text_.refuse(fmt::format("face {} has {} corners", f, size), f);
+    if (size < 0) text_.refuse(fmt::format("face {} has {}", f, counted(size, "corner", "corners")), f);
     for (std::int64_t i = 0; i < size; ++i) {
       const std::int64_t v = text_.integer("a corner of the face");
       if (v < 0 || v >= vertices_) {

@@ -6,6 +6,7 @@
 #include <new>
 #include <system_error>
 
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_obj.hpp"
@@ -69,7 +70,8 @@ PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_vi
   try {
     PolygonSoup soup = parse_format(bytes, format, name);
     if (soup.polygon_count() == 0) {
-      refuse(name, fmt::format("the file has {} vertices and no face; a surface is needed", soup.positions.size()));
+      refuse(name, fmt::format("the file has {} and no face; a surface is needed",
+                               counted(std::ssize(soup.positions), "vertex", "vertices")));
     }
     check_counts(soup.positions.size(), soup.polygon_count(), name);
     return soup;

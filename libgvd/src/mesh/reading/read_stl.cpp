@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_text.hpp"
@@ -44,17 +45,17 @@ Vec3 binary_position(std::string_view bytes, std::size_t offset, std::string_vie
 void check_binary_length(std::string_view bytes, std::string_view name) {
   if (bytes.size() < kStlHeader) {
     throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: {} bytes are too few for an STL file, and it does not start with 'solid'", name,
-                            bytes.size()));
+                fmt::format("{}: {} too few for an STL file, and it does not start with 'solid'", name,
+                            counted(std::ssize(bytes), "byte is", "bytes are")));
   }
   const std::uint64_t count = stl_triangle_count(bytes);
   const std::uint64_t wanted = kStlHeader + kStlTriangle * count;
   if (bytes.size() < wanted) {
     throw Error(
         ErrorCode::unreadable_input,
-        fmt::format("{}: the file does not start with 'solid', and as a binary STL of {} triangles it should have {} "
+        fmt::format("{}: the file does not start with 'solid', and as a binary STL of {} it should have {} "
                     "bytes, not {}",
-                    name, count, wanted, bytes.size()),
+                    name, counted(static_cast<std::int64_t>(count), "triangle", "triangles"), wanted, bytes.size()),
         static_cast<std::int64_t>((bytes.size() - kStlHeader) / kStlTriangle));
   }
 }
@@ -78,7 +79,9 @@ PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
     soup.close_polygon();
   }
   if (bytes.size() > wanted) {
-    soup.notes.push_back(fmt::format("{} bytes after the last triangle are left out", bytes.size() - wanted));
+    soup.notes.push_back(counted(static_cast<std::int64_t>(bytes.size() - wanted),
+                                 "byte after the last triangle is left out",
+                                 "bytes after the last triangle are left out"));
   }
   return soup;
 }
@@ -144,7 +147,9 @@ class TextStlParser {
     close(in_loop_, true, "endloop");
     const std::size_t size = soup_.corners.size() - soup_.first_corner.back();
     const auto facet = static_cast<std::int64_t>(soup_.polygon_count());
-    if (size != 3) text_.refuse(fmt::format("facet {} has {} vertices, and should have 3", facet, size), facet);
+    if (size != 3)
+      text_.refuse(fmt::format("facet {} has {}, and should have 3", facet, counted(size, "vertex", "vertices")),
+                   facet);
     soup_.close_polygon();
   }
 

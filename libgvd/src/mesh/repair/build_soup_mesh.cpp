@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/soup.hpp"
 #include "mesh/repair/defect_log.hpp"
 #include "mesh/repair/examine_soup.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 
 namespace gvd {
 namespace {

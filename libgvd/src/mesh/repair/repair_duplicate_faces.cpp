@@ -7,7 +7,7 @@
 #include <span>
 #include <tuple>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 
 namespace gvd {
 namespace {

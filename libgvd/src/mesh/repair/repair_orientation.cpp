@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 
 namespace gvd {
 namespace {

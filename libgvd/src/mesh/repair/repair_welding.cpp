@@ -6,8 +6,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/counted.hpp"
 #include "base/union_find.hpp"
+#include "gvd/counted.hpp"
 
 namespace gvd {
 namespace {

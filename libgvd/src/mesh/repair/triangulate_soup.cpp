@@ -6,7 +6,7 @@
 #include <array>
 #include <unordered_set>
 
-#include "base/counted.hpp"
+#include "gvd/counted.hpp"
 #include "mesh/repair/defect_log.hpp"
 #include "mesh/repair/triangulate_soup_polygon.hpp"
 
