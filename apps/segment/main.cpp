@@ -22,6 +22,18 @@ constexpr const char* kExamples =
     "  gvd-segment scan.stl --radius 2.5 --cut -o pieces.ply --report report.json\n"
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < mesh.ply > regions.ply\n";
 
+/// The page shows the labels of the output's faces, and the bisectors and figures of the diagram.
+void write_view(app::Run& run, const Mesh& mesh, const Diagram& diagram, const LabelledMesh& output) {
+  app::write_view_file(run, "gvd-segment", [&] {
+    ViewScene scene = make_view_scene("Regions", mesh, diagram);
+    scene.mesh = &output.mesh;
+    scene.face_label = *output.face_label;
+    scene.vertex_distance = *output.vertex_distance;
+    scene.pieces.clear();
+    return std::vector{scene};
+  });
+}
+
 void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   app::report_segmentation(run, segmentation);
@@ -34,6 +46,7 @@ void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, 
   output.diagram = &diagram;
   const auto json = [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); };
   app::write_output_files(run, output, {{"json", json}});
+  write_view(run, mesh, diagram, output);
 }
 
 void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
@@ -50,6 +63,7 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   output.diagram_mesh = &mesh;
   const auto json = [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); };
   app::write_output_files(run, output, {{"json", json}});
+  write_view(run, mesh, diagram, output);
 }
 
 void segment(app::Run& run, const app::OwnOptions& own) {
@@ -65,7 +79,6 @@ void segment(app::Run& run, const app::OwnOptions& own) {
   app::write_diagram_file(run, mesh, diagram);
   app::write_own_file(run, "--stats",
                       [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
-  app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", mesh, diagram)}; });
   app::verify(run, mesh, diagram);
   app::write_report_file(run);
 }

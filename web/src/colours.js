@@ -5,7 +5,7 @@ import { read_array } from './data.js';
 export const kTextureWidth = 256;
 
 export const kUnlabelled = new Color('#c9d1d8');
-export const kUnreachedFill = [160, 160, 160];
+export const kUnreachedFill = [156, 154, 151];  // kUnreachedColor of region_colors.hpp
 
 // Added generators are red, brighter than any region. Their lightness differs from that of given generators too, so
 // they differ without hue.
@@ -28,14 +28,10 @@ export const kThemes = {
   },
 };
 
-// Share of a light grey in the colours of regions: large lit areas need calmer colours than files.
-const kCalm = 0.42;
-const kCalmGrey = 205;
-
-// The colours of the regions, [red, green, blue] for each label: those of all other outputs, muted.
+// The colours of the regions, [red, green, blue] for each label.
 export function read_fills(entry) {
-  const channels = Array.from(read_array(entry.fills), (c) => Math.round((1 - kCalm) * c + kCalm * kCalmGrey));
-  return Array.from({ length: channels.length / 3 }, (_, g) => channels.slice(3 * g, 3 * g + 3));
+  const channels = read_array(entry.fills);
+  return Array.from({ length: channels.length / 3 }, (_, g) => Array.from(channels.subarray(3 * g, 3 * g + 3)));
 }
 
 // The colours by code, as a texture for the surface's shader: unreached, cut (never read), then the labels.

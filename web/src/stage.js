@@ -1,11 +1,18 @@
 // Camera, controls and drawing. Draws only when something has changed.
-import { PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
+import { PerspectiveCamera, Quaternion, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const kFieldOfView = 30;                                 // degrees
 const kFirstView = new Vector3(0.62, 0.42, 1);           // from the centre to the eye, where y is up
 const kKeyTurn = Math.PI / 24;                           // per key press
 const kKeyZoom = 1.15;
+
+// The unit vector of 'x', 'y', 'z', '-x', '-y' or '-z'.
+function axis_vector(name) {
+  const vector = new Vector3();
+  vector[name.at(-1)] = name.startsWith('-') ? -1 : 1;
+  return vector;
+}
 
 export class Stage {
   // `bounds` is the sphere round everything; `margin()` gives the pixels at the right that a panel covers.
@@ -15,7 +22,9 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
-    if (up === 'z') this.camera.up.set(0, 0, 1);
+    this.camera.up.copy(axis_vector(up));
+    this.to_y_up = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
+    this.from_y_up = this.to_y_up.clone().invert();
     this.before_draw = () => {};
     this.at_rest = () => {};
     this.scheduled = false;
@@ -40,8 +49,7 @@ export class Stage {
   show_all() {
     const half = (kFieldOfView * Math.PI) / 360;
     const narrow = Math.min(half, Math.atan((Math.tan(half) * (this.width - this.margin())) / this.height));
-    const direction = kFirstView.clone().normalize();
-    if (this.camera.up.z === 1) direction.set(direction.x, -direction.z, direction.y);
+    const direction = kFirstView.clone().normalize().applyQuaternion(this.from_y_up);
     this.controls.target.copy(this.bounds.center);
     const distance = (1.1 * this.bounds.radius) / Math.sin(narrow);
     this.camera.position.copy(this.bounds.center).addScaledVector(direction, distance);
@@ -86,13 +94,10 @@ export class Stage {
 
   turn(sideways, upwards) {
     const offset = this.camera.position.clone().sub(this.controls.target);
-    const z_up = this.camera.up.z === 1;
-    if (z_up) offset.set(offset.x, offset.z, -offset.y);
-    const spherical = new Spherical().setFromVector3(offset);
+    const spherical = new Spherical().setFromVector3(offset.applyQuaternion(this.to_y_up));
     spherical.theta += sideways;
     spherical.phi += upwards;
-    offset.setFromSpherical(spherical.makeSafe());
-    if (z_up) offset.set(offset.x, -offset.z, offset.y);
+    offset.setFromSpherical(spherical.makeSafe()).applyQuaternion(this.from_y_up);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.request_draw();

@@ -8,6 +8,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/io/view.hpp"
 
 namespace gvd::app {
 
@@ -48,6 +49,7 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
+  std::optional<UpAxis> up;                ///< of the page of `view`
   bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
   bool ascii_ply = false;                  ///< PLY as text
   std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given

@@ -72,6 +72,7 @@ void add_output(Json& json, const OutputOptions& output) {
   json["ascii_ply"] = output.ascii_ply;
   json["diagram"] = or_null(output.diagram);
   json["view"] = or_null(output.view);
+  json["up"] = output.up ? Json(to_text(*output.up)) : Json();
   json["report"] = or_null(output.report);
 }
 

@@ -168,6 +168,13 @@ void register_output(CommandLine& line, OutputOptions& output, const std::vector
   add_file(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
   add_file(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
   add_file(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);
+  add_choice(line, {"--up", "", "The axis that points up on the page (default: y)", kOutput, {"--view"}}, output.up,
+             Choices<UpAxis>{{"x", UpAxis::x},
+                             {"y", UpAxis::y},
+                             {"z", UpAxis::z},
+                             {"-x", UpAxis::minus_x},
+                             {"-y", UpAxis::minus_y},
+                             {"-z", UpAxis::minus_z}});
 }
 
 }  // namespace

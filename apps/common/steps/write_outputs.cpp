@@ -69,6 +69,7 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
   const std::string& path = run.options().output.view;
   if (path.empty()) return;
   ViewOptions options;
+  options.up = run.options().output.up.value_or(options.up);
   const std::string& input = run.options().input.path;
   options.title = input == "-" ? title : title + ": " + std::filesystem::path(input).filename().string();
   run.timed("write view", [&] {

@@ -138,3 +138,60 @@ TEST_CASE("gvd-segment: generators without a face are named in one line, all of 
   CHECK_THAT(result.err, Contains(", ...\n"));
   CHECK(line_count(result.err) < 8);
 }
+
+namespace {
+
+std::vector<int> decode_bytes(const std::string& base64) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<int> bytes;
+  unsigned bits = 0;
+  int known = 0;
+  for (const char c : base64) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    if ((known += 6) < 8) continue;
+    known -= 8;
+    bytes.push_back(static_cast<int>(bits >> known & 0xFF));
+  }
+  return bytes;
+}
+
+/// The text of the page's element with this id.
+std::string element_text(const std::string& page, const std::string& id) {
+  const std::size_t at = page.find("id=\"" + id + "\">");
+  REQUIRE(at != std::string::npos);
+  const std::size_t first = page.find('>', at) + 1;
+  return page.substr(first, page.find('<', first) - first);
+}
+
+/// The labels of the faces on the page; -1 where a face has none.
+std::vector<int> labels_on_page(const std::string& page) {
+  const auto scene = nlohmann::json::parse(element_text(page, "manifest"))["scenes"][0];
+  CHECK_FALSE(scene.contains("pieces"));
+  CHECK(scene["codes"]["type"] == "u8");
+  std::vector<int> codes = decode_bytes(element_text(page, "blob-" + scene["codes"]["blob"].dump()));
+  for (int& code : codes) code = code == 0 ? -1 : code - 2;
+  return codes;
+}
+
+}  // namespace
+
+TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut") {
+  for (const char* options : {"", "--labels nearest", "--cut"}) {
+    const ScratchFolder scratch;
+    const CommandResult result =
+        run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + scratch / "a.json" + " --view " +
+                                       scratch / "v.html --up z " + options);
+    if (result.exit_code == 2) {
+      WARN("skipped: this build is without the viewer");
+      return;
+    }
+    CAPTURE(options, result.err);
+    REQUIRE(result.exit_code == 0);
+    const auto output = nlohmann::json::parse(read_text(scratch / "a.json"));
+    const auto& labels = output.contains("cut_mesh") ? output["cut_mesh"]["labels"] : output["face_labels"];
+    const std::string page = read_text(scratch / "v.html");
+    CHECK(labels_on_page(page) == labels.get<std::vector<int>>());
+    CHECK(nlohmann::json::parse(element_text(page, "manifest"))["up"] == "z");
+  }
+}

@@ -28,14 +28,18 @@ struct ViewScene {
   std::vector<Vec3> generators;                ///< the given ones, in the order of their ids
   std::vector<Vec3> added_generators;          ///< added by a command; drawn in a colour of their own
   std::vector<Vec3> branch_points;
-  IdVector<GeneratorId, Cell> cells;  ///< for the figures of the region under the pointer
-  std::vector<ViewFigure> figures;    ///< in the order of the table
-  bool wireframe = false;             ///< draw the edges of the mesh at the start
-  bool smooth = true;                 ///< interpolate normals across edges flatter than 40 degrees at the start
+  IdVector<GeneratorId, Cell> cells;  ///< for the figures of the regions, and to give neighbours different colours
+  IdVector<GeneratorId, double> cell_energy;  ///< integral of the squared distance per cell, mesh units to the fourth
+  std::vector<ViewFigure> figures;            ///< in the order of the table
+  bool wireframe = false;                     ///< draw the edges of the mesh at the start
+  bool smooth = true;                         ///< interpolate normals across edges flatter than 40 degrees at the start
 };
 
 /// The axis that points up at the start.
-enum class UpAxis { y, z };
+enum class UpAxis { x, y, z, minus_x, minus_y, minus_z };
+
+/// "x", "y", "z", "-x", "-y" or "-z".
+const char* to_text(UpAxis axis);
 
 struct ViewOptions {
   std::string title = "Geodesic Voronoi diagram";  ///< UTF-8; invalid bytes are replaced
@@ -50,12 +54,13 @@ ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& dia
 /// Whether this library carries the page (CMake option GVD_WITH_VIEWER).
 bool has_viewer();
 
-/// A self-contained HTML page that shows the scenes. Its reader can turn and zoom, see the figures of the region under
-/// the pointer, and switch between scenes.
+/// A self-contained HTML page that shows the scenes. Its reader can turn and zoom, colour the surface by region, area,
+/// distance, energy or quality, see the figures of each region, and switch between scenes.
 ///
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored
-/// once; (5) a large mesh takes less than 40 bytes a face, beside 600 kB for the page itself.
+/// once; (5) a large mesh takes less than 40 bytes a face, beside 650 kB for the page itself; (6) regions with a common
+/// border differ by at least 20 in CIEDE2000, for the colour-blind too, on surfaces of genus 0 and 1.
 /// Throws Error{invalid_option} where the library was built without the viewer.
 /// Throws Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value is out of
 /// its range.

@@ -19,9 +19,9 @@ constexpr std::int32_t kLargestLabel = (1 << 24) - 3;
   throw Error(ErrorCode::precondition, message, element);
 }
 
-void check_size(std::string_view what, std::size_t size, std::int32_t wanted) {
-  if (size == 0 || size == static_cast<std::size_t>(wanted)) return;
-  refuse(fmt::format("the view has {} {} for a mesh with {}; give one for each, or none", size, what, wanted));
+void check_size(std::string_view what, std::size_t size, std::size_t wanted) {
+  if (size == 0 || size == wanted) return;
+  refuse(fmt::format("the view has {} {} where there are {} elements; give one for each, or none", size, what, wanted));
 }
 
 void check_labels(const ViewScene& scene) {
@@ -62,8 +62,9 @@ void check_view_scene(const ViewScene& scene) {
   if (scene.mesh == nullptr || scene.mesh->face_count() == 0) {
     refuse("a scene of the view has no faces; give each a mesh");
   }
-  check_size("face labels", scene.face_label.size(), scene.mesh->face_count());
-  check_size("vertex distances", scene.vertex_distance.size(), scene.mesh->vertex_count());
+  check_size("face labels", scene.face_label.size(), static_cast<std::size_t>(scene.mesh->face_count()));
+  check_size("vertex distances", scene.vertex_distance.size(), static_cast<std::size_t>(scene.mesh->vertex_count()));
+  check_size("cell energies", scene.cell_energy.size(), scene.cells.size());
   check_pieces(scene);
   check_labels(scene);
   check_finite("generator", scene.generators);

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "gvd/io/label_color.hpp"
+#include "io/view/region_colors.hpp"
 #include "io/view/view_triangulate.hpp"
 
 namespace gvd::io {
@@ -88,8 +88,7 @@ class SceneEncoder {
     for (const GeneratorId label : scene_.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
     for (const FacePiece& piece : scene_.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
     std::vector<std::uint32_t> channels;
-    for (std::int64_t label = 0; label < labels; ++label) {
-      const Rgb color = label_color(GeneratorId(label));
+    for (const Rgb& color : choose_region_colors(static_cast<std::size_t>(labels), find_adjacent_regions(scene_))) {
       channels.insert(channels.end(), {color.red, color.green, color.blue});
     }
     return blobs_.add_integers(channels);
@@ -134,11 +133,13 @@ class SceneEncoder {
   json cells() const {
     json list = json::array();
     for (const Cell& cell : scene_.cells) {
+      const std::size_t label = list.size();
       json neighbours = json::array();
       for (const GeneratorId g : cell.neighbours) neighbours.push_back(g.value());
       list.push_back({{"area", cell.area},
                       {"euler_characteristic", cell.euler_characteristic},
                       {"neighbours", std::move(neighbours)}});
+      if (!scene_.cell_energy.empty()) list.back()["energy"] = scene_.cell_energy.raw()[label];
     }
     return list;
   }

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -49,7 +51,7 @@ std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& o
   io::ViewBlobs blobs;
   json manifest{{"schema", "gvd-view/1"},
                 {"title", options.title},
-                {"up", options.up == UpAxis::z ? "z" : "y"},
+                {"up", to_text(options.up)},
                 {"scale", frame.scale},
                 {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
                 {"scenes", json::array()}};
@@ -69,6 +71,11 @@ std::string fill_template(std::string_view page, const std::string& title, const
 }
 
 }  // namespace
+
+const char* to_text(UpAxis axis) {
+  constexpr std::array<const char*, 6> kNames{"x", "y", "z", "-x", "-y", "-z"};
+  return kNames.at(static_cast<std::size_t>(axis));
+}
 
 bool has_viewer() { return !io::view_template().empty(); }
 

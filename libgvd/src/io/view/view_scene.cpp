@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gvd/io/view.hpp"
+#include "io/view/cell_energy.hpp"
 
 namespace gvd {
 namespace {
@@ -69,6 +70,7 @@ ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& dia
   for (const SurfacePoint& generator : diagram.generators) scene.generators.push_back(position(mesh, generator));
   for (const BranchPoint& branch_point : diagram.branch_points) scene.branch_points.push_back(branch_point.position);
   scene.cells = diagram.cells;
+  scene.cell_energy = io::compute_cell_energies(mesh, diagram);
   scene.figures = make_figures(mesh, diagram);
   return scene;
 }

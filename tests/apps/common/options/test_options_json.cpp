@@ -15,12 +15,12 @@ TEST_CASE("options that are not given are null, or their defaults") {
       R"({"input":"a.obj","input_format":null,"on_defect":"repair","n":30,"sampling":"farthest","seed":0,)"
       R"("generators":null,"generators_format":null,"vertices":null,"radius":null,"max_snap":null,"merge_coincident":false,)"
       R"("method":"exact","chord_tolerance":0.0001,"front":null,"threads":0,"verify":false,)"
-      R"("output":[],"no_curves":false,"ascii_ply":false,"diagram":null,"view":null,"report":null})");
+      R"("output":[],"no_curves":false,"ascii_ply":false,"diagram":null,"view":null,"up":null,"report":null})");
 }
 
 TEST_CASE("options that are given have their values") {
   const Json json = to_json(parse_options({"-", "--input-format", "off", "--vertices", "3,4", "--method", "gbgvd", "-o",
-                                           "a.ply", "-o", "-", "--threads", "2", "--view", "v.html"}));
+                                           "a.ply", "-o", "-", "--threads", "2", "--view", "v.html", "--up", "-z"}));
   CHECK(json["input_format"] == "off");
   CHECK(json["n"].is_null());
   CHECK(json["vertices"] == Json({3, 4}));
@@ -30,6 +30,7 @@ TEST_CASE("options that are given have their values") {
   CHECK(json["output"] == Json({"a.ply", "-"}));
   CHECK(json["threads"] == 2);
   CHECK(json["view"] == "v.html");
+  CHECK(json["up"] == "-z");
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "poisson"}))["sampling"] == "poisson");
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "random"}))["sampling"] == "random");
 }

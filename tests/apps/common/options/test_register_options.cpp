@@ -56,6 +56,8 @@ TEST_CASE("every option is stored in its field") {
                                          "d.json",
                                          "--view",
                                          "v.html",
+                                         "--up",
+                                         "-x",
                                          "-q"});
   CHECK(options.input.format == "off");
   CHECK(options.input.on_defect == "largest");
@@ -70,7 +72,12 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
   CHECK(options.output.stdout_format == "json");
   CHECK(options.output.view == "v.html");
+  CHECK(options.output.up == UpAxis::minus_x);
   CHECK(options.quiet);
+  CHECK(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up=z"}).output.up == UpAxis::z);
+  CHECK_FALSE(parse_options({"a.obj", "-n", "3", "--view", "v.html"}).output.up);
+  CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
+  CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
   CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices == std::vector<std::int64_t>{3, 17, 99});
   CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);

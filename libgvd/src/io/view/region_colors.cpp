@@ -1,0 +1,88 @@
+#include "io/view/region_colors.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace gvd::io {
+namespace {
+
+using Pair = std::pair<GeneratorId, GeneratorId>;
+
+constexpr std::size_t kColors = kRegionPalette.size();
+constexpr std::size_t kNone = kColors;
+
+void add_pair(std::vector<Pair>& pairs, GeneratorId a, GeneratorId b) {
+  if (a.valid() && b.valid() && a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
+}
+
+void add_face_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
+  const Mesh& mesh = *scene.mesh;
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    const HalfedgeId h = mesh.halfedge(EdgeId(e));
+    if (!mesh.twin(h).valid()) continue;
+    add_pair(pairs, scene.face_label[Mesh::face(h)], scene.face_label[Mesh::face(mesh.twin(h))]);
+  }
+}
+
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+Neighbours list_neighbours(std::size_t count, const std::vector<Pair>& adjacent) {
+  Neighbours neighbours(count);
+  for (const auto& [a, b] : adjacent) {
+    neighbours[a.index()].push_back(b.index());
+    neighbours[b.index()].push_back(a.index());
+  }
+  return neighbours;
+}
+
+/// Every label before those that were removed from the graph earlier, the one of least degree first.
+std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
+  std::vector<std::size_t> degree(neighbours.size()), order;
+  std::set<std::pair<std::size_t, std::size_t>> left;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) left.emplace(degree[i] = neighbours[i].size(), i);
+  while (!left.empty()) {
+    const std::size_t least = left.begin()->second;
+    left.erase(left.begin());
+    order.push_back(least);
+    for (const std::size_t other : neighbours[least]) {
+      if (left.erase({degree[other], other}) > 0) left.emplace(--degree[other], other);
+    }
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+}  // namespace
+
+std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+    for (const GeneratorId other : scene.cells.raw()[i].neighbours)
+      add_pair(pairs, GeneratorId(std::int64_t(i)), other);
+  }
+  if (!scene.face_label.empty()) add_face_neighbours(scene, pairs);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>& adjacent) {
+  const Neighbours neighbours = list_neighbours(count, adjacent);
+  std::vector<std::size_t> choice(count, kNone);
+  std::array<std::size_t, kColors> uses{};
+  for (const std::size_t label : order_smallest_last(neighbours)) {
+    std::array<std::size_t, kColors + 1> around{};
+    for (const std::size_t other : neighbours[label]) ++around[choice[other]];
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < kColors; ++c) {
+      if (std::pair(around[c], uses[c]) < std::pair(around[best], uses[best])) best = c;
+    }
+    choice[label] = best;
+    ++uses[best];
+  }
+  std::vector<Rgb> colors;
+  for (const std::size_t c : choice) colors.push_back(kRegionPalette[c]);
+  return colors;
+}
+
+}  // namespace gvd::io
