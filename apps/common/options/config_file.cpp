@@ -1,8 +1,6 @@
 #include "common/options/config_file.hpp"
 
 #include <fmt/format.h>
-// The only source with this header, which takes seconds to compile.
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -11,10 +9,15 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/options/checked_toml.hpp"
+#include "common/options/option_text.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
 namespace {
+
+/// Bytes of the parser's reason that a message repeats: its own words, and a key of moderate length.
+constexpr std::size_t kReasonLength = 200;
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
@@ -99,7 +102,7 @@ std::string key_before(const std::string& content, std::size_t line) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (equals == text.npos || first >= equals) continue;
     const std::size_t last = text.find_last_not_of(" \t", equals - 1);
-    key = text.substr(first, last - first + 1) + ": ";
+    key = printable(text.substr(first, last - first + 1)) + ": ";
   }
   return key;
 }
@@ -111,7 +114,8 @@ std::vector<ConfigEntry> parse_config(const std::string& content, const std::str
     return in_order(toml::parse(content, name), name);
   } catch (const toml::parse_error& error) {
     const std::string key = key_before(content, error.source().begin.line);
-    refuse(fmt::format("{}: {}no TOML: {}", place_of(name, error.source()), key, error.description()));
+    const std::string reason = printable(std::string(error.description()), kReasonLength);
+    refuse(fmt::format("{}: {}no TOML: {}", place_of(name, error.source()), key, reason));
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 using Type = ConfigValue::Type;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& key, const std::string& message) {
-  throw Error(ErrorCode::invalid_option, fmt::format("{}: {}: {}", place, key, message));
+  throw Error(ErrorCode::invalid_option, fmt::format("{}: {}: {}", place, printable(key), message));
 }
 
 /// "--input-format" as "input-format", and "INPUT" as "input".

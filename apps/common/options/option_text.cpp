@@ -4,6 +4,15 @@
 
 namespace gvd::app {
 
+std::string printable(std::string text, std::size_t longest) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // no half character of UTF-8
+  return text.substr(0, end) + "...";
+}
+
 std::vector<std::string> split_names(const std::string& names) {
   std::vector<std::string> split;
   for (std::size_t start = 0; start <= names.size();) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ struct GivenOption {
   std::string place;  ///< file:line:column; empty: the command line
   std::vector<std::string> values;
 };
+
+/// A text of the user's for a message: blanks for control characters, and "..." after `longest` bytes.
+std::string printable(std::string text, std::size_t longest = 60);
 
 /// "-n,--count" as its names.
 std::vector<std::string> split_names(const std::string& names);

@@ -64,9 +64,9 @@ Console::~Console() { clear_bar(); }
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
   std::string text = fmt::format("{}: {}{}", command_, kind, message);
-  // File names and messages of libraries may hold line breaks.
+  // File names and messages of libraries may hold line breaks, and sequences that change a terminal's state.
   std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
   write_stderr(text + '\n');
 }
 

@@ -36,8 +36,8 @@ SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) 
   if (!std::isfinite(sum) || std::abs(sum - 1) > kSumSlack ||
       *std::min_element(bary.begin(), bary.end()) < -kNegativeSlack) {
     throw Error(ErrorCode::precondition,
-                fmt::format("barycentric coordinates {:f} {:f} {:f} must not be negative and must sum to 1", bary[0],
-                            bary[1], bary[2]),
+                fmt::format("barycentric coordinates {} {} {} must not be negative and must sum to 1", bary[0], bary[1],
+                            bary[2]),
                 face.value());
   }
   SurfacePoint point{face, bary};

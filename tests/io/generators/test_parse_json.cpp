@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <string>
+
 #include "io/generators/generator_fixture.hpp"
 #include "io/generators/parse_json.hpp"
 #include "support/catch.hpp"
@@ -19,6 +22,15 @@ TEST_CASE("a json list is the array of generators of any object") {
   CHECK(list.entries[1].line == 3);
   CHECK(list.entries[2].values == std::array{1.0, 2.0, 3.0});
   CHECK(list.entries[2].line == 4);
+}
+
+TEST_CASE("a message about wrong json is one short printable line, whatever the file holds") {
+  const std::string wrong = "{\"generators\": [\x7f\x1b" + std::string(5000, 'x') + "]}";
+  for (const std::string& text : {wrong, "[\"" + std::string(5000, 'y') + "\n\"]"}) {
+    const std::string message = refusal([&] { parse(text, GeneratorFormat::json); }, ErrorCode::unreadable_input);
+    CHECK(message.size() < 300);
+    CHECK(std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c <= '~'; }));
+  }
 }
 
 }  // namespace gvd::test

@@ -24,6 +24,7 @@ TEST_CASE("vertices are those of the input file") {
   CHECK(message("8 1 0 0\n") == "list:1: there is no face 8; the mesh has 8, numbered from 0");
   CHECK_THAT(message("1\n3 0.5 0.5 0.5\n"), Catch::Matchers::StartsWith("list:2: barycentric coordinates"));
   CHECK_THAT(message("3 1.5 -0.5 0\n"), Catch::Matchers::StartsWith("list:1: barycentric coordinates"));
+  CHECK_THAT(message("3 1e300 0 0\n"), Catch::Matchers::Contains("1e+300 0 0 must"));
 }
 
 TEST_CASE("positions are snapped, and the largest distance is kept") {
@@ -42,6 +43,16 @@ TEST_CASE("positions are snapped, and the largest distance is kept") {
       refusal([&] { resolve_generators(mesh, parse("p 1 1.5 0\np 1 1 1\n"), options); }, ErrorCode::precondition),
       Catch::Matchers::StartsWith("list:2: this position is 1 from the surface, more than the 0.5"));
   refusal([&] { resolve_generators(mesh, parse("p 1e300 1e300 0\n"), {}); }, ErrorCode::precondition);
+}
+
+// JSON reads -0 as 0.
+TEST_CASE("a coordinate of -0 is 0 in each format of a list") {
+  const Mesh mesh = make_grid(2, 2);
+  for (const auto& [text, format] :
+       {std::pair("3 1 -0 0\n", GeneratorFormat::text), {"3,1,-0,0\n", GeneratorFormat::csv}}) {
+    const auto points = resolve_generators(mesh, parse(text, format)).points;
+    for (const double b : points.at(0).bary) CHECK(!std::signbit(b));
+  }
 }
 
 TEST_CASE("generators in one place are refused, or merged") {

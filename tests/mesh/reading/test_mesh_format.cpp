@@ -23,6 +23,11 @@ TEST_CASE("mesh format: the content decides, and the extension only where the co
   CHECK(detect_format(test::kStl, "a.off") == MeshFormat::stl);
   CHECK(detect_format(test::binary_stl(), "a.off") == MeshFormat::stl);
   CHECK(detect_format("4 4 6\n", "a.off") == MeshFormat::off);
+  for (const std::string before : {"\xEF\xBB\xBF", " ", "\t"}) {
+    CHECK(detect_format(before + test::kPly, "a.obj") == MeshFormat::ply);
+  }
+  CHECK_FALSE(detect_format("plywood\n", "a"));
+  CHECK_FALSE(detect_format("ply", "a"));
   CHECK_FALSE(detect_format("hello\n", "a.txt"));
   CHECK_FALSE(detect_format("hello\n", "off"));
 }

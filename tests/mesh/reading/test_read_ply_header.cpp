@@ -53,3 +53,32 @@ TEST_CASE("PLY header: what is missing or given twice is refused") {
     CHECK_THROWS_AS(parse_ply_header(bad, "file"), Error);
   }
 }
+
+TEST_CASE("PLY header: names in messages are printable and short") {
+  const std::string odd = "b\x01" + std::string(5000, 'a');
+  const PlyHeader parsed =
+      parse_ply_header(header("ascii", kVertex + kFace + "element " + odd + " 1\nproperty int " + odd + "\n"), "file");
+  const std::string shown = "b?" + std::string(30, 'a') + "...";
+  CHECK(parsed.elements[2].name == shown);
+  CHECK(parsed.elements[2].properties[0].name == shown);
+}
+
+TEST_CASE("PLY header: elements whose names look alike in messages are two") {
+  const std::string elements = kVertex + kFace + "element \x01 1\nelement \x02 1\n";
+  CHECK(parse_ply_header(header("ascii", elements), "file").elements.size() == 4);
+}
+
+// Each end_header without a line end was searched for one to the end of the file: hours for these 20 MB.
+TEST_CASE("PLY header: many lines end_header without the header's line end take no longer than one") {
+  std::string text = "ply\r\n", more = text;
+  for (int i = 0; i < 2'000'000; ++i) text += "end_header", more += "\nend_header";
+  CHECK_THROWS_AS(parse_ply_header(text, "file"), Error);
+  CHECK_THROWS_AS(parse_ply_header(more, "file"), Error);
+}
+
+// Each name was compared with all before it: minutes for these 12 MB.
+TEST_CASE("PLY header: many elements take no longer each than one") {
+  std::string elements = kVertex + kFace;
+  for (int i = 0; i < 600'000; ++i) elements += "element e" + std::to_string(i) + " 0\n";
+  CHECK(parse_ply_header(header("ascii", elements), "file").elements.size() == 600'002);
+}

@@ -20,11 +20,13 @@ void ListLocation::refuse(const std::string& message) const {
   throw Error(ErrorCode::unreadable_input, text() + ": " + message, line > 0 ? line - 1 : -1);
 }
 
-std::string quoted(std::string_view text) {
-  std::string shown(text.substr(0, kQuoteLength));
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string shown(text.substr(0, longest));
   std::replace_if(
       shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (text.size() > kQuoteLength ? "..." : "") + "'";
+  return text.size() > longest ? shown + "..." : shown;
 }
+
+std::string quoted(std::string_view text) { return fmt::format("'{}'", printable(text, kQuoteLength)); }
 
 }  // namespace gvd::detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,7 +18,10 @@ struct ListLocation {
   std::string text() const;
 };
 
-/// The text between quotes, shortened and without control characters, for a message.
+/// A text for a message: printable characters only, at most `longest` of them, and "..." where some are left out.
+std::string printable(std::string_view text, std::size_t longest);
+
+/// A field of a list between quotes, printable and short.
 std::string quoted(std::string_view text);
 
 }  // namespace gvd::detail

@@ -13,6 +13,9 @@ namespace {
 
 using nlohmann::json;
 
+/// Characters of the parser's reason that a message repeats: its own words, and a token of moderate length.
+constexpr std::size_t kReasonLength = 200;
+
 /// Iterates over characters and counts their lines: the parser does not tell the line of an element.
 class LineCounter {
  public:
@@ -60,10 +63,12 @@ Document parse_document(std::string_view content, const std::string& name) {
   try {
     document.root = json::parse(LineCounter(content.data(), line), LineCounter(end, line), note);
   } catch (const json::exception& error) {
-    // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...".
+    // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...",
+    // and quotes what it has read since the last token, whatever that is.
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
-    ListLocation{name, line}.refuse("not valid JSON: " + text.substr(bracket == text.npos ? 0 : bracket + 2));
+    const std::string reason = printable(text.substr(bracket == text.npos ? 0 : bracket + 2), kReasonLength);
+    ListLocation{name, line}.refuse("not valid JSON: " + reason);
   }
   return document;
 }

@@ -21,7 +21,10 @@ constexpr double kExactSum = 1e-12;
 SurfacePoint keep_or_make_point(FaceId face, const std::array<double, 3>& bary) {
   const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
   const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
-  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) return {face, bary};
+  // JSON has no -0: the sum turns it into 0, so that a list means the same in each format.
+  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) {
+    return {face, {bary[0] + 0.0, bary[1] + 0.0, bary[2] + 0.0}};
+  }
   return make_surface_point(face, bary);
 }
 

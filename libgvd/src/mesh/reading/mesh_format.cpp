@@ -26,8 +26,12 @@ std::string first_word(std::string_view bytes) {
   return text.next_content_line() ? std::string(text.token()) : std::string();
 }
 
+// The first word of the first line is ply, as its reader demands, byte order mark and blanks included.
 bool is_ply(std::string_view bytes) {
-  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
+  constexpr std::string_view kBlanks = " \t\v\f";
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlanks), bytes.size()));
+  return bytes.size() > 3 && bytes.starts_with("ply") && std::string_view(" \t\v\f\r\n").find(bytes[3]) != bytes.npos;
 }
 
 bool is_obj_statement(std::string_view word) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "mesh/reading/read_text.hpp"
@@ -60,9 +61,10 @@ class HeaderParser {
     const std::string_view line_end = bytes.substr(first, bytes.substr(first).starts_with("\r\n") ? 2 : 1);
     for (std::size_t at = bytes.find("end_header"); at != std::string_view::npos;
          at = bytes.find("end_header", at + 1)) {
-      const bool starts_line = at > 0 && bytes[at - 1] == line_end.back();
+      if (at == 0 || bytes[at - 1] != line_end.back()) continue;
       const std::size_t end = bytes.find(line_end, at);
-      if (starts_line && end != std::string_view::npos) return bytes.substr(0, end + line_end.size());
+      if (end == std::string_view::npos) break;  // and none after a later end_header: searching again takes O(n^2)
+      return bytes.substr(0, end + line_end.size());
     }
     return bytes;
   }
@@ -102,10 +104,8 @@ class HeaderParser {
     const std::string_view name = text_.token();
     const std::int64_t count = text_.integer("the number of elements");
     if (count < 0) text_.refuse(fmt::format("the number of elements is {}", count));
-    for (const PlyElement& element : header_.elements) {
-      if (element.name == name) text_.refuse(fmt::format("the element {} is declared twice", quoted(name)));
-    }
-    header_.elements.push_back({std::string(name), count, {}});
+    if (!names_.insert(name).second) text_.refuse(fmt::format("the element {} is declared twice", quoted(name)));
+    header_.elements.push_back({printable(name), count, {}});
   }
 
   void parse_property() {
@@ -118,7 +118,7 @@ class HeaderParser {
       word = text_.token();
     }
     property.type = require_type(word);
-    property.name = text_.token();
+    property.name = printable(text_.token());
     if (property.name.empty()) text_.refuse("the property has no name");
     header_.elements.back().properties.push_back(std::move(property));
   }
@@ -158,6 +158,7 @@ class HeaderParser {
   TextReader text_;
   std::size_t size_;
   PlyHeader header_;
+  std::set<std::string_view> names_;  // of the elements
   bool has_format_ = false;
 };
 

@@ -17,13 +17,13 @@ std::size_t size_of(PlyType type);
 inline bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 struct PlyProperty {
-  std::string name;
+  std::string name;  ///< printable and short, for messages: "x" and other names that mean something stay as they are
   PlyType type{};
   std::optional<PlyType> count_type;  ///< of a list
 };
 
 struct PlyElement {
-  std::string name;
+  std::string name;  ///< printable and short, likewise
   std::int64_t count = 0;
   std::vector<PlyProperty> properties;
 

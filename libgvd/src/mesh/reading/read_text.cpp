@@ -75,12 +75,14 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return value;
 }
 
-std::string quoted(std::string_view token) {
+std::string printable(std::string_view token) {
   constexpr std::size_t kLongest = 32;
-  std::string text = "'";
+  std::string text;
   for (const char c : token.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (token.size() > kLongest ? "...'" : "'");
+  return token.size() > kLongest ? text + "..." : text;
 }
+
+std::string quoted(std::string_view token) { return fmt::format("'{}'", printable(token)); }
 
 TextReader::TextReader(std::string_view bytes, std::string_view name, bool comments)
     : text_(bytes), name_(name), comments_(comments) {

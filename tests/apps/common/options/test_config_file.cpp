@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <string>
+
 #include "apps/run_command.hpp"
 #include "common/options/config_file.hpp"
 #include "gvd/error.hpp"
@@ -60,6 +63,30 @@ TEST_CASE("what is no TOML is refused with its place") {
   CHECK_THAT(refusal("a = 1\n  n = [ 12\n"), StartsWith("a.toml:2:") && Contains(": n: no TOML: "));
   CHECK_THAT(refusal("n 12\n"), StartsWith("a.toml:1:") && !Contains("n: "));
   CHECK(parse_config("", "f").empty());
+}
+
+// The parser's own assertions used to end a build that has assertions.
+TEST_CASE("a table's name that begins with a zero byte is refused") {
+  CHECK_THAT(refusal(std::string("[\0\t\x1f'", 5)), StartsWith("a.toml:1:2: ") && Contains("no TOML: "));
+}
+
+// The parser took letters like these for unreachable, in keys and beside line breaks in strings.
+TEST_CASE("letters that are not ASCII are refused outside of strings and kept inside") {
+  for (const char* letter : {"\u00a1", "\u00e4", "\u0283", "\u0499"}) {
+    const std::string text = letter;
+    CHECK_THAT(refusal(text + " = 1\n"), StartsWith("a.toml:1:") && Contains("no TOML: "));
+    CHECK_THAT(refusal("n = " + text + "\n"), StartsWith("a.toml:1:") && Contains("no TOML: "));
+    CHECK(parse_config("input = \"\"\"\\\n" + text + "\"\"\"\n", "f").at(0).values.at(0).text.ends_with(text));
+  }
+}
+
+TEST_CASE("a message about what is no TOML is printable and short") {
+  for (const std::string& wrong : {std::string("\1\0\t'a' = 1\nn = 99999999999999999999\n", 36),
+                                   std::string(5000, 'k') + " = [", std::string("n = \"\x1b[2J")}) {
+    const std::string message = refusal(wrong);
+    CHECK(message.size() < 300);
+    CHECK(std::none_of(message.begin(), message.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }));
+  }
 }
 
 TEST_CASE("a file that can't be read is refused by its name") {

@@ -52,3 +52,8 @@ TEST_CASE("each option takes values of its type only") {
 TEST_CASE("two keys of one option are refused") {
   CHECK_THROWS_WITH(find("count = 3\nradius = 1\nn = 3"), Contains("f:3:1: n: is the same option as count above"));
 }
+
+TEST_CASE("a key with control characters or of many letters makes a message of one short line") {
+  CHECK_THROWS_WITH(find("\"a\\nb\" = 1"), Contains(": a b: is no option"));
+  CHECK_THROWS_WITH(find("\"" + std::string(500, 'x') + "\" = 1"), Contains("xxx...: is no option"));
+}

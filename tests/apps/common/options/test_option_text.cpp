@@ -17,3 +17,11 @@ TEST_CASE("an option is given by any of its names, with any of its values, unles
   CHECK(is_given_as({&quiet, "", "", {"true"}}, "--quiet"));
   CHECK(!is_given_as({&quiet, "", "", {"false"}}, "--quiet"));
 }
+
+TEST_CASE("texts of the user's are printable and short in messages, and keep their letters whole") {
+  CHECK(printable("-n") == "-n");
+  CHECK(printable(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
+  CHECK(printable(std::string(61, 'a')) == std::string(60, 'a') + "...");
+  CHECK(printable("k\u00e4se", 3) == "k\u00e4...");
+  CHECK(printable("k\u00e4se", 2) == "k...");
+}
