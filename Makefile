@@ -7,6 +7,7 @@
 
 BUILD       ?= build
 SANITIZE    ?= build-sanitize
+THREADS     ?= build-threads
 JOBS        ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX      ?= /usr/local
 DEMO_OUTPUT ?= demo-output
@@ -15,23 +16,29 @@ install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
 missing_packages := $(if $(NO_INSTALL),:,scripts/install-deps.sh --missing)
 configure    := scripts/configure.sh
 
-FUZZ_FIRST  ?= 1000
-FUZZ_COUNT  ?= 10000
+FUZZ        ?= build-fuzz
+FUZZ_SECONDS ?= 60
+SOUPS_FIRST ?= 1000
+SOUPS_COUNT ?= 10000
+BATTERY_SEEDS ?= 1:21
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures test fuzz test-runs build bench why-exact sanitize install format lint clean
+.PHONY: help demo pictures test fuzz soups battery test-runs build bench why-exact sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make test      build and run every test"
-	@echo "make fuzz      random soups and generators through everything: FUZZ_COUNT seeds ($(FUZZ_COUNT))"
+	@echo "make fuzz      damaged files for every reader: FUZZ_SECONDS for each ($(FUZZ_SECONDS))"
+	@echo "make soups     random soups and generators through everything: SOUPS_COUNT seeds ($(SOUPS_COUNT))"
+	@echo "make battery   hostile meshes through the commands: BATTERY_SEEDS ($(BATTERY_SEEDS)), BATTERY_CORPUS=FOLDER"
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the three commands"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make why-exact compare labels by Euclidean, edge and heat distances with the exact ones"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
+	@echo "make sanitize-threads  run the tests of threads under the thread sanitizer"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make format    lay out the sources with clang-format"
 	@echo "make lint      check layout, names, includes, sizes, and what the documents link to and name"
@@ -59,12 +66,24 @@ test:
 	@scripts/check_examples.sh $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-# What is known to fail is left out without FUZZ_ALL=1.
+# libFuzzer, FUZZ_TARGETS of it (off obj ply stl generators config) or all. The next run goes on where this one ends.
 fuzz:
+	@$(install_deps) build fuzz
+	@$(configure) sanitizers $(FUZZ) -DCMAKE_CXX_COMPILER=clang++ -DGVD_BUILD_FUZZERS=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@cmake --build $(FUZZ) -j $(JOBS) --target gvd_fuzzers
+	@JOBS=$(JOBS) tests/fuzz/targets/run $(FUZZ)/bin $(FUZZ)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
+
+# Findings are left in BUILD/battery/findings.
+battery: build
+	@tests/battery/battery.py $(BUILD)/bin $(BUILD)/battery --seeds $(BATTERY_SEEDS) --jobs $(JOBS) \
+	  $(if $(BATTERY_CORPUS),--corpus $(BATTERY_CORPUS))
+
+# What is known to fail is left out without SOUPS_ALL=1.
+soups:
 	@$(install_deps) build test
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target test_fuzz
-	@GVD_FUZZ_FIRST=$(FUZZ_FIRST) GVD_FUZZ_COUNT=$(FUZZ_COUNT) $(if $(FUZZ_ALL),GVD_FUZZ_ALL=1) \
+	@GVD_FUZZ_FIRST=$(SOUPS_FIRST) GVD_FUZZ_COUNT=$(SOUPS_COUNT) $(if $(SOUPS_ALL),GVD_FUZZ_ALL=1) \
 	  $(BUILD)/bin/test_fuzz "[.by-hand]"
 
 test-runs:
@@ -93,6 +112,14 @@ sanitize:
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
 	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install"
+
+# The tests of threads only: everything else works in one thread.
+sanitize-threads:
+	@$(install_deps) build test fuzz
+	@$(configure) sanitizers $(THREADS) -DCMAKE_CXX_COMPILER=clang++ -DGVD_SANITIZE=thread -DGVD_BUILD_APPS=OFF \
+	  -DGVD_WITH_CGAL_GPL=OFF -DGVD_WITH_VIEWER=OFF $(CMAKE_FLAGS)
+	@cmake --build $(THREADS) -j $(JOBS) --target test_threads
+	@$(THREADS)/bin/test_threads
 
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)

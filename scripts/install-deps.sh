@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...             with groups out of: build test bench pictures lint ci
+#   scripts/install-deps.sh GROUP...             with groups out of: build test bench pictures fuzz lint ci
 #   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
 # Does nothing, and asks for nothing, where all of them are installed already.
@@ -17,9 +17,10 @@ packages_of() {
     test)  echo catch2 python3-jsonschema ;;
     bench) echo ;;
     pictures) echo $(unless_found chromium chromium) ;;
+    fuzz)  echo clang libclang-rt-14-dev ;;
     lint)  echo clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
     ci)    echo clang clang-format libclang-rt-14-dev ccache chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 $(unless_found python3 python3) ;;
-    *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures lint ci)" >&2; exit 2 ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures fuzz lint ci)" >&2; exit 2 ;;
   esac
 }
 

@@ -235,7 +235,7 @@ TEST_CASE("random soups with random generators end in sound results, or in an er
   REQUIRE(run_seeds(kFirstSeed, kSeeds, false) == 0);
 }
 
-// By hand: make fuzz, with FUZZ_FIRST, FUZZ_COUNT and FUZZ_ALL=1.
+// By hand: make soups, with SOUPS_FIRST, SOUPS_COUNT and SOUPS_ALL=1.
 TEST_CASE("more random soups", "[.by-hand]") {
   REQUIRE(run_seeds(number_from("GVD_FUZZ_FIRST", 1000), number_from("GVD_FUZZ_COUNT", 10000), true) == 0);
 }

@@ -80,6 +80,26 @@ class SharedRun {
   std::mutex mutex_;
 };
 
+#ifdef GVD_PLAIN_THREADS
+// For the thread sanitizer, which sees the hand-over of work only in code that is compiled with it. oneTBB's is not.
+void take_in_threads(std::size_t threads, SharedRun& shared) {
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back([&] { shared.take_items(); });
+  shared.take_items();
+  for (std::thread& other : others) other.join();
+}
+#else
+void take_in_threads(std::size_t threads, SharedRun& shared) {
+  // One task for each thread that may work; a task that starts late finds no item left. No separate arena: with
+  // oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. Isolated, so that the calling
+  // thread takes no other work of its program while it waits.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
+  });
+}
+#endif
+
 }  // namespace
 
 std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size) {
@@ -95,13 +115,7 @@ void ParallelChunks::run(std::size_t count, const StepPart& step, const std::fun
   if (threads <= 1) {
     shared.take_items();
   } else {
-    // One task for each thread that may work; a task that starts late finds no item left. No separate arena: with
-    // oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. Isolated, so that the calling
-    // thread takes no other work of its program while it waits.
-    tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(
-          std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
-    });
+    take_in_threads(threads, shared);
     // If a surrounding loop of the caller's was cancelled, oneTBB starts no task: then all items are left.
     shared.take_items();
   }

@@ -1,0 +1,167 @@
+#include "fuzz/targets/round_trip.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fuzz/targets/require.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/soup.hpp"
+
+namespace gvd::fuzz {
+namespace {
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return false;
+  }
+  return true;
+}
+
+void check_soup(const PolygonSoup& soup) {
+  require(soup.polygon_count() > 0, "a soup without polygons");
+  require(soup.first_corner.front() == 0 && soup.first_corner.back() == soup.corners.size(), "corners are lost");
+  require(std::is_sorted(soup.first_corner.begin(), soup.first_corner.end()), "polygons overlap");
+  for (const Vec3& p : soup.positions) require(p.allFinite(), "a coordinate is not finite");
+  const auto count = static_cast<std::int64_t>(soup.positions.size());
+  for (const std::int32_t v : soup.corners) require(v >= 0 && v < count, "an index is out of range");
+}
+
+/// The faces round each vertex must form one fan: as many faces as can be reached from one of them through edges at the
+/// vertex.
+void check_fans(const std::vector<std::array<std::int32_t, 3>>& faces, std::int32_t vertices) {
+  // Per vertex the edge opposite to it in each face; a fan is a path or a cycle of these edges.
+  std::vector<std::map<std::int32_t, std::int32_t>> next(static_cast<std::size_t>(vertices));
+  for (const auto& f : faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto& links = next[static_cast<std::size_t>(f[i])];
+      require(links.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second, "two faces run through an edge in one direction");
+    }
+  }
+  for (const auto& links : next) {
+    require(!links.empty(), "a vertex has no face");
+    std::map<std::int32_t, std::int32_t> previous;
+    for (const auto& [from, to] : links) {
+      require(previous.emplace(to, from).second, "two faces run through an edge in one direction");
+    }
+    std::int32_t first = links.begin()->first;
+    for (std::size_t i = 0; i < links.size() && previous.count(first) > 0; ++i) first = previous[first];
+    std::size_t reached = 0;
+    for (auto it = links.find(first); it != links.end() && reached < links.size(); it = links.find(it->second)) {
+      ++reached;
+    }
+    require(reached == links.size(), "the faces round a vertex form more than one fan");
+  }
+}
+
+void check_mesh(const Mesh& mesh) {
+  require(mesh.face_count() > 0, "a mesh without faces");
+  std::vector<std::array<std::int32_t, 3>> faces;
+  for (FaceId f(0); f.value() < mesh.face_count(); f = FaceId(f.value() + 1)) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    require(a != b && b != c && c != a, "a face with a repeated corner");
+    faces.push_back({a.value(), b.value(), c.value()});
+  }
+  check_fans(faces, mesh.vertex_count());
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
+    const double length = mesh.length(EdgeId(e));
+    require(length > 0 && std::isfinite(length), "an edge without a length");
+  }
+}
+
+void check_maps(const CheckedMesh& checked, const PolygonSoup& soup) {
+  require(checked.mesh_vertex.size() == soup.positions.size(), "an input vertex has no entry");
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    const VertexId to = checked.mesh_vertex[v];
+    require(!to.valid() || to.value() < checked.mesh.vertex_count(), "an input vertex leads out of the mesh");
+    if (to.valid()) require(checked.mesh.position(to) == soup.positions[v], "a repair has moved a vertex");
+  }
+  require(static_cast<std::int32_t>(checked.input_polygon.size()) == checked.mesh.face_count(),
+          "a face has no polygon");
+  for (const std::int32_t p : checked.input_polygon) {
+    require(p >= 0 && static_cast<std::size_t>(p) < soup.polygon_count(), "a face has no polygon");
+  }
+  for (const std::string& message : checked.defects.messages) {
+    require(message.find_first_of("\r\n") == message.npos, "a message of several lines: " + message);
+  }
+}
+
+void require_same(const Mesh& a, const Mesh& b) {
+  require(a.vertex_count() == b.vertex_count() && a.face_count() == b.face_count(), "other numbers of elements");
+  for (VertexId v(0); v.value() < a.vertex_count(); v = VertexId(v.value() + 1)) {
+    require(same_bits(a.position(v), b.position(v)), fmt::format("vertex {} has moved", v.value()));
+  }
+  for (FaceId f(0); f.value() < a.face_count(); f = FaceId(f.value() + 1)) {
+    require(a.vertices(f) == b.vertices(f), fmt::format("face {} has other corners", f.value()));
+  }
+}
+
+std::string write(const Mesh& mesh, OutputFormat format, bool ascii) {
+  LabelledMesh labelled{mesh};
+  labelled.ascii_ply = ascii;
+  std::ostringstream out;
+  write_mesh(out, labelled, format);
+  return std::move(out).str();
+}
+
+void check_written(const Mesh& mesh, MeshFormat format, bool ascii) {
+  const auto output = parse_output_format(name_of(format));
+  require(output.has_value(), "a format can be read and not written");
+  attempt({}, [&] {
+    const PolygonSoup soup = parse_soup(write(mesh, *output, ascii), format, "the written file");
+    const CheckedMesh again = build_mesh(soup, DefectPolicy::error);
+    require_same(mesh, again.mesh);
+  });
+}
+
+/// Writes the triangles as STL, which has 32-bit floats, and compares the corners.
+void check_written_stl(const Mesh& mesh) {
+  std::string bytes;
+  if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(mesh, OutputFormat::stl, false); })) return;
+  PolygonSoup soup;
+  attempt({}, [&] { soup = parse_soup(bytes, MeshFormat::stl, "the written file"); });
+  require(soup.polygon_count() == static_cast<std::size_t>(mesh.face_count()), "other numbers of triangles");
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 wanted =
+          mesh.position(mesh.vertices(FaceId(static_cast<std::int64_t>(f)))[i]).cast<float>().cast<double>();
+      require(same_bits(wanted, soup.positions[static_cast<std::size_t>(soup.polygon(f)[i])]), "a corner has moved");
+    }
+  }
+}
+
+void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat format) {
+  CheckedMesh checked;
+  if (!attempt({ErrorCode::precondition}, [&] { checked = build_mesh(soup, policy); })) return;
+  check_mesh(checked.mesh);
+  check_maps(checked, soup);
+  if (policy != DefectPolicy::repair) return;
+  if (format == MeshFormat::stl) return check_written_stl(checked.mesh);
+  check_written(checked.mesh, format, false);
+  if (format == MeshFormat::ply) check_written(checked.mesh, format, true);
+}
+
+}  // namespace
+
+void check_reading(const std::uint8_t* data, std::size_t size, MeshFormat format) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  const auto detected = detect_format(bytes, "input");
+  PolygonSoup soup;
+  const bool is_read = attempt({ErrorCode::unreadable_input, ErrorCode::precondition},
+                               [&] { soup = parse_soup(bytes, format, "input"); });
+  if (!is_read) return;
+  check_soup(soup);
+  if (format == MeshFormat::ply) require(detected == MeshFormat::ply, "a PLY is taken for something else");
+  for (const DefectPolicy policy : {DefectPolicy::error, DefectPolicy::repair, DefectPolicy::largest}) {
+    check_policy(soup, policy, format);
+  }
+}
+
+}  // namespace gvd::fuzz
