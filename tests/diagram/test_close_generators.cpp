@@ -2,6 +2,7 @@
 // which pieces of a face overlapped, or a point lay outside of its face.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,50 @@ void check_branch_points(const Mesh& mesh, const Diagram& diagram) {
   }
 }
 
+/// Requires right distances at all vertices. Those of reference start at the vertices, so that no face is split.
+void check_distances(const Mesh& mesh, const Diagram& diagram) {
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const ExactField from(mesh, {vertex_point(mesh, VertexId(v))});
+    double least = std::numeric_limits<double>::infinity();
+    for (const SurfacePoint& generator : diagram.generators) least = std::min(least, from.nearest(generator).distance);
+    INFO("vertex " << v << ": " << diagram.vertex_distance[VertexId(v)] << " instead of " << least);
+    CHECK(std::abs(diagram.vertex_distance[VertexId(v)] - least) <= 1e-13 * mesh.bbox_diagonal());
+  }
+}
+
 }  // namespace
+
+TEST_CASE("two generators down to 1e-11 of the diagonal apart: the distances of all vertices are right") {
+  const Mesh mesh = test::make_tetrahedron();
+  for (const double apart : {1e-6, 1e-8, 1e-9, 1e-10, 3e-11}) {
+    for (int direction = 0; direction < 12; ++direction) {
+      INFO(apart << " apart, direction " << direction);
+      const double angle = 0.53 * direction, dx = apart * std::cos(angle), dy = apart * std::sin(angle);
+      check_distances(mesh, compute_sound(mesh, {{FaceId(1), {0.5, 0.2, 0.3}},
+                                                 {FaceId(1), {0.5 - dx - dy, 0.2 + dx, 0.3 + dy}},
+                                                 {FaceId(3), {0.25, 0.25, 0.5}}}));
+    }
+  }
+}
+
+TEST_CASE("a vertex that gets another label to connect cells keeps the distance of its nearest generator") {
+  const Mesh mesh =
+      test::make_mesh({{8e-61, 5.9999999999999995e-61, 0},
+                       {-8e-61, -5.9999999999999995e-61, 0},
+                       {-5.9999999999999995e-61, 8e-61, 0},
+                       {5.9999999999999995e-61, -8e-61, 0},
+                       {0, 0, 1e-60},
+                       {0, 0, -1e-60}},
+                      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+  const Diagram diagram =
+      compute_sound(mesh, {{FaceId(2), {0.04030162782105576, 0.4952726104871693, 0.46442576169177496}},
+                           {FaceId(2), {0.040301627612173915, 0.4952726103944689, 0.46442576199335717}},
+                           {FaceId(2), {0.04030162771972174, 0.4952726103768199, 0.4644257619034583}},
+                           {FaceId(2), {0.04030162763652375, 0.49527261053718685, 0.46442576182628936}},
+                           {FaceId(1), {0.2738710323799836, 0.08358643463864551, 0.642542532981371}},
+                           {FaceId(1), {0.27389626110564674, 0.08349228645065086, 0.6426114524437023}}});
+  check_distances(mesh, diagram);
+}
 
 TEST_CASE("a branch point between ridges of the distances is found") {
   // Three generators 1e-3 apart, with paths on both sides of a cube: Newton's method converges only from within 1e-4 of

@@ -154,6 +154,9 @@ TEST_CASE("an island of the labels takes the label of a neighbour") {
   const TracedDiagram traced = cells.trace(labels);
   CHECK(traced.labels.label[cells.inner] == GeneratorId(0));
   CHECK(traced.counts.relabelled_vertices == 1);
+  REQUIRE(traced.before_relabelling);
+  CHECK(traced.before_relabelling->label.raw() == labels.label.raw());
+  CHECK(traced.before_relabelling->distance.raw() == labels.distance.raw());
   CHECK(traced.cell_components.raw() == ones(2));
   CHECK(cells.tracer.rounds == 2);
   REQUIRE(cells.tracer.crossed_again.size() == 1);

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <random>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
@@ -77,6 +79,29 @@ TEST_CASE("every generator becomes a vertex, and the surface stays") {
           REQUIRE(working.generator(v) == GeneratorId(i));
         }
       }
+    }
+  }
+}
+
+TEST_CASE("a generator next to another one splits the face or the edge on whose side it lies") {
+  // Seen from the second generator, all edges at the first one are near. It used to split one of them though it lay
+  // far to the side, which turned a face over.
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {ids(0, 1, 2)});
+  for (const double apart : {1e-5, 1e-9, 1e-10, 1e-11}) {
+    for (int direction = 0; direction < 24; ++direction) {
+      INFO(apart << " apart, direction " << direction);
+      const double angle = 0.26 * direction, dx = apart * std::cos(angle), dy = apart * std::sin(angle);
+      const SurfacePoint first{FaceId(0), {0.5, 0.2, 0.3}}, second{FaceId(0), {0.5 - dx - dy, 0.2 + dx, 0.3 + dy}};
+      const WorkingMesh working(mesh, {first, second});
+      double area = 0;
+      for (int f = 0; f < working.mesh().face_count(); ++f) {
+        const auto corner = [&](const Bary& bary) { return affine_point(working.parent_bary(FaceId(f), bary)); };
+        const double part = twice_signed_area(corner({1, 0, 0}), corner({0, 1, 0}), corner({0, 0, 1}));
+        CHECK(part > 0);
+        area += part;
+      }
+      CHECK(area == Approx(1).epsilon(1e-14));
     }
   }
 }

@@ -110,7 +110,8 @@ struct DiagramReport {
 struct Diagram {
   std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId
   IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid if none reaches the vertex
-  IdVector<VertexId, double> vertex_distance;    ///< mesh units; infinity if none reaches the vertex
+  /// To the nearest generator, of relabelled vertices too; mesh units, infinity if none reaches the vertex.
+  IdVector<VertexId, double> vertex_distance;
   IdVector<BranchPointId, BranchPoint> branch_points;
   IdVector<BisectorId, Bisector> bisectors;
   IdVector<GeneratorId, Cell> cells;

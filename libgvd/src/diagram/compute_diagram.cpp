@@ -23,16 +23,18 @@
 namespace gvd {
 namespace {
 
-/// Labels and distances of the input's own vertices, without the symbolic offsets.
-void take_vertex_labels(const WorkingMesh& working, const NearestLabels& labels, const SymbolicOffset& offset,
+/// Labels and distances of the input's own vertices, without the symbolic offsets. A vertex that was relabelled keeps
+/// the distance from its nearest generator.
+void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const SymbolicOffset& offset,
                         Diagram& diagram) {
+  const NearestLabels& nearest = traced.before_relabelling ? *traced.before_relabelling : traced.labels;
   const auto n = static_cast<std::size_t>(working.input().vertex_count());
   diagram.vertex_label.resize(n);
   diagram.vertex_distance.resize(n);
   for (std::int32_t i = 0; i < working.input().vertex_count(); ++i) {
     const VertexId v(i);
-    diagram.vertex_label[v] = labels.label[v];
-    diagram.vertex_distance[v] = std::max(0.0, labels.distance[v] - offset.of(labels.label[v]));
+    diagram.vertex_label[v] = traced.labels.label[v];
+    diagram.vertex_distance[v] = std::max(0.0, nearest.distance[v] - offset.of(nearest.label[v]));
   }
 }
 
@@ -109,7 +111,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
                             : trace_windows(working, options, parallel, diagram.report);
   take_counts(traced.diagram.counts, diagram.report);
   report_progress(options.progress, steps::kCells, 0);
-  take_vertex_labels(working, traced.diagram.labels, traced.offset, diagram);
+  take_vertex_labels(working, traced.diagram, traced.offset, diagram);
   trace_bisectors(working, traced.diagram, parallel, diagram);
   collect_cells(working, traced.diagram, parallel, diagram);
   return diagram;

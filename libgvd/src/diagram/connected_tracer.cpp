@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -32,7 +33,10 @@ class ConnectedTracer {
       traced.cell_components = components.count_components();
       traced.counts.relabelled_vertices = relabelled_;
       const std::vector<EdgeId> islands = components.island_edges();
-      if (islands.empty()) return traced;
+      if (islands.empty()) {
+        traced.before_relabelling = std::move(before_relabelling_);
+        return traced;
+      }
       if (++rounds_ > kMaxRounds) {
         connect_everywhere();
       } else {
@@ -63,6 +67,7 @@ class ConnectedTracer {
   void connect(const std::vector<EdgeId>& islands, const std::vector<VertexId>& relabelled) {
     steps_.disable_growth(islands);
     relabelled_ += static_cast<std::int64_t>(relabelled.size());
+    if (!relabelled.empty()) keep_labels();
     relabel_from_neighbours(working_, relabelled, labels_);
     std::set<EdgeId> edges(islands.begin(), islands.end());
     for (const VertexId v : relabelled) {
@@ -76,14 +81,20 @@ class ConnectedTracer {
     std::vector<EdgeId> all;
     for (std::int32_t e = 0; e < mesh_.edge_count(); ++e) all.push_back(EdgeId(e));
     steps_.disable_growth(all);
+    keep_labels();
     relabelled_ += relabel_unsupported(working_, labels_);
     cross_at_most_once(all);
+  }
+
+  void keep_labels() {
+    if (!before_relabelling_) before_relabelling_ = labels_;
   }
 
   const WorkingMesh& working_;
   const Mesh& mesh_;
   const TracerSteps& steps_;
   NearestLabels labels_;
+  std::optional<NearestLabels> before_relabelling_;
   Crossings crossings_;
   std::vector<EdgeId> crossed_once_;  // ascending
   std::int64_t relabelled_ = 0;

@@ -17,8 +17,8 @@
 namespace gvd {
 namespace {
 
-/// A new point with a barycentric coordinate below this in its triangle splits the edge instead of the face. A split of
-/// the face would leave a triangle with an angle of about this many radians.
+/// A new point splits the edge instead of the face if the ways to it from both ends of the edge make a smaller angle
+/// with the edge, in radians. A split of the face would leave a triangle with these two angles.
 constexpr double kOnEdge = 1e-9;
 
 /// A flip must gain more than this, relative to the product of four edge lengths, so that rounding can't cause endless
@@ -28,10 +28,12 @@ constexpr double kFlipGain = 1e-10;
 /// Number of inserted generators between two reports of progress.
 constexpr std::size_t kProgressStride = 1 << 6;
 
-/// Twice the signed area of a, b, c in the affine plane of the first two barycentric coordinates. `affine_point` takes
-/// the last two: the sign is the same, the rounding is not.
+/// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates. The largest one is left out:
+/// near a corner of the face it has lost the digits that the two others have.
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
-  return twice_signed_area({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]});
+  const auto largest = static_cast<std::size_t>(std::max_element(a.begin(), a.end()) - a.begin());
+  const std::size_t i = (largest + 1) % 3, k = (largest + 2) % 3;
+  return twice_signed_area({a[i], a[k]}, {b[i], b[k]}, {c[i], c[k]});
 }
 
 /// Barycentric coordinates of p in the triangle of `corners`, all given in the parent's coordinates.
@@ -222,6 +224,22 @@ WorkingMesh::Location WorkingMesh::locate(const std::vector<FaceId>& children, c
   return best;
 }
 
+/// Whether a point in the face of `side` lies on that edge, inside a parent, up to kOnEdge or to rounding. The distance
+/// from the edge alone does not tell: next to an end of the edge it is small in all directions. A split of the edge
+/// must leave four triangles that do not overlap.
+bool WorkingMesh::splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const {
+  const HalfedgeId twin = copy_.twin(side);
+  if (!twin.valid() || parent(Mesh::face(twin)) != parent(Mesh::face(side))) return false;
+  const Vec3 a = copy_.position(copy_.from(side)) - p, b = copy_.position(copy_.to(side)) - p;
+  const double nearer = std::min(a.stableNorm(), b.stableNorm());
+  const double height = a.cross(b).stableNorm() / (b - a).stableNorm();
+  if (!(height <= std::max(kOnEdge * nearer, kPositionRounding * input_->largest_coordinate()))) return false;
+  const Corners here = corners(Mesh::face(side)), there = corners(Mesh::face(twin));
+  const auto i = static_cast<std::size_t>(Mesh::corner(side)), k = static_cast<std::size_t>(Mesh::corner(twin));
+  const Bary &from = here[i], &to = here[(i + 1) % 3], &beyond = there[(k + 2) % 3];
+  return signed_area(bary, beyond, to) > 0 && signed_area(bary, from, beyond) > 0;
+}
+
 void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point) {
   const auto [child, local, smallest] = locate(children, point.bary);
   const Vec3 p = position(*input_, point);
@@ -230,8 +248,7 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
   }
   const int thin = static_cast<int>(std::min_element(local.begin(), local.end()) - local.begin());
   const HalfedgeId side = Mesh::next(Mesh::halfedge(child, thin));
-  const HalfedgeId twin = copy_.twin(side);
-  if (smallest < kOnEdge && twin.valid() && parent(Mesh::face(twin)) == point.face) {
+  if (splits_edge(side, p, point.bary)) {
     if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
     const auto changed = split_edge(side, g, p, point.bary, point.bary);
     children.insert(children.end(), {changed[1], changed[3]});

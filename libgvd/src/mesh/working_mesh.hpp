@@ -51,6 +51,7 @@ class WorkingMesh {
     double smallest = -std::numeric_limits<double>::infinity();  // of `bary`: < 0 outside by rounding
   };
   Location locate(const std::vector<FaceId>& children, const Bary& bary) const;
+  bool splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const;
   void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
   VertexId vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const;
   HalfedgeId find_copied(HalfedgeId h) const;

@@ -86,6 +86,18 @@ TEST_CASE("positions include every change of the nearer source, at any scale of 
   CHECK(changes > 500);
 }
 
+TEST_CASE("two images nearly in one place, far from the start of the edge, are told apart") {
+  // With offsets that hardly differ the two roots nearly coincide: the discriminant keeps half of the digits. Counted
+  // from the start of the edge, these do not reach down to the distance of the images.
+  for (const double apart : {1e-6, 1e-9, 1e-11}) {
+    const EdgeSource a = source(1 - 0.1 * apart, apart, 6e-14), b = source(1, 0, 3e-14);
+    const auto positions = equidistant_positions(a, b, 1);
+    INFO(apart << " apart: " << positions[0] << " and " << positions[1]);
+    CHECK(std::any_of(positions.begin(), positions.end(),
+                      [&](double t) { return std::abs(a.straight(t) - b.straight(t)) <= 1e-4 * apart; }));
+  }
+}
+
 TEST_CASE("Newton's steps improve a position, and stay in the interval") {
   const EdgeSource a = source(0.1, 0.2, 0), b = source(0.8, 0.3, 0.1);
   const auto positions = equidistant_positions(a, b, 1);

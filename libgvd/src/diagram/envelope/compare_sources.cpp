@@ -14,18 +14,17 @@ constexpr int kNewtonSteps = 4;
 
 std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit) {
   // The roots of sqrt(A) = sqrt(B) + c with A - B = slope t + rest, squared twice. Roots of the squares alone do no
-  // harm: the same source is nearer on both sides of them.
-  const double c = (first.offset - second.offset) * unit;
-  const double first_x = first.x * unit, second_x = second.x * unit;
+  // harm: the same source is nearer on both sides of them. Positions count from the foot of the first image: where both
+  // images are much nearer to each other than to the start of the edge, its squares would hide where they differ.
+  const double c = (first.offset - second.offset) * unit, apart = (second.x - first.x) * unit;
   const double first_depth = first.depth * unit, second_depth = second.depth * unit;
-  const double slope = 2 * (first_x - second_x);
-  const double rest =
-      (second_x - first_x) * (second_x + first_x) + (second_depth - first_depth) * (second_depth + first_depth) - c * c;
-  if (c == 0) return {slope != 0 ? -rest / slope / unit : -1, -1};
-  const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest + 4 * c * c * first_x;
-  const double constant = rest * rest - 4 * c * c * (first_x * first_x + first_depth * first_depth);
+  const double slope = -2 * apart;
+  const double rest = apart * apart + (second_depth - first_depth) * (second_depth + first_depth) - c * c;
+  if (c == 0) return {slope != 0 ? first.x - rest / slope / unit : -1, -1};
+  const double square = (slope - 2 * c) * (slope + 2 * c), half = slope * rest;
+  const double constant = (rest - 2 * c * first_depth) * (rest + 2 * c * first_depth);
   auto roots = quadratic_roots(square, half, constant);
-  for (double& root : roots) root = std::isfinite(root) ? root / unit : -1;
+  for (double& root : roots) root = std::isfinite(root) ? first.x + root / unit : -1;
   if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
   return roots;
 }

@@ -8,12 +8,12 @@
 namespace gvd {
 namespace {
 
-/// Shortest label interval, as a fraction of its edge. A shorter one is a rounding error where windows end. The points
-/// of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
-constexpr double kShortestExactInterval = 1e-9;
-
 /// Distance between crossings and the ends of their edge, as a fraction of it: above the snapping of surface points.
 constexpr double kEndGap = 2e-12;
+
+/// Shortest label interval, as a fraction of its edge: several times what lies between two crossings at least. The
+/// points of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
+constexpr double kShortestExactInterval = 5 * kEndGap;
 
 /// Two distances that differ by less than this fraction of themselves are equal. A bracket narrower than this fraction
 /// of the edge is a point.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
@@ -26,6 +27,8 @@ struct TracedDiagram {
   std::vector<VertexId> moved{};                          ///< vertices that growth gave to another cell
   IdVector<GeneratorId, std::int32_t> cell_components{};  ///< 1 where a cell is connected
   TracerCounts counts{};
+  /// The nearest generators of all vertices before some got other labels to connect cells; none if none did.
+  std::optional<NearestLabels> before_relabelling{};
 };
 
 }  // namespace gvd
