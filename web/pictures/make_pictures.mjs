@@ -8,7 +8,7 @@ import { kPictures, kWidth } from './pictures.mjs';
 
 const kLargest = 120000;  // bytes of one picture
 const kQuality = 0.86;    // of the WebP encoder
-const kBare = 'header, aside, #region, #hint { visibility: hidden } canvas:focus-visible { outline: none !important }';
+const kBare = 'header, aside, #notes, #hint { display: none !important } canvas:focus-visible { outline: none !important }';
 const kArrows = { left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown' };
 
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
@@ -22,12 +22,20 @@ const browser = await chromium.launch({
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-// Waits two frames, after which everything requested is drawn.
+// Waits until the surface rests and everything requested is drawn.
 const settle = (page) =>
   page.evaluate(async () => {
-    for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-    await new Promise((done) => setTimeout(done, 50));
+    for (const pause of [0, 250, 50]) {
+      await new Promise((done) => setTimeout(done, pause));
+      for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+    }
   });
+
+// In the page: chooses an entry of a list, which a closed panel may hide.
+function choose(select, value) {
+  select.value = value;
+  select.dispatchEvent(new Event('change'));
+}
 
 async function press(page, key, times) {
   await page.locator('#canvas').focus();
@@ -35,10 +43,15 @@ async function press(page, key, times) {
 }
 
 // Turns and zooms the surface and sets the switches as the picture asks for, with the page's own keys and switches.
-async function arrange(page, { scene, turn = {}, zoom = 0, pan, show = {}, hover }) {
+async function arrange(page, { scene, turn = {}, zoom = 0, pan, show = {}, colour, hover, whole_page }) {
   if (scene) await page.getByText(scene, { exact: true }).click();
+  if (colour) await page.locator('#colour').evaluate(choose, colour);
   for (const [key, on] of Object.entries(show)) {
     await page.locator(`#toggle-${key}`).evaluate((box, wanted) => box.checked === wanted || box.click(), on);
+  }
+  if (!whole_page) {
+    await page.addStyleTag({ content: kBare });
+    await press(page, '0', 1);  // into the room that the panels leave
   }
   for (const [side, times] of Object.entries(turn)) await press(page, kArrows[side], times);
   await press(page, zoom < 0 ? '-' : '+', Math.abs(zoom));
@@ -59,7 +72,6 @@ async function screenshot(picture) {
   await page.goto(pathToFileURL(resolve(page_folder, `${picture.page}.html`)).href);
   await page.waitForSelector('html[data-ready]', { timeout: 60000 });
   await arrange(page, picture);
-  if (!picture.whole_page) await page.addStyleTag({ content: kBare });
   await page.evaluate(() => document.activeElement.blur());
   await settle(page);
   const png = await page.screenshot();

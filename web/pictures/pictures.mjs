@@ -3,11 +3,11 @@
 //   name        the file, without .webp
 //   page        the page that scripts/make_pictures.sh writes, without .html
 //   size        of the window in CSS pixels. The picture is about kWidth wide. Marks have a fixed size in CSS
-//               pixels, so a larger window makes them smaller. Up to 720 wide, no panel is beside the surface
+//               pixels or less, so a larger window makes them smaller
 //   scene       the text of a scene's button
 //   turn        number of presses of arrow keys; zoom: of the key +
 //   pan         a right-drag, `from` and `to` in CSS pixels; hover: where the pointer rests
-//   show        switches of the page, by key
+//   show        switches of the page, by key; colour: what the surface is coloured by
 //   whole_page  the page's panels are in the picture too
 
 export const kWidth = 800;
@@ -16,25 +16,25 @@ const kSmall = [400, 320];
 const kLarge = [600, 480];
 const kClose = {
   size: kSmall,
-  zoom: 19,
+  zoom: 17,
   pan: { from: [240, 163], to: [200, 160] },
   show: { wireframe: true, generators: false },
 };
 const kNoBranchPoints = { branch_points: false };
-const kDistances = { regions: false, lines: true, shading: true, branch_points: false };
+const kDistances = { colour: 'distance', show: { lines: true, branch_points: false } };
 
 export const kPictures = [
-  { name: 'segments', page: 'segments', size: kSmall, zoom: 2 },
-  { name: 'samples', page: 'samples', size: kLarge, zoom: 2, show: kNoBranchPoints },
-  { name: 'coarse', page: 'coarse', size: kLarge, zoom: 2, show: { generators: false } },
-  { name: 'distances', page: 'segments', size: kSmall, zoom: 2, show: kDistances },
+  { name: 'segments', page: 'segments', size: kSmall },
+  { name: 'samples', page: 'samples', size: kLarge, show: kNoBranchPoints },
+  { name: 'coarse', page: 'coarse', size: kLarge, show: { generators: false } },
+  { name: 'distances', page: 'segments', size: kSmall, ...kDistances },
   { name: 'bisectors', page: 'segments', ...kClose },
   { name: 'cut', page: 'cut', ...kClose },
-  { name: 'farthest', page: 'farthest', size: kSmall, zoom: 2, show: kNoBranchPoints },
-  { name: 'poisson', page: 'poisson', size: kSmall, zoom: 2, show: kNoBranchPoints },
-  { name: 'random', page: 'relaxed', scene: 'Start', size: kSmall, zoom: 2, show: kNoBranchPoints },
-  { name: 'relaxed', page: 'relaxed', scene: 'Relaxed', size: kSmall, zoom: 2, show: kNoBranchPoints },
+  { name: 'farthest', page: 'farthest', size: kSmall, show: kNoBranchPoints },
+  { name: 'poisson', page: 'poisson', size: kSmall, show: kNoBranchPoints },
+  { name: 'random', page: 'relaxed', scene: 'Start', size: kSmall, show: kNoBranchPoints },
+  { name: 'relaxed', page: 'relaxed', scene: 'Relaxed', size: kSmall, show: kNoBranchPoints },
   { name: 'open', page: 'open', size: kSmall, turn: { right: 10 } },
   { name: 'open_coarse', page: 'open_coarse', size: kSmall, turn: { right: 10 } },
-  { name: 'viewer', page: 'segments', size: [1000, 620], zoom: 1, hover: [420, 330], whole_page: true },
+  { name: 'viewer', page: 'segments', size: [1000, 620], hover: [420, 330], whole_page: true },
 ];

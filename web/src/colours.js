@@ -1,6 +1,7 @@
 // Colours: the regions', and those of the marks on them for light and dark pages.
 import { Color, DataTexture, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
 import { read_array } from './data.js';
+import { ramp } from './ramp.js';
 
 export const kTextureWidth = 256;
 
@@ -34,13 +35,22 @@ export function read_fills(entry) {
   return Array.from({ length: channels.length / 3 }, (_, g) => Array.from(channels.subarray(3 * g, 3 * g + 3)));
 }
 
-// The colours by code, as a texture for the surface's shader: unreached, cut (never read), then the labels.
-export function fill_texture(fills) {
-  const rows = Math.ceil((fills.length + 2) / kTextureWidth);
-  const texels = new Uint8Array(4 * kTextureWidth * rows);
-  [kUnreachedFill, kUnreachedFill, ...fills].forEach((fill, i) => texels.set([...fill, 255], 4 * i));
-  const texture = new DataTexture(texels, kTextureWidth, rows, RGBAFormat, UnsignedByteType);
+function make_texture(fills, width) {
+  const rows = Math.ceil(fills.length / width);
+  const texels = new Uint8Array(4 * width * rows);
+  fills.forEach((fill, i) => texels.set([...fill, 255], 4 * i));
+  const texture = new DataTexture(texels, width, rows, RGBAFormat, UnsignedByteType);
   texture.colorSpace = SRGBColorSpace;
   texture.needsUpdate = true;
   return texture;
+}
+
+// The colours by code, as a texture for the surface's shader: unreached, cut (never read), then the labels.
+export function fill_texture(fills) {
+  return make_texture([kUnreachedFill, kUnreachedFill, ...fills], kTextureWidth);
+}
+
+// The colours of values, low to high.
+export function ramp_texture() {
+  return make_texture(Array.from({ length: 256 }, (_, i) => ramp(i / 255)), 256);
 }

@@ -1,17 +1,28 @@
 import { Sphere, Vector3 } from 'three';
 import { kThemes, kUnreachedFill } from './colours.js';
 import { read_array, read_manifest } from './data.js';
-import { make_mark_materials } from './marks.js';
+import { HoverMark } from './hover_mark.js';
+import { IdMap } from './id_map.js';
+import { draw_legend, show_legend } from './legend.js';
+import { bisector_width, make_mark_materials } from './marks.js';
 import { make_surface_materials } from './materials.js';
-import { format_number, make_scene_switch, make_toggles, show_failure, show_figures, show_region } from './panel.js';
-import { Picker } from './picker.js';
+import * as panel from './panel.js';
 import { Picture } from './picture.js';
+import { RegionTable } from './region_table.js';
+import { save_canvas } from './save_picture.js';
 import { Stage } from './stage.js';
 import { kFirstLabel } from './surface.js';
 
+// What the surface can be coloured by: key, name, and title of the legend.
+const kColourings = [
+  ['regions', 'Region'],
+  ['area', 'Area', 'Area of the region'],
+  ['energy', 'Energy', 'Energy of the region'],
+  ['distance', 'Distance', 'Distance from the generator'],
+  ['quality', 'Quality', 'Quality of the triangle'],
+  ['plain', 'Nothing'],
+];
 const kToggles = [
-  ['regions', 'Regions'],
-  ['shading', 'Distance shading'],
   ['lines', 'Lines of equal distance'],
   ['bisectors', 'Bisectors'],
   ['generators', 'Generators'],
@@ -20,54 +31,90 @@ const kToggles = [
   ['wireframe', 'Wireframe'],
   ['smooth', 'Smooth shading'],
 ];
+const kMarks = ['bisectors', 'generators', 'added_generators', 'branch_points'];
 const narrow_screen = matchMedia('(max-width: 720px)');
+const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 const kPerScene = ['wireframe', 'smooth'];  // the others keep their state when the scene changes
 
-// The smallest sphere around the origin of the page's coordinates that holds every scene.
-function bounding_sphere(manifest) {
+// The positions of all scenes, three coordinates each; scenes with the same mesh count once.
+function all_positions(manifest) {
+  const references = new Map(manifest.scenes.map(({ positions }) => [positions.blob, positions]));
+  const arrays = [...references.values()].map(read_array);
+  const all = new Float32Array(arrays.reduce((sum, array) => sum + array.length, 0));
+  arrays.reduce((at, array) => (all.set(array, at), at + array.length), 0);
+  return all;
+}
+
+// The smallest sphere around the origin of the page's coordinates that holds all points.
+function bounding_sphere(p) {
   let squared = 0;
-  for (const entry of manifest.scenes) {
-    const p = read_array(entry.positions);
-    for (let i = 0; i < p.length; i += 3) squared = Math.max(squared, p[i] ** 2 + p[i + 1] ** 2 + p[i + 2] ** 2);
-  }
+  for (let i = 0; i < p.length; i += 3) squared = Math.max(squared, p[i] ** 2 + p[i + 1] ** 2 + p[i + 2] ** 2);
   return new Sphere(new Vector3(), Math.sqrt(squared) || 1);
 }
 
-// Pixels at the right of the picture that the panel covers; 0 on a narrow screen, where the panel lies over the
-// picture.
-function covered_width() {
-  return narrow_screen.matches ? 0 : innerWidth - document.querySelector('aside').offsetLeft;
+// Pixels at each side of the picture that panels cover: at the right on wide screens, above and below on narrow ones.
+function covered() {
+  const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name).getBoundingClientRect());
+  if (!narrow_screen.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
+  return { left: 0, right: 0, top: head.height && head.bottom, bottom: bar.height && innerHeight - bar.top };
 }
 
 class Viewer {
   constructor(manifest) {
     this.manifest = manifest;
-    this.canvas = document.getElementById('canvas');
-    this.stage = new Stage(this.canvas, bounding_sphere(manifest), manifest.up, covered_width);
-    this.picker = new Picker(this.stage);
+    this.canvas = panel.by_id('canvas');
+    const points = all_positions(manifest);
+    this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered });
+    this.id_map = new IdMap(this.stage);
+    this.hover_mark = new HoverMark(panel.by_id('mark'));
     this.materials = { ...make_surface_materials(), ...make_mark_materials() };
     this.pictures = manifest.scenes.map(() => null);
-    this.on = { regions: true, shading: false, lines: false };
-    for (const key of ['bisectors', 'generators', 'added_generators', 'branch_points']) this.on[key] = true;
-    this.own = manifest.scenes.map(({ wireframe, smooth }) => ({ wireframe, smooth }));
-    this.stage.before_draw = () => this.size_marks();
+    this.table = new RegionTable((label) => this.pin(label));
+    this.set_defaults();
+    this.stage.before_draw = (moving) => this.prepare(moving);
     this.stage.at_rest = () => this.pick();  // the surface has moved under the pointer
-    this.inputs = make_toggles(kToggles, (key, value) => this.toggle(key, value));
-    make_scene_switch(manifest.scenes, (i) => this.choose(i));
+    this.inputs = panel.make_toggles(kToggles, (key, value) => this.toggle(key, value));
+    this.colours = panel.make_colour_choice(kColourings, (key) => this.colour_by(key));
+    panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
     this.listen();
     this.choose(0);
     this.follow_theme();
+    this.stage.start();
+    setTimeout(() => this.picture.need_coarse(), 100);
+  }
+
+  set_defaults() {
+    this.on = { lines: false };
+    for (const key of kMarks) this.on[key] = true;
+    this.own = this.manifest.scenes.map(({ wireframe, smooth }) => ({ wireframe, smooth }));
+    this.wanted = 'regions';
+    this.pinned = null;
   }
 
   listen() {
-    this.canvas.addEventListener('pointermove', (event) => event.buttons === 0 && this.point_at(event));
-    this.canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
-    this.canvas.addEventListener('pointerup', (event) => {
-      const start = this.pressed;
-      if (start && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < 6) this.point_at(event);
-    });
-    this.canvas.addEventListener('pointerleave', (event) => event.pointerType === 'mouse' && this.point_at(null));
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.follow_theme());
+    const { canvas } = this;
+    canvas.addEventListener('pointermove', (event) => event.buttons === 0 && this.point_at(event));
+    canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
+    canvas.addEventListener('pointerup', (event) => this.release(event));
+    canvas.addEventListener('pointerleave', () => this.point_at(null));
+    canvas.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
+    dark_scheme.addEventListener('change', () => this.follow_theme());
+    panel.by_id('unpin').addEventListener('click', () => this.pin(null));
+    panel.by_id('save').addEventListener('click', () => this.save_picture());
+    panel.by_id('reset').addEventListener('click', () => this.reset());
+  }
+
+  // A click or tap pins the region under it, a second one frees it.
+  release(event) {
+    const start = this.pressed;
+    this.pressed = null;
+    if (event.pointerType !== 'mouse') this.point_at(null);
+    if (!start || event.button !== 0) return;
+    if (Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) >= 6) return;
+    this.id_map.update(this.picture.mesh);
+    const hit = this.id_map.at(event.offsetX, event.offsetY);
+    const label = hit && this.picture.offers('regions') ? hit.code - kFirstLabel : null;
+    this.pin(label === null || label < 0 || label === this.pinned ? null : label);
   }
 
   choose(i) {
@@ -76,9 +123,8 @@ class Viewer {
     this.pictures[i] ??= new Picture(this.manifest.scenes[i], this.manifest.scale, this.materials);
     this.picture = this.pictures[i];
     this.stage.scene.add(this.picture.group);
-    show_figures(this.manifest.scenes[i].figures);
-    show_region(null);
-    this.materials.outside.uniforms.hovered.value = -1;
+    panel.show_figures(this.manifest.scenes[i].figures);
+    this.pinned = null;
     this.apply();
   }
 
@@ -87,14 +133,40 @@ class Viewer {
     this.apply();
   }
 
+  colour_by(key) {
+    this.wanted = key;
+    this.apply();
+  }
+
   apply() {
-    const on = { ...this.on, ...this.own[this.current] };
+    const on = { ...this.on, ...this.own[this.current] }, { picture } = this;
     for (const [key, { row, input, count }] of Object.entries(this.inputs)) {
-      row.hidden = !this.picture.offers(key);
+      row.hidden = !picture.offers(key);
       input.checked = on[key] && !row.hidden;
-      count.textContent = this.picture.count(key);
+      count.textContent = picture.count(key);
     }
-    this.picture.apply(on);
+    for (const [key, option] of Object.entries(this.colours)) option.hidden = option.disabled = !picture.offers(key);
+    this.colour = picture.offers(this.wanted) ? this.wanted : 'plain';
+    panel.by_id('colour').value = this.colour;
+    picture.apply(on, this.colour);
+    show_legend(this.legend_title(), picture.range(this.colour));
+    this.table.show(picture.offers('regions') ? picture.entry.cells : [], (label) => this.css_colour(label));
+    this.pin(this.pinned);
+  }
+
+  legend_title() {
+    return kColourings.find(([key]) => key === this.colour)[2];
+  }
+
+  css_colour(label) {
+    return `rgb(${label === null ? kUnreachedFill : this.picture.colour_of(label, this.colour)})`;
+  }
+
+  pin(label) {
+    this.pinned = label;
+    this.materials.outside.uniforms.pinned.value = label === null ? -1 : label + kFirstLabel;
+    panel.show_region('pinned', label === null ? null : this.describe({ code: label + kFirstLabel, distance: null }));
+    this.table.mark(label);
     this.stage.request_draw();
   }
 
@@ -103,24 +175,23 @@ class Viewer {
     this.pick();
   }
 
-  // At most once a frame, because pointers may report much more often.
+  // At most once a frame, because pointers may report much more often; not while the surface moves.
   pick() {
     if (this.picking) return;
     this.picking = true;
     requestAnimationFrame(() => {
       this.picking = false;
-      this.show_hit(this.pointer ? this.picker.pick(this.picture.mesh, this.pointer.x, this.pointer.y) : null);
+      if (!this.pointer || this.stage.moving) return this.show_hit(null);
+      this.id_map.update(this.picture.mesh);
+      this.show_hit(this.id_map.at(this.pointer.x, this.pointer.y));
     });
   }
 
   show_hit(hit) {
-    const uniforms = this.materials.outside.uniforms;
-    const hovered = hit && this.picture.offers('regions') ? hit.code : -1;
-    if (uniforms.hovered.value !== hovered) {
-      uniforms.hovered.value = hovered;
-      this.stage.request_draw();
-    }
-    show_region(hovered < 0 ? null : this.describe(hit));
+    const code = hit && this.picture.offers('regions') ? hit.code : -1;
+    this.hover_mark.show(this.id_map, code);
+    const pinned = this.pinned !== null && code === this.pinned + kFirstLabel;
+    panel.show_region('region', code < 0 || pinned ? null : this.describe(hit));
   }
 
   describe({ code, distance }) {
@@ -129,47 +200,84 @@ class Viewer {
     return {
       label,
       cell,
-      colour: `rgb(${label === null ? kUnreachedFill : this.picture.fills[label]})`,
+      colour: this.css_colour(label),
       share: cell && this.picture.total_area > 0 ? cell.area / this.picture.total_area : 0,
-      distance: this.picture.offers('lines') ? this.format_distance(distance) : null,
+      distance: distance !== null && this.picture.offers('lines') ? this.format_distance(distance) : null,
     };
   }
 
   format_distance(distance) {
-    return distance < 0 ? 'inf' : format_number(distance * this.manifest.scale);
+    return distance < 0 ? 'inf' : panel.format_number(distance * this.manifest.scale);
   }
 
-  size_marks() {
+  // Before each drawing. Where the view has changed, what is under the pointer is unknown.
+  prepare(moving) {
+    const view = `${this.current} ${this.stage.view_key()}`;
+    if (this.view !== view) {
+      this.view = view;
+      this.id_map.invalidate();
+      this.hover_mark.clear();
+    }
+    this.picture.set_detail(!moving);
+    this.materials.line.linewidth = bisector_width(this.picture.spacing * this.stage.pixels_per_unit());
     for (const { uniforms } of Object.values(this.materials)) {
       if (uniforms.viewport_height) uniforms.viewport_height.value = this.stage.height;
       if (uniforms.pixel_ratio) uniforms.pixel_ratio.value = this.stage.renderer.getPixelRatio();
     }
   }
 
+  save_picture() {
+    const canvas = this.stage.take_picture(), range = this.picture.range(this.colour);
+    const ink = kThemes[dark_scheme.matches ? 'dark' : 'light'].line;
+    if (range) draw_legend(canvas, canvas.width / this.stage.width, this.legend_title(), range, ink);
+    save_canvas(canvas, this.manifest.title);
+  }
+
+  reset() {
+    this.set_defaults();
+    this.apply();
+    this.stage.show_all();
+  }
+
   follow_theme() {
-    const theme = kThemes[matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'];
+    const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
     this.stage.renderer.setClearColor(theme.page);
     this.materials.line.color.set(theme.line);
     this.materials.wire.uniforms.colour.value.set(theme.wire);
-    this.materials.generator.uniforms.fill.value.set(theme.generator);
-    this.materials.generator.uniforms.ring.value.set(theme.branch_point);
-    this.materials.added_generator.uniforms.fill.value.set(theme.added_generator);
-    this.materials.added_generator.uniforms.ring.value.set(theme.branch_point);
-    this.materials.branch_point.uniforms.fill.value.set(theme.branch_point);
-    this.materials.branch_point.uniforms.ring.value.set(theme.generator);
+    const dots = { generator: theme.generator, added_generator: theme.added_generator, branch_point: theme.branch_point };
+    for (const [key, fill] of Object.entries(dots)) {
+      this.materials[key].uniforms.fill.value.set(fill);
+      this.materials[key].uniforms.ring.value.set(key === 'branch_point' ? theme.generator : theme.branch_point);
+    }
     this.stage.request_draw();
+  }
+}
+
+// On a narrow screen the panels are closed at the start, and opening one closes the others.
+function arrange_panels() {
+  const boxes = [...document.querySelectorAll('details')];
+  const close_all = () => boxes.forEach((box) => (box.open = false));
+  if (narrow_screen.matches) close_all();
+  narrow_screen.addEventListener('change', () => narrow_screen.matches && close_all());
+  for (const box of boxes) {
+    box.addEventListener('toggle', () => {
+      if (!narrow_screen.matches || !box.open) return;
+      boxes.forEach((other) => (other.open = other === box));
+    });
   }
 }
 
 function start() {
   const manifest = read_manifest();
-  document.getElementById('title').textContent = manifest.title;
-  if (narrow_screen.matches) document.querySelectorAll('details').forEach((box) => (box.open = false));
+  panel.by_id('title').textContent = manifest.title;
+  arrange_panels();
   try {
     new Viewer(manifest);
   } catch (error) {
-    show_failure(`The surface can't be drawn: ${error.message}`);
+    panel.show_failure(`The surface can't be drawn: ${error.message}`);
     throw error;
+  } finally {
+    panel.by_id('loading').hidden = true;
   }
   document.documentElement.dataset.ready = 'true';
 }

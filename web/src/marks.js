@@ -6,32 +6,57 @@ import { read_array } from './data.js';
 import { make_dot_material, make_line_material, make_wire_material } from './materials.js';
 
 // Pixels.
-const kBisectorWidth = 2.4;
-const kGeneratorDiameter = 10;
-const kBranchPointDiameter = 7.5;
+const kBisectors = { least: 0.6, most: 2.4, share: 0.06 };
+const kGenerators = { least: 3, most: 14, share: 0.3 };
+const kBranchPoints = { least: 2.5, most: 10, share: 0.22 };
+const kLargestDot = 0.036;  // of half the diagonal of the picture's box
 
 export function make_mark_materials() {
   return {
-    line: make_line_material(kBisectorWidth),
+    line: make_line_material(kBisectors.most),
     wire: make_wire_material(),
-    generator: make_dot_material(kGeneratorDiameter),
-    added_generator: make_dot_material(kGeneratorDiameter),
-    branch_point: make_dot_material(kBranchPointDiameter),
+    generator: make_dot_material(kGenerators.least, kGenerators.most),
+    added_generator: make_dot_material(kGenerators.least, kGenerators.most),
+    branch_point: make_dot_material(kBranchPoints.least, kBranchPoints.most),
   };
 }
 
-export function make_bisectors(scene, material) {
-  if (!scene.bisectors) return null;
-  const points = read_array(scene.bisectors.points), counts = read_array(scene.bisectors.counts);
-  let segments = 0;
-  for (const count of counts) segments += Math.max(0, count - 1);
-  const ends = new Float32Array(6 * segments);
-  let at = 0, first = 0;
+// Diameters of dots in the page's coordinates: a share of the distance from a generator to the next.
+export function dot_sizes(spacing) {
+  const size = ({ share }) => Math.min(share * spacing, (share / kGenerators.share) * kLargestDot);
+  return { generator: size(kGenerators), branch_point: size(kBranchPoints) };
+}
+
+// The width of bisectors in pixels where generators are `spacing` pixels apart.
+export function bisector_width(spacing) {
+  return Math.min(Math.max(kBisectors.share * spacing, kBisectors.least), kBisectors.most);
+}
+
+// The ends of the segments of polylines, `counts` points each: six coordinates a segment. Points that are nearer than
+// `step` to the one before are left out, but for first and last ones.
+export function line_segments(points, counts, step) {
+  const ends = [];
+  let first = 0;
   for (const count of counts) {
-    for (let i = first; i + 1 < first + count; ++i, at += 6) ends.set(points.subarray(3 * i, 3 * i + 6), at);
+    let from = 3 * first;
+    for (let i = first + 1; i < first + count; ++i) {
+      const to = 3 * i, last = i === first + count - 1;
+      const squared =
+        (points[to] - points[from]) ** 2 + (points[to + 1] - points[from + 1]) ** 2 + (points[to + 2] - points[from + 2]) ** 2;
+      if (!last && squared < step * step) continue;
+      for (let k = 0; k < 3; ++k) ends.push(points[from + k]);
+      for (let k = 0; k < 3; ++k) ends.push(points[to + k]);
+      from = to;
+    }
     first += count;
   }
-  return segments ? new LineSegments2(new LineSegmentsGeometry().setPositions(ends), material) : null;
+  return new Float32Array(ends);
+}
+
+export function make_bisectors(scene, material, step = 0) {
+  if (!scene.bisectors) return null;
+  const ends = line_segments(read_array(scene.bisectors.points), read_array(scene.bisectors.counts), step);
+  return ends.length ? new LineSegments2(new LineSegmentsGeometry().setPositions(ends), material) : null;
 }
 
 export function make_dots(reference, material) {

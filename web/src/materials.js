@@ -1,18 +1,24 @@
 // Shaders: the surface, what is picked under the pointer, and the dots.
 import { BackSide, Color, DoubleSide, FrontSide, GLSL3, NoBlending, ShaderMaterial } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { kTextureWidth, kUnlabelled } from './colours.js';
+import { kTextureWidth, kUnlabelled, ramp_texture } from './colours.js';
+
+// Where the surface's colour comes from: the region's entry in a texture, a value of each point, or nothing.
+export const kSources = { regions: 0, distance: 1, quality: 2, plain: 3 };
 
 const kSurfaceVertex = /* glsl */ `
 attribute float code;
 attribute float distance;
+attribute float quality;
 flat varying float v_code;
 varying float v_distance;
+varying float v_quality;
 varying vec3 v_normal;
 varying vec3 v_view;
 void main() {
   v_code = code;
   v_distance = distance;
+  v_quality = quality;
   v_normal = normalMatrix * normal;
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   v_view = view.xyz;
@@ -20,12 +26,14 @@ void main() {
 }`;
 
 const kSurfaceFragment = /* glsl */ `
-uniform sampler2D fills;
-uniform vec3 unlabelled;
-uniform bool show_regions, show_shading, show_lines, smooth_normals;
-uniform float largest_distance, line_spacing, hovered;
+uniform sampler2D fills, ramp;
+uniform vec3 plain;
+uniform int source;
+uniform bool show_lines, smooth_normals;
+uniform float largest_distance, line_spacing, pinned;
 flat varying float v_code;
 varying float v_distance;
+varying float v_quality;
 varying vec3 v_normal;
 varying vec3 v_view;
 
@@ -34,10 +42,15 @@ vec3 fill_of(float code) {
   return texelFetch(fills, ivec2(i % ${kTextureWidth}, i / ${kTextureWidth}), 0).rgb;
 }
 
-// From pale sand over green to deep blue, even steps of lightness.
-vec3 ramp(float t) {
-  vec3 near = vec3(0.93, 0.80, 0.55), middle = vec3(0.25, 0.52, 0.46), far = vec3(0.045, 0.10, 0.24);
-  return t < 0.5 ? mix(near, middle, 2.0 * t) : mix(middle, far, 2.0 * t - 1.0);
+vec3 ramp_at(float t) {
+  return texture2D(ramp, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+vec3 base_colour(bool reached) {
+  if (source == ${kSources.regions}) return fill_of(v_code);
+  if (source == ${kSources.quality}) return ramp_at(v_quality);
+  if (source == ${kSources.distance}) return reached ? ramp_at(v_distance / largest_distance) : fill_of(0.0);
+  return plain;
 }
 
 vec3 light(vec3 base, vec3 n, vec3 eye) {
@@ -53,12 +66,8 @@ void main() {
   vec3 flat_normal = normalize(cross(dFdx(v_view), dFdy(v_view)));
   vec3 n = smooth_normals ? normalize(v_normal) * kSide : flat_normal;
   bool reached = v_distance >= 0.0;
-  vec3 base = show_regions ? fill_of(v_code) : unlabelled;
-  if (show_shading && reached) {
-    float t = clamp(v_distance / largest_distance, 0.0, 1.0);
-    base = show_regions ? base * mix(1.2, 0.35, t) : ramp(t);
-  }
-  if (show_regions && v_code == hovered) base = mix(base, vec3(1.0), 0.3);
+  vec3 base = base_colour(reached);
+  if (v_code == pinned) base = mix(base, vec3(1.0), 0.45);
   if (show_lines && reached) {
     float step = v_distance / line_spacing;
     float width = max(fwidth(step), 1e-6);
@@ -95,14 +104,14 @@ export function make_surface_materials() {
 function make_uniforms() {
   return {
     fills: { value: null },
-    unlabelled: { value: kUnlabelled.clone() },
-    show_regions: { value: true },
-    show_shading: { value: false },
+    ramp: { value: ramp_texture() },
+    plain: { value: kUnlabelled.clone() },
+    source: { value: kSources.regions },
     show_lines: { value: false },
     smooth_normals: { value: true },
     largest_distance: { value: 1 },
     line_spacing: { value: 1 },
-    hovered: { value: -1 },
+    pinned: { value: -1 },
   };
 }
 
@@ -169,31 +178,39 @@ export function make_wire_material() {
   });
 }
 
-// Round dots of a constant size on the screen.
-export function make_dot_material(diameter) {
+// Round dots that grow with the picture. Their diameter is `size` in the page's coordinates, but at least `least` and at
+// most `most` pixels. They fade where they become smaller than that, because they are dense.
+export function make_dot_material(least, most) {
   return new ShaderMaterial({
     vertexShader: /* glsl */ `
       ${kPull}
-      uniform float diameter, pixel_ratio;
+      uniform float size, least, most, pixel_ratio;
+      varying float v_diameter, v_fade;
       void main() {
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-        pull(diameter);
-        gl_PointSize = (diameter + 1.0) * pixel_ratio;
+        float pixels = 0.5 * size * projectionMatrix[1][1] * viewport_height / gl_Position.w;
+        v_diameter = clamp(pixels, least, most);
+        v_fade = smoothstep(0.3 * least, 1.3 * least, pixels);
+        pull(v_diameter);
+        gl_PointSize = (v_diameter + 1.0) * pixel_ratio;
       }`,
     fragmentShader: /* glsl */ `
       uniform vec3 fill, ring;
-      uniform float diameter;
+      varying float v_diameter, v_fade;
       void main() {
-        float r = length(gl_PointCoord - 0.5) * (diameter + 1.0);
-        float inside = 1.0 - smoothstep(0.5 * diameter - 0.5, 0.5 * diameter + 0.5, r);
+        float r = length(gl_PointCoord - 0.5) * (v_diameter + 1.0);
+        float inside = v_fade * (1.0 - smoothstep(0.5 * v_diameter - 0.5, 0.5 * v_diameter + 0.5, r));
         if (inside < 0.02) discard;
-        float core = 1.0 - smoothstep(0.5 * diameter - 2.2, 0.5 * diameter - 1.2, r);
+        float rim = 0.17 * v_diameter;
+        float core = 1.0 - smoothstep(0.5 * v_diameter - rim - 0.5, 0.5 * v_diameter - rim + 0.5, r);
         gl_FragColor = vec4(mix(ring, fill, core), inside);
         #include <colorspace_fragment>
       }`,
     transparent: true,
     uniforms: {
-      diameter: { value: diameter },
+      size: { value: 0.03 },
+      least: { value: least },
+      most: { value: most },
       pixel_ratio: { value: 1 },
       viewport_height: { value: 1 },
       fill: { value: new Color() },

@@ -1,6 +1,6 @@
 // The text beside the picture: switches, figures, and the card of the region under the pointer.
 
-const by_id = (id) => document.getElementById(id);
+export const by_id = (id) => document.getElementById(id);
 
 export function element(tag, properties = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);
@@ -34,6 +34,15 @@ export function make_scene_switch(scenes, choose) {
   });
 }
 
+// The ways of colouring [key, text], of which the scene offers some. Calls `change` with the key. Returns the options by
+// key.
+export function make_colour_choice(entries, change) {
+  const options = {}, select = by_id('colour');
+  for (const [value, textContent] of entries) select.append((options[value] = element('option', { value, textContent })));
+  select.addEventListener('change', () => change(select.value));
+  return options;
+}
+
 // One checkbox for each [key, text]. Calls `change` with the key and whether it is on. Returns by key the row, its
 // input and the element for the number of dots.
 export function make_toggles(entries, change) {
@@ -62,25 +71,25 @@ function list_neighbours(neighbours) {
   return neighbours.length > kShown ? `${shown} and ${neighbours.length - kShown} more` : shown;
 }
 
-// The card of a region: {label, colour, cell, share, distance}; hides it where `region` is null.
-export function show_region(region) {
-  const card = by_id('region');
+// The card `id` of a region: {label, colour, cell, share, distance}; hides it where `region` is null.
+export function show_region(id, region) {
+  const card = by_id(id);
   card.hidden = !region;
   if (!region) return;
   const rows = [];
   if (region.cell) {
     const share = region.share > 0 ? ` (${(100 * region.share).toFixed(1)}\u00a0%)` : '';
     rows.push(['Area', format_number(region.cell.area) + share]);
+    if (Number.isFinite(region.cell.energy)) rows.push(['Energy', format_number(region.cell.energy)]);
     rows.push(['Neighbours', list_neighbours(region.cell.neighbours)]);
     if (region.cell.euler_characteristic !== 1) rows.push(['Euler characteristic', region.cell.euler_characteristic]);
   }
   if (region.distance !== null) rows.push(['Distance here', region.distance]);
   const swatch = element('i');
   swatch.style.background = region.colour;
-  const body = element('tbody');
-  fill_rows(body, rows);
   const name = region.label === null ? 'No generator reaches this' : `Region ${region.label}`;
-  card.replaceChildren(element('strong', {}, swatch, name), element('table', {}, body));
+  card.querySelector('strong').replaceChildren(swatch, name);
+  fill_rows(card.querySelector('tbody'), rows);
 }
 
 export function show_failure(text) {

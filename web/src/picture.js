@@ -1,8 +1,15 @@
 // One scene of the page, ready to be drawn.
 import { Group, Mesh } from 'three';
-import { fill_texture, read_fills } from './colours.js';
-import { make_bisectors, make_dots, make_wireframe } from './marks.js';
-import { make_surface } from './surface.js';
+import { make_coarse } from './coarse.js';
+import { fill_texture, kUnreachedFill, read_fills } from './colours.js';
+import { dot_sizes, make_bisectors, make_dots, make_wireframe } from './marks.js';
+import { kSources } from './materials.js';
+import { ramp } from './ramp.js';
+import { add_qualities, make_geometry, make_surface } from './surface.js';
+import { face_qualities, position_in, triangles_area, value_range } from './values.js';
+
+const kManyTriangles = 300000;  // with more, fewer are drawn while the surface turns
+const kCoarseStep = 0.012;      // shortest segment of bisectors then, in half diagonals of the box
 
 // A round number (1, 2, 5 or 10 times a power of ten) that divides `range` into about `parts` steps.
 function round_step(range, parts) {
@@ -16,10 +23,23 @@ export class Picture {
     this.scale = scale;
     this.surface = make_surface(entry);
     this.fills = read_fills(entry);
-    this.texture = fill_texture(this.fills);
+    this.textures = { regions: fill_texture(this.fills) };
     this.total_area = entry.cells.reduce((sum, cell) => sum + cell.area, 0);
     this.materials = materials;
-    this.mesh = new Mesh(this.surface.geometry, materials.outside);
+    this.make_meshes();
+    this.make_marks();
+  }
+
+  make_meshes() {
+    this.geometry = make_geometry(this.surface.triangles);
+    this.mesh = new Mesh(this.geometry, this.materials.outside);
+    this.inside = new Mesh(this.geometry, this.materials.inside);
+    this.group = new Group();
+    this.group.add(this.mesh, this.inside);
+  }
+
+  make_marks() {
+    const { entry, materials } = this;
     this.marks = {
       bisectors: make_bisectors(entry, materials.line),
       generators: make_dots(entry.generators, materials.generator),
@@ -27,16 +47,18 @@ export class Picture {
       branch_points: make_dots(entry.branch_points, materials.branch_point),
       wireframe: null,
     };
-    this.group = new Group();
-    this.group.add(this.mesh, new Mesh(this.surface.geometry, materials.inside));
     for (const mark of Object.values(this.marks)) if (mark) this.group.add(mark);
+    const generators = ((entry.generators?.count ?? 0) + (entry.added_generators?.count ?? 0)) / 3;
+    this.spacing = Math.sqrt(triangles_area(this.surface.triangles.positions) / Math.max(1, generators));
+    this.dot_sizes = dot_sizes(this.spacing);
   }
 
-  // Whether the scene has what a switch shows.
+  // Whether the scene has what a switch or a way of colouring shows.
   offers(key) {
     if (key === 'regions') return this.surface.labelled;
-    if (key === 'shading' || key === 'lines') return this.surface.largest_distance > 0;
-    if (key === 'wireframe' || key === 'smooth') return true;
+    if (key === 'distance' || key === 'lines') return this.surface.largest_distance > 0;
+    if (key === 'area' || key === 'energy') return this.surface.labelled && this.range(key) !== null;
+    if (['quality', 'plain', 'wireframe', 'smooth'].includes(key)) return true;
     return Boolean(this.marks[key]);
   }
 
@@ -46,21 +68,84 @@ export class Picture {
     return mark?.isPoints ? String(mark.geometry.getAttribute('position').count) : '';
   }
 
-  // Shows what `on` (key to boolean) asks for.
-  apply(on) {
+  // The values at both ends of the legend of a way of colouring, in mesh units; null where it has none.
+  range(key) {
+    if (key === 'distance') return [0, this.surface.largest_distance * this.scale];
+    if (key === 'quality') return [0, 1];
+    if (key === 'area' || key === 'energy') return value_range(this.entry.cells.map((cell) => cell[key] ?? NaN));
+    return null;
+  }
+
+  // The colour of a label, [red, green, blue], in a way of colouring by region.
+  colour_of(label, key) {
+    const range = this.range(key);
+    if (key === 'regions' || !range) return this.fills[label];
+    const value = this.entry.cells[label]?.[key];
+    return Number.isFinite(value) ? ramp(position_in(range, value)) : kUnreachedFill;
+  }
+
+  texture(key) {
+    this.textures[key] ??= fill_texture(this.fills.map((_, label) => this.colour_of(label, key)));
+    return this.textures[key];
+  }
+
+  need_qualities() {
+    if (this.qualities) return;
+    this.qualities = face_qualities(this.surface.positions, this.surface.faces);
+    add_qualities(this.geometry, this.surface.triangles, this.qualities);
+    if (this.coarse) add_qualities(this.coarse.geometry, this.coarse.triangles, this.qualities);
+  }
+
+  // Makes what is drawn while the surface turns, if that is less than the whole.
+  need_coarse() {
+    if (this.coarse !== undefined) return;
+    const many = this.surface.triangles.parents.length > kManyTriangles;
+    const triangles = many ? make_coarse(this.surface.triangles) : null;
+    this.coarse = triangles && { triangles, geometry: make_geometry(triangles) };
+    if (many) this.add_coarse_bisectors();
+    if (this.coarse && this.qualities) add_qualities(this.coarse.geometry, triangles, this.qualities);
+  }
+
+  add_coarse_bisectors() {
+    this.coarse_bisectors = make_bisectors(this.entry, this.materials.line, kCoarseStep);
+    if (this.coarse_bisectors) this.group.add(this.coarse_bisectors);
+  }
+
+  // Whether everything is drawn, or fewer triangles and segments where the surface has many.
+  set_detail(whole) {
+    if (!whole) this.need_coarse();
+    const coarse = !whole && Boolean(this.coarse);
+    if (this.coarse_bisectors) {
+      this.coarse_bisectors.visible = this.bisectors && !whole;
+      this.marks.bisectors.visible = this.bisectors && whole;
+    }
+    this.mesh.geometry = this.inside.geometry = coarse ? this.coarse.geometry : this.geometry;
+    if (this.marks.wireframe) this.marks.wireframe.visible = this.wireframe && !coarse;
+  }
+
+  // Shows what `on` (key to boolean) asks for, in the way of colouring `colour`.
+  apply(on, colour) {
+    this.wireframe = on.wireframe;
+    this.bisectors = on.bisectors;
     if (on.wireframe && !this.marks.wireframe) {
       this.marks.wireframe = make_wireframe(this.surface, this.materials.wire);
       this.group.add(this.marks.wireframe);
     }
     for (const [key, mark] of Object.entries(this.marks)) if (mark) mark.visible = on[key];
-    const uniforms = this.materials.outside.uniforms;
-    const largest = this.surface.largest_distance || 1;
-    uniforms.fills.value = this.texture;
-    uniforms.show_regions.value = on.regions && this.offers('regions');
-    uniforms.show_shading.value = on.shading;
-    uniforms.show_lines.value = on.lines;
+    if (colour === 'quality') this.need_qualities();
+    this.set_uniforms(on, colour);
+  }
+
+  set_uniforms(on, colour) {
+    const { outside, generator, added_generator, branch_point } = this.materials;
+    const uniforms = outside.uniforms, largest = this.surface.largest_distance || 1;
+    uniforms.source.value = kSources[colour] ?? kSources.regions;
+    uniforms.fills.value = this.texture(colour in kSources ? 'regions' : colour);
+    uniforms.show_lines.value = on.lines && this.offers('lines');
     uniforms.smooth_normals.value = on.smooth;
     uniforms.largest_distance.value = largest;
     uniforms.line_spacing.value = round_step(largest * this.scale, 12) / this.scale;
+    generator.uniforms.size.value = added_generator.uniforms.size.value = this.dot_sizes.generator;
+    branch_point.uniforms.size.value = this.dot_sizes.branch_point;
   }
 }

@@ -1,11 +1,15 @@
 // Camera, controls and drawing. Draws only when something has changed.
 import { PerspectiveCamera, Quaternion, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { fit_points } from './fit.js';
 
 const kFieldOfView = 30;                                 // degrees
 const kFirstView = new Vector3(0.62, 0.42, 1);           // from the centre to the eye, where y is up
+const kBorder = 0.06;                                    // of the free area, round the picture
 const kKeyTurn = Math.PI / 24;                           // per key press
 const kKeyZoom = 1.15;
+const kSlow = 100;                                       // milliseconds a frame, beyond which motion has no damping
+const kRest = 150;                                       // milliseconds without motion, after which details are drawn
 
 // The unit vector of 'x', 'y', 'z', '-x', '-y' or '-z'.
 function axis_vector(name) {
@@ -15,23 +19,32 @@ function axis_vector(name) {
 }
 
 export class Stage {
-  // `bounds` is the sphere round everything; `margin()` gives the pixels at the right that a panel covers.
-  constructor(canvas, bounds, up, margin) {
+  // `bounds` is the sphere round everything, `points` the positions that show_all fits into the view; `insets()` gives
+  // the pixels at each side that panels cover: {left, right, top, bottom}.
+  constructor(canvas, bounds, up, { points, insets }) {
     this.bounds = bounds;
-    this.margin = margin;
+    this.points = points;
+    this.insets = insets;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
     this.camera.up.copy(axis_vector(up));
     this.to_y_up = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
     this.from_y_up = this.to_y_up.clone().invert();
-    this.before_draw = () => {};
+    this.before_draw = () => {};  // called with whether the surface moves
     this.at_rest = () => {};
-    this.scheduled = false;
+    this.scheduled = this.moving = this.held = false;
     this.make_controls(canvas);
-    new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('keydown', (event) => this.on_key(event));
+  }
+
+  // To be called once there is something to see: from now on the canvas is never without it.
+  start() {
     this.resize();
+    this.show_all();
+    this.moving = false;
+    this.draw();
+    new ResizeObserver(() => this.resize() && this.draw()).observe(this.renderer.domElement);
   }
 
   make_controls(canvas) {
@@ -41,38 +54,48 @@ export class Stage {
     this.controls.zoomToCursor = true;
     this.controls.minDistance = 0.02 * this.bounds.radius;
     this.controls.maxDistance = 20 * this.bounds.radius;
-    this.controls.addEventListener('change', () => this.request_draw());
-    this.controls.addEventListener('start', () => this.request_draw());
+    this.controls.addEventListener('change', () => this.move());
+    this.controls.addEventListener('start', () => (this.held = true));
+    this.controls.addEventListener('end', () => {
+      this.held = false;
+      this.wait_for_rest();
+    });
   }
 
-  // Places the camera so that the bounding sphere fits into the area that no panel covers.
+  // Places the camera so that the whole picture fills the area that no panel covers.
   show_all() {
-    const half = (kFieldOfView * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan((Math.tan(half) * (this.width - this.margin())) / this.height));
-    const direction = kFirstView.clone().normalize().applyQuaternion(this.from_y_up);
-    this.controls.target.copy(this.bounds.center);
-    const distance = (1.1 * this.bounds.radius) / Math.sin(narrow);
-    this.camera.position.copy(this.bounds.center).addScaledVector(direction, distance);
+    const half = Math.tan((kFieldOfView * Math.PI) / 360), { left, right, top, bottom } = this.insets();
+    const free = (1 - 2 * kBorder) / this.height;
+    const back = kFirstView.clone().normalize().applyQuaternion(this.from_y_up);
+    const side = new Vector3().crossVectors(this.camera.up, back).normalize();
+    const above = new Vector3().crossVectors(back, side);
+    const axes = { right: side.toArray(), up: above.toArray(), back: back.toArray() };
+    const wide = half * free * (this.width - left - right), high = half * free * (this.height - top - bottom);
+    const { x, y, distance } = fit_points(this.points, axes, wide, high);
+    this.controls.target.set(0, 0, 0).addScaledVector(side, x).addScaledVector(above, y);
+    this.camera.position.copy(this.controls.target).addScaledVector(back, distance || this.bounds.radius);
     this.controls.update();
     this.request_draw();
   }
 
+  // Fits the drawing to the canvas. Returns whether its size has changed, which leaves it blank until it is drawn.
   resize() {
     const { clientWidth: width, clientHeight: height } = this.renderer.domElement;
-    if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2.5));
-    this.renderer.setSize(width, height, false);
-    const fresh = this.width === undefined;
+    const ratio = Math.min(devicePixelRatio, 2.5);
+    const same = this.width === width && this.height === height && this.renderer.getPixelRatio() === ratio;
+    if (!width || !height || same) return false;
     [this.width, this.height] = [width, height];
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.look_at_window();
-    if (fresh) this.show_all();
-    this.request_draw();
+    this.centre(this.insets());
+    return true;
   }
 
-  // Restricts drawing to a rectangle of the picture, by default the whole. Its middle is that of the uncovered area.
-  look_at_window(x = 0, y = 0, width = this.width, height = this.height) {
-    this.camera.setViewOffset(this.width, this.height, x + this.margin() / 2, y, width, height);
+  // Moves the middle of the picture into that of the area inside the insets.
+  centre({ left, right, top, bottom }) {
+    const { width, height } = this;
+    this.camera.setViewOffset(width, height, (right - left) / 2, (bottom - top) / 2, width, height);
   }
 
   on_key(event) {
@@ -100,14 +123,29 @@ export class Stage {
     offset.setFromSpherical(spherical.makeSafe()).applyQuaternion(this.from_y_up);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.request_draw();
+    this.move();
   }
 
   zoom(factor) {
     const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
+    this.move();
+  }
+
+  // Draws with less detail, until the camera has rested for a while and no pointer holds it.
+  move() {
+    this.moving = true;
     this.request_draw();
+  }
+
+  wait_for_rest() {
+    clearTimeout(this.rest_timer);
+    if (!this.moving || this.held) return;
+    this.rest_timer = setTimeout(() => {
+      this.moving = false;
+      this.request_draw();
+    }, kRest);
   }
 
   request_draw() {
@@ -116,11 +154,37 @@ export class Stage {
     requestAnimationFrame(() => {
       this.scheduled = false;
       this.controls.update();  // asks for the next frame while the damped motion lasts
-      this.fit_depth();
-      this.before_draw();
-      this.renderer.render(this.scene, this.camera);
-      if (!this.scheduled) this.at_rest();
+      this.draw();
+      this.judge_speed(performance.now());
     });
+  }
+
+  // Damped motion takes some fifty frames: where three in a row are slow, it would go on for seconds.
+  judge_speed(now) {
+    const slow = this.moving && this.scheduled && now - this.last_frame > kSlow;
+    this.slow_frames = slow ? (this.slow_frames ?? 0) + 1 : 0;
+    if (this.slow_frames >= 3) this.controls.enableDamping = false;
+    this.last_frame = now;
+  }
+
+  draw() {
+    this.fit_depth();
+    this.before_draw(this.moving);
+    this.renderer.render(this.scene, this.camera);
+    this.wait_for_rest();
+    if (!this.moving && !this.scheduled) this.at_rest();
+  }
+
+  // CSS pixels of a unit of the page's coordinates where the camera looks.
+  pixels_per_unit() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return (0.5 * this.height) / (Math.tan((kFieldOfView * Math.PI) / 360) * distance);
+  }
+
+  // A text that is the same exactly where the camera sees the same.
+  view_key() {
+    const { position, quaternion, view } = this.camera;
+    return [...position, ...quaternion, view.offsetX, view.offsetY, this.width, this.height].join(' ');
   }
 
   // Depths range over the bounding sphere only: lines stay apart from the surface only if depths are precise.
@@ -129,5 +193,21 @@ export class Stage {
     this.camera.near = Math.max(distance - 1.05 * radius, 0.002 * radius);
     this.camera.far = distance + 1.05 * radius;
     this.camera.updateProjectionMatrix();
+  }
+
+  // The picture alone, without the room for panels, at twice the pixels of CSS or more: a canvas.
+  take_picture() {
+    const ratio = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(Math.max(2, ratio));
+    this.centre({ left: 0, right: 0, top: 0, bottom: 0 });
+    this.moving = false;
+    this.draw();
+    const source = this.renderer.domElement;
+    const picture = Object.assign(document.createElement('canvas'), { width: source.width, height: source.height });
+    picture.getContext('2d').drawImage(source, 0, 0);
+    this.renderer.setPixelRatio(ratio);
+    this.centre(this.insets());
+    this.draw();
+    return picture;
   }
 }

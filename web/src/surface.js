@@ -20,6 +20,7 @@ class Triangles {
     this.normals = new Int16Array(12 * count);
     this.codes = new Float32Array(3 * count);
     this.distances = new Float32Array(3 * count);
+    this.parents = new Uint32Array(count);  // the face of each triangle
     this.size = 0;
   }
 
@@ -35,19 +36,28 @@ class Triangles {
       this.normals[4 * i + k] = Math.round(32767 * normal);
     }
     this.codes[i] = code;
+    this.parents[Math.floor(i / 3)] = f;
     const d = mesh.distances;
     const distance = d.length ? b0 * d[u] + b1 * d[v] + b2 * d[w] : -1;
     this.distances[i] = Number.isFinite(distance) ? distance : -1;
   }
+}
 
-  geometry() {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(this.positions, 3));
-    geometry.setAttribute('normal', new BufferAttribute(this.normals, 4, true));
-    geometry.setAttribute('code', new BufferAttribute(this.codes, 1));
-    geometry.setAttribute('distance', new BufferAttribute(this.distances, 1));
-    return geometry;
-  }
+// What the graphics card draws, of the arrays of `Triangles` or of its coarse version.
+export function make_geometry(triangles) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(triangles.positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(triangles.normals, 4, true));
+  geometry.setAttribute('code', new BufferAttribute(triangles.codes, 1));
+  geometry.setAttribute('distance', new BufferAttribute(triangles.distances, 1));
+  return geometry;
+}
+
+// Adds a value for each face, from 0 to 1, as the attribute `quality`.
+export function add_qualities(geometry, triangles, qualities) {
+  const bytes = new Uint8Array(3 * triangles.parents.length);
+  triangles.parents.forEach((f, t) => bytes.fill(Math.round(255 * qualities[f]), 3 * t, 3 * t + 3));
+  geometry.setAttribute('quality', new BufferAttribute(bytes, 1, true));
 }
 
 function add_faces(triangles, mesh, codes) {
@@ -72,7 +82,7 @@ function add_pieces(triangles, mesh, pieces) {
   }
 }
 
-// The surface of a scene: {geometry, positions, faces, largest_distance, labelled, measured}.
+// The surface of a scene: {triangles, positions, faces, largest_distance, labelled}.
 export function make_surface(scene) {
   const mesh = {};
   for (const name of ['positions', 'faces', 'distances']) mesh[name] = read_array(scene[name]);
@@ -88,7 +98,7 @@ export function make_surface(scene) {
   add_faces(triangles, mesh, codes);
   add_pieces(triangles, mesh, pieces);
   return {
-    geometry: triangles.geometry(),
+    triangles,
     positions: mesh.positions,
     faces: mesh.faces,
     largest_distance: largest_finite(mesh.distances),

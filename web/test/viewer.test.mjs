@@ -2,7 +2,7 @@
 // Exits with 77 and a message if there is no browser. CHROMIUM names another one than /usr/bin/chromium.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -25,32 +25,109 @@ const browser = await chromium.launch({
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
+// In the page: counts the triangles' corners of every drawing, and tells what part of the canvas is not background.
+function watch() {
+  const proto = WebGL2RenderingContext.prototype;
+  window.drawn = [];
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced']) {
+    const draw = proto[name];
+    proto[name] = function (mode, first, count, ...rest) {
+      window.drawn.push(name.startsWith('drawElements') ? first : count);
+      return draw.call(this, mode, first, count, ...rest);
+    };
+  }
+  window.covered = () => {
+    const source = document.getElementById('canvas'), copy = document.createElement('canvas');
+    [copy.width, copy.height] = [source.width, source.height];
+    const context = copy.getContext('2d', { willReadFrequently: true });
+    context.drawImage(source, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    let [other, left, right] = [0, copy.width, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i] === data[0] && data[i + 1] === data[1] && data[i + 2] === data[2] && data[i + 3] === data[3]) continue;
+      ++other;
+      [left, right] = [Math.min(left, (i / 4) % copy.width), Math.max(right, (i / 4) % copy.width)];
+    }
+    return { share: other / (copy.width * copy.height), width: (right - left) / copy.width };
+  };
+  // In the task that says the page is ready, nothing but the first drawing has happened.
+  new MutationObserver(() => (window.first ??= window.covered())).observe(document, { attributes: true, subtree: true, attributeFilter: ['data-ready'] });
+}
+
 // A freshly opened page that collects what must not happen: errors, and requests for other addresses.
-async function open(options = {}) {
+async function open({ page_address = address, ...options } = {}) {
   const usual = { viewport: { width: 1000, height: 700 }, reducedMotion: 'reduce' };
   const context = await browser.newContext({ ...usual, ...options });
   const page = await context.newPage();
   page.faults = [];
   page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
   page.on('pageerror', (error) => page.faults.push(String(error)));
-  page.on('request', (request) => request.url() !== address && page.faults.push(request.url()));
-  await page.goto(address);
+  page.on('request', (request) => {
+    if (request.url() !== page_address && !request.url().startsWith('blob:')) page.faults.push(request.url());
+  });
+  await page.addInitScript(watch);
+  await page.goto(page_address);
   await page.waitForSelector('html[data-ready]', { timeout: 60000 });
   await settle(page);
   return page;
 }
 
-// Waits two frames, after which everything requested is drawn.
+// Waits until the surface rests and everything requested is drawn.
 const settle = (page) =>
   page.evaluate(async () => {
-    for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-    await new Promise((done) => setTimeout(done, 50));
+    for (const pause of [0, 250, 50]) {
+      await new Promise((done) => setTimeout(done, pause));
+      for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+    }
   });
 
+// A hash of the picture without the panels at its right, whose corners a browser does not always draw alike.
 async function picture(page, name) {
   await settle(page);
-  const path = picture_folder && name ? join(picture_folder, `${name}.png`) : undefined;
-  return createHash('sha256').update(await page.screenshot({ path })).digest('hex');
+  if (picture_folder && name) await page.screenshot({ path: join(picture_folder, `${name}.png`) });
+  const { width, height } = page.viewportSize(), clip = { x: 0, y: 0, width: Math.min(width, 690), height };
+  return createHash('sha256').update(await page.screenshot({ clip })).digest('hex');
+}
+
+// In the page: the number of pixels in which two pictures differ.
+async function count_differing(sources) {
+  const [one, two] = await Promise.all(
+    sources.map(async (source) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${source}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+      const context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      return context.getImageData(0, 0, Math.min(image.width, image.width - 290), image.height).data;
+    }),
+  );
+  let count = 0;
+  for (let i = 0; i < one.length; i += 4) count += one[i] !== two[i] || one[i + 1] !== two[i + 1];
+  return count;
+}
+
+// The page with a torus of kLargeFaces faces in place of its own scenes; returns its address.
+const kLargeFaces = 2 * 1000 * 200;
+function write_large_page() {
+  const [n, m] = [1000, 200], positions = new Float32Array(3 * n * m), faces = new Uint32Array(6 * n * m);
+  for (let i = 0; i < n * m; ++i) {
+    const a = (2 * Math.PI * Math.floor(i / m)) / n, b = (2 * Math.PI * (i % m)) / m, r = 0.7 + 0.25 * Math.cos(b);
+    positions.set([r * Math.cos(a), 0.25 * Math.sin(b), r * Math.sin(a)], 3 * i);
+    const u = (i + m) % (n * m), v = i % m === m - 1 ? i - m + 1 : i + 1, w = (v + m) % (n * m);
+    faces.set([i, w, u, i, v, w], 6 * i);
+  }
+  const blob = (k, array) => `<script type="application/octet-stream" id="blob-${k}">${Buffer.from(array.buffer).toString('base64')}</script>`;
+  const scene = { name: '', wireframe: false, smooth: true, cells: [], figures: [] };
+  scene.positions = { blob: 0, type: 'f32', count: positions.length };
+  scene.faces = { blob: 1, type: 'u32', count: faces.length };
+  const manifest = { schema: 'gvd-view/1', title: 'Large', up: '-z', scale: 1, origin: [0, 0, 0], scenes: [scene] };
+  const page = readFileSync(page_file, 'utf8'), kData = '<script type="application/';
+  const head = page.slice(0, page.indexOf(kData)), tail = page.slice(page.indexOf('</script>', page.lastIndexOf(kData)) + 9);
+  const data = `${kData}json" id="manifest">${JSON.stringify(manifest)}</script>${blob(0, positions)}${blob(1, faces)}`;
+  const file = resolve(picture_folder ?? '.', 'large.html');
+  writeFileSync(file, head + data + tail);
+  return pathToFileURL(file).href;
 }
 
 async function close(page) {
@@ -58,6 +135,8 @@ async function close(page) {
   await page.context().close();
 }
 
+const offered = (page) => page.locator('#colour option:not([hidden])').evaluateAll((all) => all.map(({ value }) => value));
+const draws = (page) => page.evaluate(() => window.drawn.splice(0));
 const card = (page) => page.locator('#region').innerText();
 
 const tests = {
@@ -78,6 +157,7 @@ const tests = {
     const text = await card(page);
     assert.match(text, /Region \d+/);
     assert.match(text, /Area\s+0\.\d+ \(\d\.\d\s%\)/);
+    assert.match(text, /Energy\s+0\.\d+/);
     assert.match(text, /Neighbours\s+\d+, \d+/);
     assert.match(text, /Distance here\s+0\.\d+/);
     await picture(page, 'hover');
@@ -92,7 +172,7 @@ const tests = {
     await page.mouse.move(30, 400);
     const first = await picture(page);
     const boxes = await page.locator('#toggles label:not([hidden]) input').all();
-    assert.equal(boxes.length, 8);
+    assert.equal(boxes.length, 6);
     for (const box of boxes) {
       const key = await box.getAttribute('id');
       const before = await box.isChecked();
@@ -109,14 +189,14 @@ const tests = {
   async 'the keyboard reaches the scenes, every switch and the picture'() {
     const page = await open();
     const reached = new Set();
-    for (let i = 0; i < 14; ++i) {
+    for (let i = 0; i < 16; ++i) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name));
     }
-    for (const id of ['canvas', 'scene', 'toggle-regions', 'toggle-smooth']) assert.ok(reached.has(id), id);
-    await page.locator('#toggle-regions').focus();
+    for (const id of ['canvas', 'scene', 'save', 'reset', 'colour', 'toggle-lines', 'toggle-smooth']) assert.ok(reached.has(id), id);
+    await page.locator('#toggle-bisectors').focus();
     await page.keyboard.press('Space');
-    assert.equal(await page.locator('#toggle-regions').isChecked(), false);
+    assert.equal(await page.locator('#toggle-bisectors').isChecked(), false);
     await page.locator('#canvas').focus();
     const first = await picture(page);
     for (const [there, back] of [['ArrowLeft', 'ArrowRight'], ['ArrowUp', 'ArrowDown'], ['+', '0']]) {
@@ -140,7 +220,7 @@ const tests = {
     assert.notEqual(await picture(page, 'zoom'), turned);
     await page.setViewportSize({ width: 500, height: 800 });
     await settle(page);
-    const size = await page.locator('canvas').evaluate(({ width, height }) => [width, height]);
+    const size = await page.locator('#canvas').evaluate(({ width, height }) => [width, height]);
     assert.deepEqual(size, [500, 800]);
     await close(page);
   },
@@ -153,16 +233,18 @@ const tests = {
     assert.match(await page.locator('#figures').innerText(), /Generators\s+60/);
     assert.equal(await page.locator('#toggle-added_generators').isVisible(), false);
     await page.getByText('A torus').click();
-    assert.equal(await page.locator('#toggle-regions').isVisible(), false);
+    assert.equal(await page.locator('#colour').inputValue(), 'plain');
+    assert.deepEqual(await offered(page), ['quality', 'plain']);
+    assert.ok(await page.locator('#regions').isHidden());
     assert.ok(await page.locator('#toggle-wireframe').isChecked());
-    assert.match(await page.locator('#toggles').innerText(), /^Generators\s+2\s+Added generators\s+1\s+Wireframe/);
+    assert.match(await page.locator('#toggles').innerText(), /Generators\s+2\s+Added generators\s+1\s+Wireframe/);
     const all = await picture(page);
-    await page.locator('#toggle-added_generators').uncheck();
+    await page.locator('#toggle-generators').uncheck();
     assert.notEqual(await picture(page), all);
     await picture(page, 'third');
     await page.getByText('24 generators').click();
     assert.equal(await page.locator('#toggle-wireframe').isChecked(), false);
-    assert.ok(await page.locator('#toggle-regions').isChecked());
+    assert.equal(await page.locator('#colour').inputValue(), 'regions');
     await close(page);
   },
 
@@ -174,17 +256,194 @@ const tests = {
     await close(page);
   },
 
-  async 'works by touch on a narrow screen'() {
+  async 'colours by area, distance, energy and quality, with a legend'() {
+    const page = await open();
+    assert.deepEqual(await offered(page), ['regions', 'area', 'energy', 'distance', 'quality', 'plain']);
+    assert.ok(await page.locator('#legend').isHidden());
+    const seen = new Set([await picture(page)]);
+    for (const [key, title] of [['area', 'Area'], ['energy', 'Energy'], ['distance', 'Distance'], ['quality', 'Quality']]) {
+      await page.selectOption('#colour', key);
+      const text = await page.locator('#legend').innerText();
+      assert.ok(text.startsWith(title), text);
+      const [low, middle, high] = text.split('\n').slice(1).join(' ').trim().split(/\s+/).map(Number);
+      assert.ok(low <= middle && middle <= high, text);
+      if (key === 'quality') assert.deepEqual([low, high], [0, 1]);
+      seen.add(await picture(page, key));
+    }
+    await page.selectOption('#colour', 'plain');
+    assert.ok(await page.locator('#legend').isHidden());
+    seen.add(await picture(page));
+    assert.equal(seen.size, 6);
+    await close(page);
+  },
+
+  async 'a click pins a region, another one frees it'() {
+    const page = await open();
+    const pinned = page.locator('#pinned');
+    await page.mouse.click(370, 350);
+    await settle(page);
+    const name = (await pinned.innerText()).match(/Region \d+/)[0];
+    await page.mouse.move(480, 200);
+    await settle(page);
+    assert.ok((await pinned.innerText()).includes(name));
+    assert.ok(!(await card(page)).includes(name));
+    await picture(page, 'pinned');
+    await page.mouse.click(370, 350);
+    assert.ok(await pinned.isHidden());
+    await page.mouse.click(370, 350);
+    await page.locator('#unpin').click();
+    assert.ok(await pinned.isHidden());
+    await close(page);
+  },
+
+  async 'the table of regions sorts and pins'() {
+    const page = await open();
+    await page.locator('#regions summary').click();
+    const column = (n) => page.locator(`#region-rows tbody tr:not([aria-hidden]) td:nth-child(${n})`).allInnerTexts();
+    assert.deepEqual((await column(1)).slice(0, 3).map(Number), [0, 1, 2]);
+    await page.locator('th[data-key=area] button').click();
+    const areas = (await column(2)).map(Number);
+    assert.ok(areas.length > 8);
+    assert.deepEqual(areas, areas.slice().sort((a, b) => b - a));
+    const [first] = await column(1);
+    await page.locator('#region-rows tbody tr:not([aria-hidden])').first().click();
+    assert.ok((await page.locator('#pinned').innerText()).includes(`Region ${first.trim()}`));
+    await page.locator('#region-rows').evaluate((box) => (box.scrollTop = 1e6));
+    await settle(page);
+    assert.equal(Math.min(...(await column(2)).map(Number)), Number((await column(2)).at(-1)));
+    await picture(page, 'table');
+    await close(page);
+  },
+
+  async 'saves the picture as PNG, with at least twice the pixels'() {
+    const page = await open();
+    await page.selectOption('#colour', 'distance');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+    assert.equal(download.suggestedFilename(), 'A-sample-of-the-viewer.png');
+    const bytes = readFileSync(await download.path());
+    assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [2000, 1400]);
+    assert.ok(bytes.length > 50000, `${bytes.length} bytes`);
+    if (picture_folder) writeFileSync(join(picture_folder, 'saved.png'), bytes);
+    await close(page);
+  },
+
+  async 'reset brings back how the page opened'() {
+    const page = await open();
+    const shot = async () => {
+      await page.evaluate(() => document.activeElement.blur());
+      await page.mouse.move(30, 400);
+      await settle(page);
+      return (await page.screenshot()).toString('base64');
+    };
+    const first = await shot();
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.selectOption('#colour', 'area');
+    await page.locator('#toggle-bisectors').uncheck();
+    await page.mouse.click(370, 350);
+    assert.ok((await page.evaluate(count_differing, [first, await shot()])) > 10000);
+    await page.locator('#reset').click();
+    assert.ok((await page.evaluate(count_differing, [first, await shot()])) < 20);  // the last bits of the camera
+    assert.equal(await page.locator('#colour').inputValue(), 'regions');
+    await close(page);
+  },
+
+  async 'hovering draws nothing but the mark'() {
+    const page = await open();
+    await page.mouse.move(370, 350);
+    await settle(page);
+    const before = await card(page);
+    await draws(page);
+    for (const [x, y] of [[300, 300], [420, 250], [350, 450], [30, 400], [370, 350]]) {
+      await page.mouse.move(x, y);
+      await settle(page);
+    }
+    assert.deepEqual(await draws(page), []);
+    assert.equal(await card(page), before);
+    const marked = await page.locator('#mark').evaluate((canvas) => {
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      return data.filter((value, i) => i % 4 === 3 && value > 0).length;
+    });
+    assert.ok(marked > 1000, `${marked} pixels`);
+    await close(page);
+  },
+
+  async 'is never blank: neither at the first frame nor when the window changes'() {
+    const page = await open();
+    const first = await page.evaluate(() => window.first);
+    assert.ok(first.share > 0.15, `${first.share} of the first frame`);
+    await page.evaluate(() => {
+      // An observer made after the page's own runs after it, in the same frame.
+      new ResizeObserver(() => (window.after ??= []).push(window.covered().share)).observe(document.getElementById('canvas'));
+    });
+    for (const width of [900, 800, 1100]) {
+      await page.setViewportSize({ width, height: 700 });
+      await settle(page);
+    }
+    const shares = await page.evaluate(() => window.after);
+    assert.ok(shares.length >= 3);
+    assert.ok(Math.min(...shares.slice(1)) > 0.1, shares.join(' '));
+    await close(page);
+  },
+
+  async 'dots are as large as the picture makes them'() {
+    const page = await open();
+    await page.getByText('A torus').click();
+    const dots = async () => {
+      const without = page.locator('#toggle-generators');
+      const shot = async () => (await page.screenshot()).toString('base64');
+      await settle(page);
+      const on = await shot();
+      await without.uncheck();
+      await settle(page);
+      const off = await shot();
+      await without.check();
+      return page.evaluate(count_differing, [on, off]);
+    };
+    const near = await dots();
+    await page.setViewportSize({ width: 760, height: 300 });
+    await page.locator('#reset').click();
+    const far = await dots();
+    assert.ok(far > 0 && far < near / 2, `${near} and ${far} pixels`);
+    await close(page);
+  },
+
+  async 'large meshes turn with fewer triangles, and rest with all'() {
+    const page = await open({ page_address: write_large_page() });
+    const most = (list) => Math.max(...list);
+    await page.mouse.move(370, 350);
+    await settle(page);
+    await draws(page);
+    await page.mouse.down();
+    for (let i = 1; i < 5; ++i) await page.mouse.move(370 + 8 * i, 350);
+    await settle(page);
+    const turning = most(await draws(page));
+    await page.mouse.up();
+    await settle(page);
+    await settle(page);
+    const rest = most(await draws(page));
+    assert.equal(rest, 3 * kLargeFaces);
+    assert.ok(turning < rest / 2, `${turning} corners of ${rest}`);
+    await close(page);
+  },
+
+  async 'works by touch on a narrow screen, and uses all of its width'() {
     const viewport = { width: 390, height: 780 };
     const page = await open({ viewport, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+    const first = await page.evaluate(() => window.first);
+    assert.ok(first.width > 0.7, `${first.width} of the width`);
     assert.equal(await page.locator('#toggles').isVisible(), false);
     await page.touchscreen.tap(195, 400);
     await settle(page);
-    assert.match(await card(page), /Region \d+/);
+    assert.match(await page.locator('#pinned').innerText(), /Region \d+/);
     await picture(page, 'touch');
     await page.locator('#show summary').tap();
     assert.ok(await page.locator('#toggles').isVisible());
     await picture(page, 'touch-open');
+    await page.locator('#figures summary').tap();
+    await settle(page);
+    assert.equal(await page.locator('#toggles').isVisible(), false);
     await close(page);
   },
 };
