@@ -125,6 +125,7 @@ TEST_CASE("PLY: bad data are refused with their line") {
   refused("3 0 3 1", "3 0 -1 1", "file:16: face 1 refers to vertex -1");
   refused("3 0 3 1", "3 0 1.5 1", "file:16: face 1 refers to vertex 1.5");
   refused("3 0 3 1", "-3 0 3 1", "file:16: the list 'vertex_indices' announces -3 entries");
+  refused("3 0 3 1", "3e50 0 3 1", "file:16: the list 'vertex_indices' announces 3e+50 entries");
   refused("3 0 3 1", "4000000000 0 3 1",
           "file:16: the list 'vertex_indices' announces 4000000000 entries, but the file has room");
   refused("face 4", "face 5", "the file ends after line 18, and face 4 of 5 is missing");

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_ply_header.hpp"
@@ -180,8 +179,8 @@ class BodyParser {
     const double count = source_.read(*property.count_type, property);
     if (!(count >= 0) || count != std::floor(count) || count > static_cast<double>(source_.most_entries())) {
       refuse(ErrorCode::unreadable_input,
-             fmt::format("the list '{}' announces {}, but the file has room for {}", property.name,
-                         counted(static_cast<std::int64_t>(count), "entry", "entries"), source_.most_entries()),
+             fmt::format("the list '{}' announces {} {}, but the file has room for {}", property.name, count,
+                         count == 1 ? "entry" : "entries", source_.most_entries()),
              i);
     }
     return static_cast<std::int64_t>(count);
