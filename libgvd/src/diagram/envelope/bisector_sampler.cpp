@@ -1,11 +1,9 @@
 #include "diagram/envelope/bisector_sampler.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "base/plane.hpp"
-
+#include "diagram/envelope/path_change.hpp"
 namespace gvd {
 namespace {
 
@@ -13,45 +11,30 @@ namespace {
 /// show three quarters of the height of a curve, and half of that of a corner at least.
 constexpr double kShown = 0.5;
 
-/// A path that changes this near to an end of a segment, as a fraction of it, changes at the end, where a sample is.
-constexpr double kAtEnd = 1e-3;
+/// Corners that are lower than this fraction of the tolerance are not looked for. A curve that passes the samples is at
+/// most 2 / 3 of the tolerance high, so the sum stays below the tolerance.
+constexpr double kHiddenCorner = 0.1;
 
 /// A segment is split at most so often in search of changes: a thousandth of it is left.
 constexpr int kMostSplits = 10;
 
-/// The positions at which the rays past the ends of a source's opening cross the line from a (0) to b (1).
-std::array<double, 2> ray_positions(const FaceSource& s, const Vec2& a, const Vec2& b) {
-  const auto position = [&](const Vec2& end) {
-    return cross(s.image - a, end - s.image) / cross(b - a, end - s.image);
-  };
-  return {position(s.begin), position(s.end)};
+/// Whether a path that changes from one source to another has a corner higher than `hidden`, mesh units. It has none
+/// where the two are openings for one image: its distance is that of one straight path.
+bool may_have_corner(const FaceSource& first, const FaceSource& second, double hidden) {
+  return (first.image - second.image).norm() + std::abs(first.offset - second.offset) > hidden;
 }
 
-/// A position between a (0) and b (1) where the path of a generator may change from one source to another: where a ray
-/// past an end of an opening crosses, or in the middle, for sources that tie. Nothing where the rays of both sources
-/// cross at the same end.
-std::optional<double> change_position(const FaceSource& first, const FaceSource& second, const Vec2& a, const Vec2& b) {
-  std::array<int, 2> at_begin{}, at_end{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const FaceSource& source = i == 0 ? first : second;
-    if (source.is_corner) at_begin[i] = at_end[i] = 1;  // it has no rays, and may be the nearest from anywhere on
-    for (const double t : ray_positions(source, a, b)) {
-      if (t > kAtEnd && t < 1 - kAtEnd) return t;
-      at_begin[i] += std::abs(t) <= kAtEnd ? 1 : 0;
-      at_end[i] += std::abs(t - 1) <= kAtEnd ? 1 : 0;
-    }
+/// The change of the left or of the right path between two samples, whichever makes the higher corner.
+PathChange highest_change(const BisectorSample& a, const BisectorSample& b, double hidden) {
+  PathChange left, right;
+  const PlaneSegment segment{a.point, b.point};
+  if (a.left_source != b.left_source && may_have_corner(*a.left_source, *b.left_source, hidden)) {
+    left = PathChange(segment, *a.left_source, a.left.distance, *b.left_source, b.left.distance);
   }
-  if ((at_begin[0] > 0 && at_begin[1] > 0) || (at_end[0] > 0 && at_end[1] > 0)) return std::nullopt;
-  return 0.5;
-}
-
-/// A position to sample between a and b; nothing where their paths change at the ends only, or not at all.
-std::optional<double> split_position(const BisectorSample& a, const BisectorSample& b) {
-  if (a.left_source != b.left_source) {
-    if (const auto t = change_position(*a.left_source, *b.left_source, a.point, b.point)) return t;
+  if (a.right_source != b.right_source && may_have_corner(*a.right_source, *b.right_source, hidden)) {
+    right = PathChange(segment, *a.right_source, a.right.distance, *b.right_source, b.right.distance);
   }
-  if (a.right_source == b.right_source) return std::nullopt;
-  return change_position(*a.right_source, *b.right_source, a.point, b.point);
+  return left.height() > right.height() ? left : right;
 }
 
 }  // namespace
@@ -78,10 +61,13 @@ bool BisectorSampler::is_near_between(const BisectorSample& a, const BisectorSam
 }
 
 bool BisectorSampler::is_near_between(const BisectorSample& a, const BisectorSample& b, int splits) const {
-  if (splits == 0 || (b.point - a.point).norm() <= tolerance_) return true;
-  const auto t = split_position(a, b);
-  if (!t) return true;
-  const BisectorSample between = sample(a.point + *t * (b.point - a.point));
+  if (a.left_source == b.left_source && a.right_source == b.right_source) return true;
+  if (splits == 0 || (b.point - a.point).squaredNorm() <= tolerance_ * tolerance_) return true;
+  // Two changes, of the left and of the right path, may add up.
+  const double hidden = 0.5 * kHiddenCorner * tolerance_ * std::min(a.gradient().norm(), b.gradient().norm());
+  PathChange change = highest_change(a, b, hidden);
+  if (change.height() <= hidden) return true;
+  const BisectorSample between = sample(a.point + change.find(hidden) * (b.point - a.point));
   return is_near(between) && is_near_between(a, between, splits - 1) && is_near_between(between, b, splits - 1);
 }
 
