@@ -32,11 +32,8 @@ run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
 run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.html"
 run gvd-lloyd   data/figure.obj -n 100 --sampling random --view "$work/relaxed.html"
 
-# A mesh that was cut along its bisectors: the vertices keep their numbers, so the same generators fit it. They are those
-# of -n 24 above.
-vertices=422,2212,1840,1545,439,521,519,766,2552,1559,1064,560,1844,438,1361,1938,1397,2771,2447,712,1919,102,2881,972
-run gvd-segment data/figure.obj --vertices $vertices --cut -o "$work/cut.ply"
-run gvd-segment "$work/cut.ply" --vertices $vertices --view "$work/cut.html"
+# A mesh that is cut along its bisectors.
+run gvd-segment data/figure.obj -n 24 --cut --view "$work/cut.html"
 
 # An open surface.
 run gvd-segment data/half_sphere.off -n 12 --view "$work/open.html"

@@ -34,7 +34,7 @@ export const kPictures = [
   { name: 'poisson', page: 'poisson', size: kSmall, show: kNoBranchPoints },
   { name: 'random', page: 'relaxed', scene: 'Start', size: kSmall, show: kNoBranchPoints },
   { name: 'relaxed', page: 'relaxed', scene: 'Relaxed', size: kSmall, show: kNoBranchPoints },
-  { name: 'open', page: 'open', size: kSmall, turn: { right: 10 } },
-  { name: 'open_coarse', page: 'open_coarse', size: kSmall, turn: { right: 10 } },
+  { name: 'open', page: 'open', size: kSmall, zoom: -1, turn: { right: 10 } },
+  { name: 'open_coarse', page: 'open_coarse', size: kSmall, zoom: -1, turn: { right: 10 } },
   { name: 'viewer', page: 'segments', size: [1000, 620], hover: [420, 330], whole_page: true },
 ];

@@ -64,7 +64,9 @@ export class Stage {
 
   // Places the camera so that the whole picture fills the area that no panel covers.
   show_all() {
-    const half = Math.tan((kFieldOfView * Math.PI) / 360), { left, right, top, bottom } = this.insets();
+    const half = Math.tan((kFieldOfView * Math.PI) / 360), insets = this.insets();
+    const { left, right, top, bottom } = insets;
+    this.centre(insets);
     const free = (1 - 2 * kBorder) / this.height;
     const back = kFirstView.clone().normalize().applyQuaternion(this.from_y_up);
     const side = new Vector3().crossVectors(this.camera.up, back).normalize();
