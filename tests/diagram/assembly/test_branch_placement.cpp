@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "diagram/assembly/branch_placement.hpp"
 #include "diagram/assembly/face_distances.hpp"
@@ -40,6 +41,32 @@ TEST_CASE("a guess on a side stays there to rounding where it is accurate, and k
   CHECK(least(accurate) > 0);
   CHECK(least(accurate) < kInsideFace);
   CHECK(BranchPlacement(true).place_in_face(kThree, Bary{0.5, 0.5 - kInsideFace, kInsideFace})[2] == kInsideFace);
+}
+
+// In a thin face, a ten-thousandth of its height is a distance that rounding and ties account for.
+TEST_CASE("an accurate guess a little outside stays as near as it was beyond") {
+  for (const double beyond : {1e-10, 1e-8, 1e-6, 1e-4}) {
+    const Bary wanted{0.5, 0.5 + beyond, -beyond};
+    const Bary p = BranchPlacement(true).place_in_face(kThree, wanted);
+    CHECK(least(p) > 0);
+    CHECK(bary_distance(p, wanted) < 4 * beyond + 1e-11);
+    CHECK(least(BranchPlacement(false).place_in_face(kThree, wanted)) > 0.01);
+  }
+}
+
+TEST_CASE("an accurate guess beside the end of a sliver stays at that end") {
+  FacePolygon sliver = kThree;
+  const Bary end{0, 0.5, 0.5};
+  sliver[0].bary = mix(end, Bary{1, 0, 0}, 1e-7);
+  sliver[1].bary = end;
+  sliver[2].bary = {0.5, 0, 0.5};
+  if (!is_convex({sliver[0].bary, sliver[1].bary, sliver[2].bary}, 0)) std::swap(sliver[0].bary, sliver[1].bary);
+  for (const Bary& wanted :
+       {Bary{-1e-7, 0.5 + 1e-7, 0.5}, Bary{1e-7, 0.5 + 1e-7, 0.5 - 2e-7}, Bary{1e-7, 0.5 - 3e-7, 0.5 + 2e-7}}) {
+    const Bary p = BranchPlacement(true).place_in_polygon(sliver, wanted);
+    CHECK(is_inside(sliver, p, kTieInversion));
+    CHECK(bary_distance(p, end) < 1e-6);
+  }
 }
 
 TEST_CASE("a guess far outside keeps clear of the limit") {
