@@ -42,16 +42,20 @@ function watch() {
     const context = copy.getContext('2d', { willReadFrequently: true });
     context.drawImage(source, 0, 0);
     const { data } = context.getImageData(0, 0, copy.width, copy.height);
-    let [other, left, right] = [0, copy.width, 0];
+    let [other, below, left, right, top, bottom] = [0, 0, copy.width, 0, copy.height, 0];
     for (let i = 0; i < data.length; i += 4) {
       if (data[i] === data[0] && data[i + 1] === data[1] && data[i + 2] === data[2] && data[i + 3] === data[3]) continue;
       ++other;
-      [left, right] = [Math.min(left, (i / 4) % copy.width), Math.max(right, (i / 4) % copy.width)];
+      const x = (i / 4) % copy.width, y = Math.floor(i / 4 / copy.width);
+      [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+      below += 2 * y > copy.height;
     }
-    return { share: other / (copy.width * copy.height), width: (right - left) / copy.width };
+    const share = other / (copy.width * copy.height);
+    return { share, width: (right - left) / copy.width, tall: (bottom - top) / (right - left), below: below / other };
   };
   // In the task that says the page is ready, nothing but the first drawing has happened.
-  new MutationObserver(() => (window.first ??= window.covered())).observe(document, { attributes: true, subtree: true, attributeFilter: ['data-ready'] });
+  const ready = { attributes: true, subtree: true, attributeFilter: ['data-ready'] };
+  new MutationObserver(() => (window.first ??= window.covered())).observe(document, ready);
 }
 
 // A freshly opened page that collects what must not happen: errors, and requests for other addresses.
@@ -89,10 +93,10 @@ async function picture(page, name) {
   return createHash('sha256').update(await page.screenshot({ clip })).digest('hex');
 }
 
-// In the page: the number of pixels in which two pictures differ.
-async function count_differing(sources) {
+// In the page: the number of pixels in which two pictures differ, by more than `least` levels of red or green.
+async function count_differing([first, second, least = 0]) {
   const [one, two] = await Promise.all(
-    sources.map(async (source) => {
+    [first, second].map(async (source) => {
       const image = new Image();
       image.src = `data:image/png;base64,${source}`;
       await image.decode();
@@ -103,31 +107,56 @@ async function count_differing(sources) {
     }),
   );
   let count = 0;
-  for (let i = 0; i < one.length; i += 4) count += one[i] !== two[i] || one[i + 1] !== two[i + 1];
+  for (let i = 0; i < one.length; i += 4) {
+    count += Math.abs(one[i] - two[i]) > least || Math.abs(one[i + 1] - two[i + 1]) > least;
+  }
   return count;
 }
 
-// The page with a torus of kLargeFaces faces in place of its own scenes; returns its address.
-const kLargeFaces = 2 * 1000 * 200;
-function write_large_page() {
-  const [n, m] = [1000, 200], positions = new Float32Array(3 * n * m), faces = new Uint32Array(6 * n * m);
+// A page with one scene in place of the sample's; returns its address. `points` are generators.
+function write_page(name, { positions, faces, points = [], up = 'y' }) {
+  const arrays = [Float32Array.from(positions), Uint32Array.from(faces), Float32Array.from(points)];
+  const blobs = arrays.map((array, k) => {
+    const text = Buffer.from(array.buffer).toString('base64');
+    return `<script type="application/octet-stream" id="blob-${k}">${text}</script>`;
+  });
+  const scene = { name, wireframe: false, smooth: true, cells: [], figures: [] };
+  scene.positions = { blob: 0, type: 'f32', count: arrays[0].length };
+  scene.faces = { blob: 1, type: 'u32', count: arrays[1].length };
+  if (points.length) scene.generators = { blob: 2, type: 'f32', count: points.length };
+  const manifest = { schema: 'gvd-view/1', title: name, up, scale: 1, origin: [0, 0, 0], scenes: [scene] };
+  const page = readFileSync(page_file, 'utf8'), kData = '<script type="application/';
+  const tail = page.slice(page.indexOf('</script>', page.lastIndexOf(kData)) + 9);
+  const data = `${kData}json" id="manifest">${JSON.stringify(manifest)}</script>${blobs.join('')}`;
+  const file = resolve(picture_folder ?? '.', `${name}.html`);
+  writeFileSync(file, page.slice(0, page.indexOf(kData)) + data + tail);
+  return pathToFileURL(file).href;
+}
+
+// A torus of 2 n m faces.
+function make_torus(n, m) {
+  const positions = [], faces = [];
   for (let i = 0; i < n * m; ++i) {
     const a = (2 * Math.PI * Math.floor(i / m)) / n, b = (2 * Math.PI * (i % m)) / m, r = 0.7 + 0.25 * Math.cos(b);
-    positions.set([r * Math.cos(a), 0.25 * Math.sin(b), r * Math.sin(a)], 3 * i);
+    positions.push(r * Math.cos(a), 0.25 * Math.sin(b), r * Math.sin(a));
     const u = (i + m) % (n * m), v = i % m === m - 1 ? i - m + 1 : i + 1, w = (v + m) % (n * m);
-    faces.set([i, w, u, i, v, w], 6 * i);
+    faces.push(i, w, u, i, v, w);
   }
-  const blob = (k, array) => `<script type="application/octet-stream" id="blob-${k}">${Buffer.from(array.buffer).toString('base64')}</script>`;
-  const scene = { name: '', wireframe: false, smooth: true, cells: [], figures: [] };
-  scene.positions = { blob: 0, type: 'f32', count: positions.length };
-  scene.faces = { blob: 1, type: 'u32', count: faces.length };
-  const manifest = { schema: 'gvd-view/1', title: 'Large', up: '-z', scale: 1, origin: [0, 0, 0], scenes: [scene] };
-  const page = readFileSync(page_file, 'utf8'), kData = '<script type="application/';
-  const head = page.slice(0, page.indexOf(kData)), tail = page.slice(page.indexOf('</script>', page.lastIndexOf(kData)) + 9);
-  const data = `${kData}json" id="manifest">${JSON.stringify(manifest)}</script>${blob(0, positions)}${blob(1, faces)}`;
-  const file = resolve(picture_folder ?? '.', 'large.html');
-  writeFileSync(file, head + data + tail);
-  return pathToFileURL(file).href;
+  return { positions, faces };
+}
+
+// A long cone with its tip in the direction of an axis ('x', '-x', 'y', ...).
+function make_cone(axis) {
+  const k = 'xyz'.indexOf(axis.at(-1)), sign = axis.startsWith('-') ? -1 : 1, positions = [], faces = [];
+  const add = (along, side, across) => {
+    const p = [0, 0, 0];
+    [p[k], p[(k + 1) % 3], p[(k + 2) % 3]] = [sign * along, side, sign * across];
+    positions.push(...p);
+  };
+  add(1, 0, 0);
+  for (let i = 0; i < 24; ++i) add(-1, 0.3 * Math.cos((Math.PI * i) / 12), 0.3 * Math.sin((Math.PI * i) / 12));
+  for (let i = 0; i < 24; ++i) faces.push(0, 1 + i, 1 + ((i + 1) % 24));
+  return { positions, faces };
 }
 
 async function close(page) {
@@ -409,8 +438,34 @@ const tests = {
     await close(page);
   },
 
+  async 'dots fade where they are dense'() {
+    const torus = make_torus(200, 80), shares = [];
+    for (const step of [400, 1]) {
+      const points = torus.positions.filter((_, i) => Math.floor(i / 3) % step === 0);
+      const page = await open({ page_address: write_page(`dots-${step}`, { ...torus, points }) });
+      const shot = async () => (await settle(page), (await page.screenshot()).toString('base64'));
+      const on = await shot();
+      await page.locator('#toggle-generators').uncheck();
+      shares.push((await page.evaluate(count_differing, [on, await shot(), 40])) / (1000 * 700));
+      await close(page);
+    }
+    const [few, many] = shares;
+    assert.ok(few > 0.0005, `${few} of the picture with few dots`);
+    assert.ok(many < 0.01, `${many} of the picture with 400 times as many`);
+  },
+
+  async 'the axis that the manifest names points up'() {
+    for (const up of ['x', 'y', 'z', '-x', '-y', '-z']) {
+      const page = await open({ page_address: write_page('cone', { ...make_cone(up), up }) });
+      const { tall, below } = await page.evaluate(() => window.first);
+      assert.ok(tall > 1.5, `${up}: ${tall} times as high as wide`);
+      assert.ok(below > 0.6, `${up}: ${below} of it in the lower half`);
+      await close(page);
+    }
+  },
+
   async 'large meshes turn with fewer triangles, and rest with all'() {
-    const page = await open({ page_address: write_large_page() });
+    const torus = make_torus(1000, 200), page = await open({ page_address: write_page('large', torus) });
     const most = (list) => Math.max(...list);
     await page.mouse.move(370, 350);
     await settle(page);
@@ -423,7 +478,7 @@ const tests = {
     await settle(page);
     await settle(page);
     const rest = most(await draws(page));
-    assert.equal(rest, 3 * kLargeFaces);
+    assert.equal(rest, torus.faces.length);
     assert.ok(turning < rest / 2, `${turning} corners of ${rest}`);
     await close(page);
   },
