@@ -32,7 +32,7 @@ const kToggles = [
   ['smooth', 'Smooth shading'],
 ];
 const kMarks = ['bisectors', 'generators', 'added_generators', 'branch_points'];
-const narrow_screen = matchMedia('(max-width: 720px)');
+const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 const kPerScene = ['wireframe', 'smooth'];  // the others keep their state when the scene changes
 
@@ -52,11 +52,12 @@ function bounding_sphere(p) {
   return new Sphere(new Vector3(), Math.sqrt(squared) || 1);
 }
 
-// Pixels at each side of the picture that panels cover: at the right on wide screens, above and below on narrow ones.
+// Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
 function covered() {
   const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name).getBoundingClientRect());
-  if (!narrow_screen.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
-  return { left: 0, right: 0, top: head.height && head.bottom, bottom: bar.height && innerHeight - bar.top };
+  if (!phone.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
+  const upright = innerWidth < innerHeight;  // on its side there is room beside the title
+  return { left: 0, right: 0, top: upright && head.height ? head.bottom : 0, bottom: bar.height && innerHeight - bar.top };
 }
 
 class Viewer {
@@ -253,15 +254,15 @@ class Viewer {
   }
 }
 
-// On a narrow screen the panels are closed at the start, and opening one closes the others.
+// On a phone the panels are closed at the start, and opening one closes the others.
 function arrange_panels() {
   const boxes = [...document.querySelectorAll('details')];
   const close_all = () => boxes.forEach((box) => (box.open = false));
-  if (narrow_screen.matches) close_all();
-  narrow_screen.addEventListener('change', () => narrow_screen.matches && close_all());
+  if (phone.matches) close_all();
+  phone.addEventListener('change', () => phone.matches && close_all());
   for (const box of boxes) {
     box.addEventListener('toggle', () => {
-      if (!narrow_screen.matches || !box.open) return;
+      if (!phone.matches || !box.open) return;
       boxes.forEach((other) => (other.open = other === box));
     });
   }
