@@ -44,7 +44,7 @@ MOST_VERTICES = 150
 
 
 def scattered_vertices(mesh):
-    """Vertices as generators: neighbours, and some in one place where the mesh is torn or folded."""
+    """Vertices as generators: neighbours, some in one place where the mesh is torn or folded. Their order decides ties: it is random."""
     if not isinstance(mesh.points, list):
         return []
     least = LEAST_DISTANCE * math.dist(*([side(p[k] for p in mesh.points) for k in range(3)] for side in (min, max)))
@@ -54,7 +54,7 @@ def scattered_vertices(mesh):
         gaps = [math.dist(mesh.points[v], mesh.points[w]) for w in chosen]
         if len(chosen) < MOST_VERTICES and all(gap == 0 or gap > least for gap in gaps):
             chosen.append(v)
-    return sorted(chosen)
+    return chosen
 
 
 def fixed_cases(mesh):
@@ -65,7 +65,7 @@ def fixed_cases(mesh):
     chosen = scattered_vertices(mesh)
     if chosen:
         # A vertex may be in no face of a broken mesh.
-        yield Case("segment", ["--vertices", ",".join(map(str, chosen)), "--merge-coincident"], also=mesh.refused)
+        yield Case("segment", ["--vertices", ",".join(map(str, chosen)), "--merge-coincident"], few=True, also=mesh.refused)
     yield Case("remesh", ["-n", str(min(30, points))], also=(NO_VALID_RESULT,))
 
 

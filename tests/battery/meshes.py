@@ -275,6 +275,8 @@ def simple_ones():
 
 def thin_ones():
     yield sheet("flat_needles", steps(60, 1e-4), steps(3))
+    yield sheet("strip", [0.0, 0.25, 0.5, 1.0], [0.0, 0.001])
+    yield sheet("thin_sheet", steps(8), steps(5, 0.005))
     yield sheet("graded", graded(20, 2.0), graded(20, 2.0))
     yield sheet("steep", graded(16, 10.0), steps(8))
     yield collinear("collinear")
