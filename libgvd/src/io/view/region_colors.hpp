@@ -33,8 +33,8 @@ std::vector<std::pair<GeneratorId, GeneratorId>> find_adjacent_regions(const Vie
 ///
 /// Each label in turn takes, of the colours that no neighbour has yet, the one that the fewest labels have. In the
 /// order (smallest-last, Matula and Beck 1983) each label has at most d neighbours before it, d being the degeneracy of
-/// the graph: at most 5 on surfaces of genus 0, 6 on those of genus 1. So seven colours suffice there. On surfaces of
-/// higher genus, a label with all seven colours round it takes the one that the fewest of its neighbours have.
+/// the graph: at most 5 for regions on a surface of genus 0, 6 for genus 1. So seven colours suffice there. Elsewhere,
+/// a label with all seven colours round it takes the one that the fewest of its neighbours have.
 /// Cost: O(n log n) for n labels and pairs.
 std::vector<Rgb> choose_region_colors(std::size_t count,
                                       const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
