@@ -18,9 +18,11 @@ Findings examine(const Error& error);
 /// The violations of `check_diagram`, unresolved ends, and numbers that are not finite or out of range.
 Findings examine(const Mesh& mesh, const Diagram& diagram);
 
-/// Compares distances and labels at the vertices, and crossings of bisectors with edges, with one exact field for each
-/// generator.
-Findings examine_distances(const Mesh& mesh, const Diagram& diagram);
+/// What `examine_distances` compares: the distances of vertices alone, or labels and crossings with edges as well.
+enum class Compare { distances, all };
+
+/// Compares the diagram at vertices and edges with one exact field for each generator.
+Findings examine_distances(const Mesh& mesh, const Diagram& diagram, Compare compare);
 
 /// The faces of each label must be connected, and each generator must have one or be listed as having none.
 Findings examine_segmentation(const Mesh& mesh, const Diagram& diagram);

@@ -179,12 +179,10 @@ RandomPoints make_random_points(const Mesh& mesh, Random& random) {
 }
 
 bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double close) {
+  const double limit = close * std::max(mesh.bbox_diagonal(), 0.01 * mesh.largest_coordinate());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& bary = points[i].bary;
-    if (std::any_of(bary.begin(), bary.end(), [close](double b) { return b > 0 && b < close; })) return true;
     for (std::size_t j = 0; j < i; ++j) {
-      const double apart = (position(mesh, points[i]) - position(mesh, points[j])).norm();
-      if (apart < close * mesh.mean_edge_length()) return true;
+      if ((position(mesh, points[i]) - position(mesh, points[j])).norm() < limit) return true;
     }
   }
   return false;

@@ -18,16 +18,19 @@ struct RandomPoints {
 /// along one edge, round one vertex, or in clusters that nearly coincide; sometimes two do coincide.
 RandomPoints make_random_points(const Mesh& mesh, Random& random);
 
-/// Whether the working mesh has thin triangles: two points are closer than the fraction `close` of the mean edge
-/// length. Or a point is closer than that fraction of a triangle's height to a vertex or edge that it is not on.
+/// Whether two points are closer in space than the fraction `close` of the bounding box's diagonal, or than 0.01 of
+/// that fraction of the largest coordinate.
 bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double close);
 
-/// For closer generators, rounding of coordinates in the thin triangles between them exceeds the error allowed in the
-/// comparison of distances. Label intervals on edges are then shorter than the shortest one that is kept, so that cells
-/// can be cut off.
-inline constexpr double kClose = 1e-5;
+// What is known to fail between close generators, with the scale at which it begins: docs/developer/exact.md, "Close
+// generators". Fractions as `are_close` takes them.
 
-/// For closer generators, branch points between them are so close that cutting welds them.
-inline constexpr double kWelded = 1e-9;
+/// For closer generators, label intervals on edges can be shorter than the shortest one that is kept, and rounding of
+/// positions turns triangles between them by a hundredth. So cells are cut off, and vertices get other labels.
+/// Distances of vertices are right nevertheless.
+inline constexpr double kClose = 1e-11;
+
+/// For closer generators, cutting may find no manifold mesh, as branch points between them are welded.
+inline constexpr double kWelded = 1e-10;
 
 }  // namespace gvd::test

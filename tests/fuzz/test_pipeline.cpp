@@ -13,6 +13,7 @@
 #include "fuzz/findings.hpp"
 #include "fuzz/random_points.hpp"
 #include "fuzz/random_soup.hpp"
+#include "geodesic/windows/geometry/face_frames.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/soup.hpp"
@@ -25,13 +26,13 @@ using test::Random;
 
 namespace {
 
-/// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers. Among other seeds, one
-/// mesh in 500 still has a finding, nearly always with generators within 1e-9 of each other.
+/// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers.
 constexpr unsigned kFirstSeed = 401, kSeeds = 300;
 
-/// A step on these small meshes reports progress a few times at most (once in 16,384 windows). One with more reports
-/// than this does not terminate. A limit on time would depend on the machine.
-constexpr int kMaxReports = 60;
+/// A step on these small meshes reports progress a few times at most (once in 16,384 windows), and a diagram has up to
+/// 13 rounds of three steps. One with more reports than this does not terminate. A limit on time would depend on the
+/// machine.
+constexpr int kMaxReports = 120;
 
 /// The same for a remesh or a relaxation, where one step consists of several diagrams.
 constexpr int kMaxReportsOfMany = 40 * kMaxReports;
@@ -42,6 +43,7 @@ constexpr std::size_t kMaxFields = 12;
 struct Counts {
   int meshes = 0, refused = 0, diagrams = 0, coincident = 0, remeshes = 0, without_remesh = 0, relaxed = 0;
   int close = 0, welded = 0;  ///< with generators that nearly coincide
+  int uncut = 0;              ///< diagrams that cutting refuses, as it may
 };
 
 constexpr std::array kMethods{Method::exact, Method::gbgvd, Method{Solver::windows, Tracer::growth},
@@ -76,6 +78,7 @@ class FuzzCase {
     const bool all = std::getenv("GVD_FUZZ_ALL") != nullptr;
     are_close_ = !all && test::are_close(checked.mesh, points_, test::kClose);
     are_welded_ = !all && test::are_close(checked.mesh, points_, test::kWelded);
+    has_thin_faces_ = !all && FaceFrames(checked.mesh).has_thin_faces;
     counts_.close += are_close_;
     counts_.welded += are_welded_;
     run_on(checked.mesh);
@@ -127,17 +130,25 @@ class FuzzCase {
     ++counts_.diagrams;
     const std::string step = fmt::format("diagram {}{}", options.method.solver == Solver::windows ? "exact" : "marched",
                                          options.method.tracer == Tracer::envelope ? "" : " grown");
-    add(step, test::examine(mesh, diagram));
+    add_sound(step, test::examine(mesh, diagram));
     if (!test::same_diagram(diagram, again)) add(step, {"two runs differ"});
     if (!findings_.empty()) return true;
     if (!attempt(step, [&] { add(step, test::examine_segmentation(mesh, diagram)); })) add(step, {last_error_});
     // Marched distances are not the metric of any surface: refined arcs may cross, and pieces overlap.
     const bool is_marched = options.method.solver == Solver::fast_marching && options.method.tracer == Tracer::envelope;
-    if (!is_marched && !are_welded_ && !attempt(step, [&] { add(step, test::examine_cut(mesh, diagram)); }))
-      add(step, {last_error_});
-    if (options.method != Method::exact || points_.size() > kMaxFields || are_close_) return true;
-    if (!attempt(step, [&] { add(step, test::examine_distances(mesh, diagram)); })) add(step, {last_error_});
+    if (!is_marched) run_cut(step, mesh, diagram);
+    if (options.method != Method::exact || points_.size() > kMaxFields) return true;
+    const test::Compare compare = are_close_ ? test::Compare::distances : test::Compare::all;
+    if (!attempt(step, [&] { add(step, test::examine_distances(mesh, diagram, compare)); })) add(step, {last_error_});
     return true;
+  }
+
+  /// Where cells are too narrow for it, cutting may find no manifold mesh. What it does find must be right.
+  void run_cut(const std::string& step, const Mesh& mesh, const Diagram& diagram) {
+    if (attempt(step, [&] { add(step, test::examine_cut(mesh, diagram)); })) return;
+    const bool may_refuse = (are_welded_ || has_thin_faces_) && last_code_ == ErrorCode::no_valid_result;
+    counts_.uncut += may_refuse;
+    if (!may_refuse) add(step, {last_error_});
   }
 
   void run_remesh(const Mesh& mesh, const DiagramOptions& diagram) {
@@ -181,6 +192,7 @@ class FuzzCase {
       return true;
     } catch (const Error& error) {
       last_error_ = error.what();
+      last_code_ = error.code();
       add(name, test::examine(error));
       if (error.code() == ErrorCode::interrupted) add(name, {"does not end"});
     } catch (const std::exception& error) {
@@ -193,12 +205,20 @@ class FuzzCase {
     for (const std::string& finding : findings) findings_.push_back(step + ": " + finding);
   }
 
+  /// The same without impossible Euler characteristics of cells where these may come out.
+  void add_sound(const std::string& step, Findings findings) {
+    if (are_close_) std::erase_if(findings, [](const std::string& line) { return line.starts_with("(6)"); });
+    add(step, findings);
+  }
+
   Random random_;
   Counts& counts_;
   std::string name_, obj_, last_error_;
+  ErrorCode last_code_{};
   std::vector<SurfacePoint> points_;
-  bool are_close_ = false;   // distances are not compared: see kClose
-  bool are_welded_ = false;  // faces are not cut: see kWelded
+  bool are_close_ = false;       // labels and crossings are not compared: see kClose
+  bool are_welded_ = false;      // cutting may fail: see kWelded
+  bool has_thin_faces_ = false;  // the same: docs/developer/exact.md, "Close generators"
   Findings findings_;
 };
 
@@ -218,9 +238,10 @@ int run_seeds(unsigned first, unsigned count, bool verbose) {
   }
   std::cout << fmt::format(
       "{} meshes and {} refused; {} diagrams, {} times coincident generators; {} remeshes and {} refused; {} relaxed\n"
-      "with close generators {} meshes, whose distances were not compared; {} of them were not cut\n",
+      "with close generators {} meshes, whose crossings were not compared; {} where cutting might fail; it failed {} "
+      "times\n",
       counts.meshes, counts.refused, counts.diagrams, counts.coincident, counts.remeshes, counts.without_remesh,
-      counts.relaxed, counts.close, counts.welded);
+      counts.relaxed, counts.close, counts.welded, counts.uncut);
   return failed;
 }
 

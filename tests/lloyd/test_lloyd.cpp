@@ -51,6 +51,22 @@ TEST_CASE("lloyd: the moments of a rectangle about any of its points are exact")
   }
 }
 
+TEST_CASE("lloyd: on a surface without area, generators are not moved to one place") {
+  const Mesh mesh =
+      test::make_mesh({{0.8, 0.6, 0},
+                       {4.898587196589413e-17, 3.6739403974420595e-17, 0},
+                       {-0.8, -0.6, 0},
+                       {-1.4695761589768238e-16, -1.1021821192326178e-16, 0},
+                       {0, 0, 0},
+                       {0, 0, 0}},
+                      {{0, 1, 4}, {1, 0, 5}, {1, 2, 4}, {2, 1, 5}, {2, 3, 4}, {3, 2, 5}, {3, 0, 4}, {0, 3, 5}});
+  std::vector<SurfacePoint> generators;
+  for (const int f : {0, 2, 4, 6}) generators.push_back(make_surface_point(FaceId(f), {1.0 / 3, 1.0 / 3, 1.0 / 3}));
+  LloydOptions options;
+  options.max_iterations = 2;
+  CHECK_NOTHROW(relax_generators(mesh, generators, options));
+}
+
 TEST_CASE("lloyd: relaxation of many more generators than faces") {
   const Mesh mesh = test::make_tetrahedron();
   SamplingOptions sampling;

@@ -172,6 +172,16 @@ TEST_CASE("far from the origin generators coincide if their positions differ by 
   CHECK_NOTHROW(WorkingMesh(mesh, {at(0.25), at(0.25 + 1e-8)}));
 }
 
+TEST_CASE("generators on two edges coincide where they are nearer to each other than to the common vertex") {
+  const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
+  const Mesh wedge({{0, 0, 0}, {1, 0, 0}, {1, 0.1, 0}}, {ids(0, 1, 2)});
+  const auto at = [&](double t) {
+    return std::vector{edge_point(Mesh::halfedge(FaceId(0), 0), t), edge_point(Mesh::halfedge(FaceId(0), 2), 1 - t)};
+  };
+  CHECK_THROWS_WITH(WorkingMesh(wedge, at(5e-12)), Catch::Matchers::Contains("generators 0 and 1 coincide"));
+  CHECK_NOTHROW(WorkingMesh(wedge, at(2e-11)));
+}
+
 TEST_CASE("generators at one position on the two faces of a pillow do not coincide") {
   const auto ids = [](int a, int b, int c) { return std::array<VertexId, 3>{VertexId(a), VertexId(b), VertexId(c)}; };
   const Mesh pillow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {ids(0, 1, 2), ids(1, 0, 2)});

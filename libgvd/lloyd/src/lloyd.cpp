@@ -11,6 +11,7 @@
 #include "gvd/error.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "keep_apart.hpp"
+#include "mesh/coincidence.hpp"
 
 namespace gvd {
 namespace {
@@ -20,8 +21,11 @@ constexpr int kOwnHalvings = 10;
 constexpr int kCommonHalvings = 10;
 
 /// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
-/// relaxed diagram, and far above the distance at which two points coincide.
+/// relaxed diagram.
 constexpr double kGap = 1e-6;
+
+/// The same in distances at which two points coincide. It counts on surfaces with hardly any area.
+constexpr double kGapOfCoincident = 2;
 
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
@@ -137,7 +141,8 @@ class Relaxer {
       next.length.push_back(trace.length);
       next.held += scale[i] == 0;
     }
-    next.held += keep_apart(mesh_, state.generators, kGap * result_.mean_cell_radius, next.to);
+    const double gap = std::max(kGap * result_.mean_cell_radius, kGapOfCoincident * coincidence(mesh_));
+    next.held += keep_apart(mesh_, state.generators, gap, next.to);
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (next.to[i] == state.generators[i]) next.length[i] = 0;
     }

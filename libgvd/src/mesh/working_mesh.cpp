@@ -59,6 +59,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
     copy_input();
     insert_on_edges(sorted.on_edges, progress);
     for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, generators, progress);
+    check_inserted();
   }
   vertex_generator_.resize(static_cast<std::size_t>(mesh().vertex_count()));
 }
@@ -89,6 +90,17 @@ void WorkingMesh::claim(VertexId v, GeneratorId g) {
   }
   known = g;
   generator_vertex_[g] = v;
+}
+
+/// Refuses inserted generators that coincide with a neighbour. While they were inserted they met the corners of one
+/// face only: on two edges next to their common vertex they can be nearer to each other than to that.
+void WorkingMesh::check_inserted() {
+  for (std::int32_t i = input_->vertex_count(); i < copy_.vertex_count(); ++i) {
+    const VertexId v(i);
+    for_each_neighbour(copy_, v, [&](VertexId u, HalfedgeId h) {
+      if (generator(u).valid() && copy_.length(h) <= coincidence_) claim(u, generator(v));
+    });
+  }
 }
 
 WorkingMesh::Corners WorkingMesh::corners(FaceId f) const {
@@ -248,7 +260,8 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
   }
   const int thin = static_cast<int>(std::min_element(local.begin(), local.end()) - local.begin());
   const HalfedgeId side = Mesh::next(Mesh::halfedge(child, thin));
-  if (splits_edge(side, p, point.bary)) {
+  // A face without area has all its points on its sides in space, but not in its own coordinates.
+  if (smallest < kOnEdge && splits_edge(side, p, point.bary)) {
     if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
     const auto changed = split_edge(side, g, p, point.bary, point.bary);
     children.insert(children.end(), {changed[1], changed[3]});

@@ -62,6 +62,7 @@ class WorkingMesh {
   Corners corners(FaceId f) const;
   void set_corners(FaceId f, FaceId parent, const Corners& corners);
   void claim(VertexId v, GeneratorId g);
+  void check_inserted();
   void report_inserted(const Progress& progress);
 
   const Mesh* input_;

@@ -24,11 +24,13 @@ void ExactFaceAssembler::assemble(FaceId f) {
   distances_.enter(mesh_, f);
   join_crossings(f);
   for (FaceArc& arc : face.arcs()) refine(face, arc);
+  distances_.set_symbolic_offsets(false);
   bool straightened = separator_.separate(face);
   if (boundary_.size() > 2 && separator_.is_inverted(face)) {
     face.clear();
     distances_.set_can_confirm(false);
     join_crossings(f);
+    distances_.set_symbolic_offsets(false);
     distances_.set_can_confirm(true);
     straightened = true;
   }
@@ -40,11 +42,11 @@ void ExactFaceAssembler::assemble(FaceId f) {
 }
 
 /// Joins the crossings by straight arcs. Ties between branch points are decided as on the edges, by the symbolic
-/// offsets. The refinement follows the bisectors without them.
+/// offsets. These stay set for the refinement: between generators that nearly coincide they turn bisectors, and arcs
+/// that ended without them would intersect.
 void ExactFaceAssembler::join_crossings(FaceId f) {
   distances_.set_symbolic_offsets(boundary_.size() > 2);
   assemble_face(f, boundary_, distances_, result_.diagram);
-  distances_.set_symbolic_offsets(false);
 }
 
 void ExactFaceAssembler::refine(const OpenFace& face, FaceArc& arc) {
