@@ -16,6 +16,8 @@ constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kStepColumns = 24;
 constexpr int kPercentColumns = 7;  // "] 100 %"
 constexpr int kSmallestBar = 10;
+constexpr int kTimeColumns = 13;  // "  59 min left"
+constexpr int kLeastTimedWidth = 70;
 constexpr std::string_view kClearLine = "\r\x1b[K";
 
 bool is_set(const char* name) {
@@ -41,19 +43,23 @@ ConsoleStyle detect_console_style() {
   return style;
 }
 
-std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style) {
-  const double shown = std::clamp(fraction, 0.0, 1.0);
+std::string render_bar(const Bar& bar, const ConsoleStyle& style) {
+  const double shown = std::clamp(bar.fraction, 0.0, 1.0);
   const int percent = static_cast<int>(shown * 100);
-  const int cells = style.width - 1 - kStepColumns - 2 - kPercentColumns;
-  if (cells < kSmallestBar) {
-    const int step_columns = std::max(0, style.width - 1 - 6);
-    return fmt::format("{} {:3} %", step.substr(0, static_cast<std::size_t>(step_columns)), percent);
+  const std::string text = bar.status.empty() ? std::string(bar.step) : fmt::format("{} {}", bar.step, bar.status);
+  const int time_columns = style.width < kLeastTimedWidth ? 0 : kTimeColumns;
+  const int room = style.width - 1 - 2 - kPercentColumns - time_columns;  // for text and cells
+  if (room < kStepColumns + kSmallestBar) {
+    const int columns = std::max(0, style.width - 1 - 6);
+    return fmt::format("{} {:3} %", text.substr(0, static_cast<std::size_t>(columns)), percent);
   }
-  const int filled = static_cast<int>(shown * cells);
-  const std::string done(static_cast<std::size_t>(filled), '#');
-  const std::string rest(static_cast<std::size_t>(cells - filled), '.');
+  const int columns = std::clamp(static_cast<int>(text.size()), kStepColumns, room - kSmallestBar);
+  const int cells = room - columns, filled = static_cast<int>(shown * cells);
+  const std::string done(static_cast<std::size_t>(filled), '#'), rest(static_cast<std::size_t>(cells - filled), '.');
   const std::string_view on = style.colours ? "\x1b[36m" : "", off = style.colours ? "\x1b[0m" : "";
-  return fmt::format("{:{}.{}} [{}{}{}{}] {:3} %", step, kStepColumns, kStepColumns, on, done, off, rest, percent);
+  std::string line = fmt::format("{:{}.{}} [{}{}{}{}] {:3} %", text, columns, columns, on, done, off, rest, percent);
+  if (bar.seconds_left && time_columns > 0) line += fmt::format("  {}", format_time_left(*bar.seconds_left));
+  return line;
 }
 
 Console::Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose)
@@ -85,7 +91,9 @@ void Console::bar(std::string_view step, double fraction) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_draw_) return;
   next_draw_ = now + kRedrawInterval;
-  write_stderr(fmt::format("{}{}", kClearLine, render_bar(step, fraction, style_)));
+  const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
+  const auto left = time_left_.update(step, fraction, seconds);
+  write_stderr(fmt::format("{}{}", kClearLine, render_bar({step, status_, fraction, left}, style_)));
   bar_drawn_ = true;
 }
 

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "common/run/time_left.hpp"
 
 namespace gvd::app {
 
@@ -16,9 +20,17 @@ struct ConsoleStyle {
 /// Asks the terminal and the environment (TERM, NO_COLOR). Bars are off on anything but a terminal.
 ConsoleStyle detect_console_style();
 
-/// One line, without line break, of at most `style.width` - 1 columns: the step's name, a bar and percents.
-/// `fraction` is clamped to [0, 1].
-std::string render_bar(std::string_view step, double fraction, const ConsoleStyle& style);
+/// What a progress bar shows.
+struct Bar {
+  std::string_view step;
+  std::string_view status = {};  ///< what the step has found so far
+  double fraction = 0;           ///< clamped to [0, 1]
+  std::optional<double> seconds_left = {};
+};
+
+/// One line, without line break, of at most `style.width` - 1 columns: step and status, a bar, percents and, where the
+/// line has room, the time left.
+std::string render_bar(const Bar& bar, const ConsoleStyle& style);
 
 /// Standard error: messages of one line each, and a progress bar below them.
 class Console {
@@ -31,6 +43,8 @@ class Console {
   void error(std::string_view message);
   void note(std::string_view message);    ///< not printed where quiet
   void detail(std::string_view message);  ///< printed only where verbose
+  /// What bars show behind the name of their step, from now on.
+  void set_status(std::string status) { status_ = std::move(status); }
   /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();
@@ -42,6 +56,8 @@ class Console {
   ConsoleStyle style_;
   bool quiet_;
   bool verbose_;
+  std::string status_;
+  TimeLeft time_left_;
   bool bar_drawn_ = false;
   std::chrono::steady_clock::time_point next_draw_{};
 };

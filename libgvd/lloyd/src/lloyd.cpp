@@ -8,6 +8,7 @@
 
 #include "cell_faces.hpp"
 #include "cell_integrals.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "keep_apart.hpp"
@@ -59,6 +60,7 @@ class Relaxer {
     report();
     State state = evaluate(generators);
     result_.initial_energy = state.energy;
+    report_iteration(state.energy);
     result_.stop = iterate(state);
     result_.generators = std::move(state.generators);
     result_.diagram = std::move(state.diagram);
@@ -87,8 +89,9 @@ class Relaxer {
     State state;
     state.generators = generators;
     DiagramOptions diagram_options = options_.diagram;
-    diagram_options.progress = [this](std::string_view, double) {
-      report();
+    diagram_options.progress = [this](std::string_view step, double fraction) {
+      const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
+      report((static_cast<double>(begun) + fraction) / static_cast<double>(steps::kAll.size()));
       return true;
     };
     state.diagram = compute_diagram(mesh_, generators, diagram_options);
@@ -162,6 +165,7 @@ class Relaxer {
     iteration.scale = next.scale;
     iteration.held = next.held;
     result_.iterations.push_back(iteration);
+    report_iteration(moved.energy);
     state = std::move(moved);
     return true;
   }
@@ -187,9 +191,15 @@ class Relaxer {
     return scales;
   }
 
-  void report() const {
-    const double done = static_cast<double>(result_.iterations.size());
-    report_progress(options_.progress, "relaxation", done / std::max(1.0, double(options_.max_iterations)));
+  /// `share`: of the next iteration, if its first step is taken.
+  void report(double share = 0) const {
+    const double done = static_cast<double>(result_.iterations.size()) + std::min(share, 1.0);
+    report_progress(options_.progress, "relaxation",
+                    std::min(1.0, done / std::max(1.0, double(options_.max_iterations))));
+  }
+
+  void report_iteration(double energy) const {
+    if (options_.on_iteration) options_.on_iteration(std::ssize(result_.iterations), energy);
   }
 
   const Mesh& mesh_;

@@ -1,4 +1,5 @@
 // What gvd/sampling.hpp promises of all samplings, and of random and Poisson points.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -130,4 +131,25 @@ TEST_CASE("more points than a mesh allows, or an invalid option, is an error wit
   options.count = 1;
   options.progress = [](std::string_view, double) { return false; };
   CHECK(error_of(sphere, options) == ErrorCode::interrupted);
+}
+
+TEST_CASE("progress moves within the first insertions, which take longest on large meshes") {
+  const Mesh mesh = test::make_sphere(6);
+  for (const Sampling kind : {Sampling::farthest, Sampling::poisson, Sampling::covering_radius}) {
+    SamplingOptions options;
+    options.kind = kind;
+    options.count = 3;
+    options.radius = 1;
+    std::vector<double> told;
+    options.progress = [&](std::string_view step, double fraction) {
+      CHECK((fraction >= 0 && fraction <= 1));
+      if (step == "sampling") told.push_back(fraction);
+      return true;
+    };
+    sample_generators(mesh, options);
+    CAPTURE(static_cast<int>(kind), told);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    told.erase(std::unique(told.begin(), told.end()), told.end());
+    CHECK(told.size() > 6);  // without those within insertions there were one for each generator
+  }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -39,6 +40,9 @@ struct LloydOptions {
   double step = 1;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
+  /// Called with the number of iterations so far and the energy after them, at first for the given generators; may be
+  /// empty.
+  std::function<void(std::int64_t iterations, double energy)> on_iteration;
 };
 
 /// Why a relaxation ended.

@@ -13,6 +13,9 @@ namespace {
 /// each other twice as often with each needle. A vertex of an ordinary mesh has less than ten improvements.
 constexpr double kImprovement = 1e-13;
 
+/// Events between two calls of the watch: some milliseconds.
+constexpr std::size_t kWatchStride = std::size_t{1} << 13;
+
 double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
   return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
 }
@@ -42,6 +45,7 @@ void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<Ver
     std::pop_heap(heap_.begin(), heap_.end());
     const Event event = heap_.back();
     heap_.pop_back();
+    if (++events_ % kWatchStride == 0 && watch_) watch_(reached_.size());
     if (event.distance == nodes_[event.vertex].distance) relax(event.vertex);  // else outdated by an improvement
   }
 }

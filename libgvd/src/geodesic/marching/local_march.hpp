@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "gvd/front.hpp"
@@ -23,6 +25,9 @@ class LocalMarch {
   /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
   /// Where updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
+
+  /// `watch` is called now and then during a run, with the number of vertices that it has reached. It may throw.
+  void watch_runs(std::function<void(std::size_t reached)> watch) { watch_ = std::move(watch); }
 
   /// The vertices that the last run reached, each once, in the order in which it first reached them.
   const std::vector<VertexId>& reached() const { return reached_; }
@@ -73,6 +78,8 @@ class LocalMarch {
   Vec3 start_position_ = Vec3::Zero();
   std::vector<VertexId> reached_;
   std::vector<Event> heap_;
+  std::function<void(std::size_t)> watch_;
+  std::size_t events_ = 0;
 };
 
 }  // namespace gvd

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "geodesic/marching/local_march.hpp"
 
@@ -29,6 +31,9 @@ class NearestField {
     }
     return g;
   }
+
+  /// See LocalMarch::watch_runs.
+  void watch_insertions(std::function<void(std::size_t reached)> watch) { march_.watch_runs(std::move(watch)); }
 
   /// Mesh units; infinity where no generator reaches.
   double distance(VertexId v) const { return distance_[v]; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -25,6 +26,9 @@ namespace {
 /// at most an eighth of the radius.
 constexpr double kCoveringEdge = 0.25;
 
+/// Share of a covering's progress that the first generators of the components have.
+constexpr double kFirstShare = 0.1;
+
 /// If some vertices coincide within rounding, sampling starts again with twice as many, at most this often.
 constexpr int kMaxAttempts = 4;
 
@@ -34,7 +38,18 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class FarthestSampler {
  public:
   FarthestSampler(const Mesh& mesh, const SamplingOptions& options)
-      : mesh_(mesh), field_(mesh, options.front), faces_(sort_by_component()), random_(options.seed) {}
+      : mesh_(mesh), field_(mesh, options.front), faces_(sort_by_component()), random_(options.seed) {
+    field_.watch_insertions([this, &progress = options.progress](std::size_t reached) {
+      // Insertion i reaches about one vertex in i.
+      const double chosen = static_cast<double>(chosen_.size());
+      const double part = (chosen + 1) * static_cast<double>(reached) / static_cast<double>(mesh_.vertex_count());
+      report_progress(progress, "sampling", share_(chosen + std::min(1.0, part)));
+    });
+  }
+
+  /// How much of the sampling is done, in [0, 1], once so many vertices are inserted; the last one maybe in part.
+  void set_share(std::function<double(double inserted)> share) { share_ = std::move(share); }
+  std::size_t component_count() const { return first_face_.size() - 1; }
 
   /// The vertices inserted so far, in order.
   const std::vector<VertexId>& chosen() const { return chosen_; }
@@ -111,6 +126,7 @@ class FarthestSampler {
   std::vector<FaceId> faces_;
   SeededRandom random_;
   std::vector<VertexId> chosen_;
+  std::function<double(double)> share_ = [](double) { return 0.0; };
 };
 
 /// Up to `count` points; fewer where the vertices of the sampling mesh coincide within rounding.
@@ -118,11 +134,12 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const Sampling
   const Mesh& mesh = split.mesh();
   const double least = kMinSampleSpacing * mesh.bbox_diagonal();
   FarthestSampler sampler(mesh, options);
+  // Insertion i changes about n / i vertices, so the work done grows with the logarithm of i.
+  const auto share = [&](double inserted) { return std::log1p(inserted) / std::log1p(double(options.count) + 1); };
+  sampler.set_share(share);
   sampler.start_components(options.count);
   sampler.insert_farthest([&](double distance) {
-    // Insertion i changes about n / i vertices, so the work done grows with the logarithm of i.
-    const auto done = static_cast<double>(sampler.chosen().size());
-    report_progress(options.progress, "sampling", std::log1p(done) / std::log1p(double(options.count) + 1));
+    report_progress(options.progress, "sampling", share(static_cast<double>(sampler.chosen().size())));
     return std::ssize(sampler.chosen()) < options.count && distance > least;
   });
   std::vector<SurfacePoint> points;
@@ -178,12 +195,18 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
   const SamplingMesh split(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
   if (longest_edge(split.mesh()) > longest) throw_too_small(options.radius, least);
   FarthestSampler sampler(split.mesh(), options);
+  // A tenth for the first ones. Then the number of generators grows with the inverse square of the bound, and the work
+  // with its logarithm.
+  double done = 0;
+  const auto components = static_cast<double>(sampler.component_count());
+  sampler.set_share(
+      [&](double inserted) { return std::max(done, kFirstShare * std::min(1.0, inserted / components)); });
   sampler.start_components(std::numeric_limits<std::int64_t>::max());
   sampler.insert_in_farthest_face([&](double bound, double distance) {
     if (bound <= options.radius) return false;
     if (!(distance > 0)) throw_too_small(options.radius, least);  // where lengths overflow
-    // The number of generators grows with the inverse square of the bound; the work grows with its logarithm.
-    report_progress(options.progress, "sampling", std::min(0.99, options.radius / bound));
+    done = std::min(0.99, kFirstShare + (1 - kFirstShare) * options.radius / bound);
+    report_progress(options.progress, "sampling", done);
     return true;
   });
   std::vector<SurfacePoint> points;

@@ -1,6 +1,7 @@
 #include "geodesic/sampling/sampling_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "mesh/mesh_editor.hpp"
@@ -40,12 +41,20 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
     if (!is_long && vertices >= options.min_vertices) break;
     queue.pop();
     if (top.length != copy_.length(top.edge)) continue;  // one half of an edge that was split
-    if (vertices % kProgressStride == 0) report_progress(progress, "sampling", 0);
+    if (vertices % kProgressStride == 0) report_progress(progress, "splitting edges", share_done(options, top.length));
     const std::int32_t before = copy_.edge_count();
     split(top.edge);
     queue.push({copy_.length(top.edge), top.edge});
     for (std::int32_t e = before; e < copy_.edge_count(); ++e) queue.push({copy_.length(EdgeId(e)), EdgeId(e)});
   }
+}
+
+/// The number of vertices grows with the inverse square of the longest edge.
+double SamplingMesh::share_done(const SplitOptions& options, double longest) const {
+  const double added = static_cast<double>(copy_.vertex_count() - input_->vertex_count());
+  const double by_length = std::pow(std::min(1.0, options.max_edge_length / longest), 2);
+  const double asked = static_cast<double>(options.min_vertices - input_->vertex_count());
+  return std::min(by_length, asked > 0 ? std::min(1.0, added / asked) : 1.0);
 }
 
 void SamplingMesh::copy_input() {

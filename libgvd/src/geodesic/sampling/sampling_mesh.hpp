@@ -40,6 +40,7 @@ class SamplingMesh {
     Corners corners;  // in the parent's barycentric coordinates
   };
 
+  double share_done(const SplitOptions& options, double longest) const;
   void copy_input();
   void split(EdgeId e);
   void split_subface(HalfedgeId h, FaceId appended);

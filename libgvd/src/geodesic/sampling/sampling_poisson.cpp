@@ -26,6 +26,9 @@ constexpr std::int64_t kCandidates = 5;
 /// 2 r_max beta (1 - (N / M)^gamma). N points are chosen out of M candidates, and gamma = 1.5.
 constexpr double kBeta = 0.65;
 
+// The parts of the step.
+constexpr StepPart kPairs{"sampling", 0, 0.9}, kElimination{"sampling", 0.9, 1};
+
 struct Pair {
   std::int32_t first, second;
   float weight;
@@ -143,7 +146,7 @@ Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>
   std::vector<Pair> pairs;
   std::int64_t done = 0;
   for (const std::int32_t first : finder.by_face()) {
-    report_progress(options.progress, "sampling", 0.9 * double(done++) / double(candidates.size()));
+    report_progress(options.progress, kPairs, double(done++) / double(candidates.size()));
     finder.for_each_after(first, diameter, [&](std::int32_t second, double distance) {
       pairs.push_back({first, second, compute_weight(distance, least, diameter)});
     });
@@ -152,7 +155,7 @@ Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>
 }
 
 /// Removes the candidate with the largest weight until `count` are left; returns which ones these are.
-std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
+std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count, const Progress& progress) {
   const std::size_t candidates = lists.begin.size() - 1;
   std::vector<double> weight(candidates, 0);
   for (std::size_t i = 0; i < candidates; ++i) {
@@ -162,6 +165,7 @@ std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count) {
   LazyMaxHeap heap(static_cast<std::int32_t>(candidates), key);
   std::vector<char> kept(candidates, 1);
   for (auto left = static_cast<std::int64_t>(candidates); left > count; --left) {
+    report_progress(progress, kElimination, double(std::ssize(kept) - left) / double(std::ssize(kept) - count));
     const auto i = static_cast<std::size_t>(heap.top(key).id);
     heap.pop();
     kept[i] = 0;
@@ -184,7 +188,8 @@ std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions
   const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
   const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);
   const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options.seed);
-  const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options.count, options), options.count);
+  const auto kept =
+      eliminate(find_neighbours(split.mesh(), candidates, options.count, options), options.count, options.progress);
   std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (kept[i]) points.push_back(split.to_input(candidates[i]));
