@@ -75,7 +75,8 @@ void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result) {
   results["residual"] = result.residual;
   results["mean_cell_radius"] = result.mean_cell_radius;
   results["diagrams"] = result.diagrams;
-  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g}: {}",
+  run.figures().energy = result.final_energy;
+  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
                                  counted(std::ssize(result.iterations), "iteration", "iterations"),
                                  result.initial_energy, result.final_energy, describe(result.stop)));
   run.report().generators().clear();

@@ -21,9 +21,11 @@ using namespace gvd;
 
 constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
-    "  gvd-lloyd bunny.obj --generators samples.csv --iterations 200 --tolerance 1e-7 -o relaxed.json\n"
-    "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt -o cells.ply --view cells.html --report report.json\n"
-    "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt && gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n";
+    "  gvd-lloyd bunny.obj --generators samples.csv --iterations 200 -o relaxed.json\n"
+    "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt -o cells.ply --view cells.html\n"
+    "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt &&\n"
+    "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
+    "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
 constexpr app::Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
 // The upper end is the largest double below 2.
@@ -57,7 +59,11 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
 LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, LloydOptions options) {
   options.diagram = app::make_diagram_options(run.options().compute);
   options.progress = run.progress();
+  options.on_iteration = [&run, most = options.max_iterations](std::int64_t iterations, double energy) {
+    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
+  };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
+  run.console().set_status("");
   app::report_relaxation(run, mesh, result);
   app::report_diagram(run, result.diagram);
   return result;

@@ -22,9 +22,11 @@ using namespace gvd;
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
-    "  gvd-lloyd bunny.obj -n 2000 -o samples.json && gvd-remesh bunny.obj --generators samples.json -o coarse.ply\n"
+    "  gvd-lloyd bunny.obj -n 2000 -o samples.json &&\n"
+    "    gvd-remesh bunny.obj --generators samples.json -o coarse.ply\n"
     "  gvd-remesh bunny.obj -n 500 --view coarse.html --report report.json\n"
-    "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n";
+    "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
+    "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
 
 constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
@@ -125,7 +127,8 @@ int main(int argc, char** argv) {
   app::Command command({"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
+                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"},
+                        false});
   register_options(command.line(), settings);
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

@@ -97,6 +97,7 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
   results["certificate"] = to_json(result.certificate);
   results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};
   run.report().set_diagram(result.diagram);
+  run.figures().regions = std::ssize(result.diagram.cells);
   // The given ones are in the report already.
   std::vector<ReportedGenerator>& generators = run.report().generators();
   for (std::size_t i = generators.size(); i < result.generators.size(); ++i) {

@@ -18,9 +18,12 @@ using namespace gvd;
 
 constexpr const char* kExamples =
     "  gvd-segment bunny.obj -n 30 -o regions.ply\n"
-    "  gvd-segment bunny.obj --generators samples.json -o regions.obj --view regions.html\n"
+    "  gvd-segment bunny.obj --generators samples.json -o regions.obj --view a.html\n"
     "  gvd-segment scan.stl --radius 2.5 --cut -o pieces.ply --report report.json\n"
-    "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < mesh.ply > regions.ply\n";
+    "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
+    "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
+
+constexpr const char* kRegions = "Regions";
 
 /// The page shows the labels of the output's faces, and the bisectors and figures of the diagram.
 void write_view(app::Run& run, const Mesh& mesh, const Diagram& diagram, const LabelledMesh& output) {
@@ -91,9 +94,10 @@ int main(int argc, char** argv) {
                         "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                         kExamples,
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
-  command.line().add_flag({"--cut", "", "Split faces along the bisectors instead of labelling whole faces"}, own.cut);
+  command.line().add_flag({"--cut", "", "Split faces along the bisectors instead of labelling whole faces", kRegions},
+                          own.cut);
   app::OptionText labels{"--labels", "",
-                         "Whole faces on a bisector: shortest borders, or largest share (default smooth)"};
+                         "Whole faces on a bisector: shortest borders, or largest share (default: smooth)", kRegions};
   labels.excludes = {"--cut"};
   app::add_choice(command.line(), labels, own.labels,
                   app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace gvd::test;
+using Catch::Matchers::Contains;
 
 TEST_CASE("commands: a run reports what it did, and is silent when asked") {
   const ScratchFolder scratch;
@@ -109,6 +110,13 @@ TEST_CASE("commands: a bad list of generators is refused in one line") {
     require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");
     require_error(name, mesh + " --generators " + scratch / "", 3, "is a directory");
     require_error(name, mesh + " --vertices 1,99999999", 4, "99999999");
+  }
+}
+
+TEST_CASE("commands: one of a kind is counted in the singular") {
+  const CommandResult result = run_command("gvd-segment", data_file("torus.ply") + " -n 1 -v");
+  for (const char* part : {" 1 component, ", " 1 generator\n", " 1 cell, 0 branch points, 0 bisectors"}) {
+    CHECK_THAT(result.err, Contains(part));
   }
 }
 

@@ -1,6 +1,7 @@
 // The options of the commands: usage errors, help, and files of options.
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
@@ -24,6 +25,14 @@ TEST_CASE("commands: help and version go to standard output") {
     CHECK_THAT(version.out, StartsWith(name + " "));
     CHECK(line_count(version.out) == 1);
     CHECK(run_command(name, "--help > /dev/full").exit_code == 6);
+    std::istringstream lines(help.out);
+    for (std::string line; std::getline(lines, line);) {
+      CAPTURE(line);
+      CHECK(line.size() <= 80);
+    }
+    for (const char* group : {"\nInput:\n", "\nGenerators (", "\nComputing:\n", "\nOutput:\n", "\nGeneral:\n"}) {
+      CHECK_THAT(help.out, Contains(group));
+    }
   }
 }
 
@@ -41,6 +50,8 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
                   "--chord-tolerance 1e-11: a bisector is known to 1e-10 mean edge lengths only");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
+    require_error(name, mesh + " -n 5 --smapling random --sed 3", 2,
+                  "unknown options: --smapling (did you mean --sampling?), --sed (did you mean --seed?)");
     require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
     require_error(name, "- -n 5", 2, "--input-format");
     require_error(name, mesh + " -n 5 --config /nonexistent.toml", 2, "/nonexistent.toml");

@@ -34,8 +34,11 @@ TEST_CASE("commands: whether outputs can be written is found out before the work
     require_error(name, start + "-o /proc/x.ply", 6, "/proc/x.ply");
     require_error(name, start + "-o " + scratch / "folder.ply", 6, "is a directory");
     require_error(name, start + "-o " + scratch / "none/a.ply", 6, "create it first");
-    require_error(name, start + "-o " + scratch / "c.obj", 6, "c.mtl: is a directory");
-    require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two options name this file");
+    // gvd-remesh has no regions to colour: it writes no .mtl.
+    require_error(name, start + "-o " + scratch / "c.obj", name == "gvd-remesh" ? 3 : 6,
+                  name == "gvd-remesh" ? missing : "c.mtl: is a directory");
+    if (name != "gvd-remesh")
+      require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two options name this file");
     require_error(name, start + "--report " + scratch / "options.toml", 2, "this is the file that is read");
     require_error(name, start + "-o - >&-", 6, "standard output is closed");
     for (const char* option : {"--report ", "--diagram ", "--view "}) {

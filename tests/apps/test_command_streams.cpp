@@ -23,6 +23,14 @@ TEST_CASE("commands: a reader that goes away ends the run without a word") {
     CAPTURE(name);
     CHECK(data.out == "141\n");
     CHECK(data.err.empty());
+    // The same through a pipe that has a name.
+    const ScratchFolder scratch;
+    const std::string pipe = scratch / "pipe.json", few = name == "gvd-lloyd" ? "--iterations 1" : "";
+    const std::string reader = "mkfifo " + pipe + "; { true < " + pipe + "; } & ";
+    const CommandResult fifo = run_command("/bin/bash", "-c \"" + reader + command + data_file("figure.obj") +
+                                                            " -n 400 -q " + few + " -o " + pipe + "; echo \\$?\"");
+    CHECK(fifo.out == "141\n");
+    CHECK_THAT(fifo.err, !Contains("error"));
   }
 }
 
@@ -114,6 +122,13 @@ TEST_CASE("commands: bars are drawn on a terminal only") {
     CHECK_THAT(on_terminal("dumb", ""), !Contains("\x1b"));
     CHECK_THAT(run_command(name, data_file("figure.obj") + " -n 40").err, !Contains("\r") && !Contains("\x1b"));
   }
+}
+
+TEST_CASE("commands: the bar of a relaxation has iteration and energy") {
+  setenv("TERM", "xterm", 1);
+  const CommandResult result =
+      run_on_terminal("gvd-lloyd", {data_file("figure.obj"), "-n", "40", "--iterations", "30", "--tolerance", "0"});
+  CHECK_THAT(result.err, Contains("relaxation ") && Contains("/30, energy "));
 }
 
 TEST_CASE("commands: an interrupted run exits with 130 and leaves the old file") {

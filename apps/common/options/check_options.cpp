@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/options/check_outputs.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
@@ -32,19 +34,40 @@ void check_build(const Options& options) {
   }
 }
 
+/// Several inputs need a folder for their outputs, in which standard input has no name.
+void check_inputs(const Options& options) {
+  const std::vector<std::string>& paths = options.input.paths;
+  const OutputOptions& output = options.output;
+  const bool piped = std::find(paths.begin(), paths.end(), "-") != paths.end();
+  if (output.folder.empty() && paths.size() > 1) {
+    refuse(fmt::format("{} inputs, {} and others: name a folder for their outputs with --output-dir", paths.size(),
+                       paths.front()));
+  }
+  if (!output.folder.empty() && piped) {
+    refuse("--output-dir: standard input has no name for its outputs; write them with -o");
+  }
+  if (!output.folder.empty() && options.generators.file == "-" && paths.size() > 1) {
+    refuse("--generators -: standard input can be read for one input only; name a file");
+  }
+  if (output.folder.empty() && output.formats.size() > 1) {
+    refuse("--output-format: -o - writes one format; choose one");
+  }
+}
+
 }  // namespace
 
-void check_options(const Options& options, const std::vector<std::string>& output_formats) {
+void check_options(const Options& options, const OutputFormats& formats) {
   if (options.input.path == "-" && options.input.format.empty()) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   if (options.input.path == "-" && options.generators.file == "-") {
     refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
   }
+  check_inputs(options);
   check_generator_source(options.generators);
   check_chord_tolerance(options.compute);
   check_build(options);
-  check_outputs(options, output_formats);
+  check_outputs(options, formats);
 }
 
 }  // namespace gvd::app

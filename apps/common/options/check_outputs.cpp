@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "common/options/file_extension.hpp"
+#include "common/options/plan_runs.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 
@@ -53,7 +55,9 @@ std::string one_name(const std::string& path) {
 void check_not_read(const std::string& option, const std::string& path, const Options& options) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
-  for (const std::string& read : {options.input.path, options.generators.file, options.config}) {
+  std::vector<std::string> all = options.input.paths;
+  all.insert(all.end(), {options.generators.file, options.config});
+  for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
   }
@@ -68,11 +72,11 @@ void check_standard_output(const OutputOptions& output) {
   if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
     throw Error(ErrorCode::unwritable_output, "-o -: standard output is closed; redirect it to a file or a pipe");
   }
-  if (is_binary(output.stdout_format, output) && ::isatty(STDOUT_FILENO) == 1) {
+  if (is_binary(stdout_format(output), output) && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
         fmt::format("-o -: .{} is binary, and standard output is a terminal; redirect it, as in > a.{}, or choose "
                     "text with --output-format",
-                    output.stdout_format, output.stdout_format));
+                    stdout_format(output), stdout_format(output)));
   }
 }
 
@@ -95,6 +99,12 @@ class Targets {
     check_writable(path);
   }
 
+  void claim_with_materials(const std::string& option, const std::string& path, const OutputFormats& formats) {
+    claim(option, path);
+    if (!formats.materials || file_extension(path) != "obj") return;
+    claim("the materials of " + option, fs::path(path).replace_extension(".mtl").string());
+  }
+
  private:
   const Options& options_;
   std::set<std::string> names_;
@@ -106,37 +116,46 @@ void check_format(const std::string& file, const std::vector<std::string>& forma
   refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
 }
 
-/// Whether a file or standard output gets one of the formats.
-bool writes_any(const OutputOptions& output, const std::vector<std::string>& formats) {
-  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
-    const std::string format = file == "-" ? output.stdout_format : file_extension(file);
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-  });
+/// Refuses inputs of one name before the work: the second result would replace the first.
+void check_names(const std::vector<Options>& runs) {
+  std::map<std::string, std::string> input_of;
+  for (const Options& run : runs) {
+    for (const std::string& file : run.output.files) {
+      const auto [other, is_new] = input_of.emplace(file, run.input.path);
+      if (is_new) continue;
+      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart", other->second,
+                         run.input.path, file));
+    }
+  }
 }
 
-/// Refuses options of formats that the run does not write.
-void check_format_options(const OutputOptions& output) {
-  if (output.no_curves && !writes_any(output, {"obj", "vtp", "glb"})) {
-    refuse("--no-curves: only .obj, .vtp and .glb hold curves; write one of them with -o or leave --no-curves out");
+/// The folder is made last, once nothing else is wrong: what is not there holds nothing that could be lost.
+void check_folder(const Options& options, const OutputFormats& formats) {
+  const std::string& folder = options.output.folder;
+  const std::vector<Options> runs = plan_runs(options);
+  check_names(runs);
+  std::error_code failed;
+  if (!fs::exists(folder, failed)) {
+    fs::create_directory(folder, failed);
+    if (!failed) return;
+    throw Error(ErrorCode::unwritable_output, fmt::format("--output-dir {}: {}", folder, failed.message()));
   }
-  if (output.ascii_ply && !writes_any(output, {"ply"})) {
-    refuse("--ascii-ply: no .ply is written; write one with -o or leave --ascii-ply out");
+  Targets targets(options);
+  for (const Options& run : runs) {
+    for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);
   }
 }
 
 }  // namespace
 
-void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+void check_outputs(const Options& options, const OutputFormats& formats) {
   const OutputOptions& output = options.output;
+  if (!output.folder.empty()) return check_folder(options, formats);
   Targets targets(options);
   for (const std::string& file : output.files) {
-    check_format(file, formats);
-    targets.claim("-o", file);
-    if (file_extension(file) == "obj") {
-      targets.claim("the materials of -o", fs::path(file).replace_extension(".mtl").string());
-    }
+    check_format(file, formats.extensions);
+    targets.claim_with_materials("-o", file, formats);
   }
-  check_format_options(output);
   targets.claim("--report", output.report);
   targets.claim("--diagram", output.diagram);
   targets.claim("--view", output.view);

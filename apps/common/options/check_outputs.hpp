@@ -7,12 +7,17 @@
 
 namespace gvd::app {
 
+/// What `-o` of a command takes.
+struct OutputFormats {
+  std::vector<std::string> extensions;  ///< without their dots
+  bool materials = true;                ///< an .obj has its colours in an .mtl beside it
+};
+
 /// Refuses outputs that the run could not write or must not, before it starts. By name: an unknown extension, a file
 /// that another option names or that the run reads. By the system: a missing folder, no write permission, a closed
 /// standard output, binary data for a terminal.
 ///
-/// `formats`: extensions without the dot that `-o` takes.
 /// Throws Error{invalid_option}, or Error{unwritable_output} where the system refuses.
-void check_outputs(const Options& options, const std::vector<std::string>& formats);
+void check_outputs(const Options& options, const OutputFormats& formats);
 
 }  // namespace gvd::app

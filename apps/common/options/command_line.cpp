@@ -1,11 +1,15 @@
 #include "common/options/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
 
 #include "common/options/config_options.hpp"
+#include "common/options/help_text.hpp"
 #include "common/options/merge_options.hpp"
+#include "common/options/suggest_name.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -31,6 +35,20 @@ void store(const GivenOption& given, const std::string& hint) {
   if (wrong) refuse(given, given.name + ": " + *wrong + (given.place.empty() ? hint : ""));
 }
 
+/// See OptionText::idle.
+void check_idle(const GivenOption& given, const std::vector<GivenOption>& line) {
+  const OptionText& text = given.option->text;
+  if (!text.idle || !is_given_as(given, split_names(text.names).front())) return;
+  const std::optional<std::string> reason = text.idle();
+  if (!reason) return;
+  const bool overridden = std::any_of(line.begin(), line.end(), [&](const GivenOption& other) {
+    return std::any_of(text.depends_on.begin(), text.depends_on.end(),
+                       [&](const std::string& name) { return is_given_as(other, name); });
+  });
+  if (given.place.empty() || !overridden) refuse(given, fmt::format("{}: {}", given.name, *reason));
+  given.option->store({flag_text(false)});
+}
+
 }  // namespace
 
 struct CommandLine::Parser {
@@ -44,15 +62,10 @@ struct CommandLine::Parser {
   Parser(const std::string& name, const std::string& description) : cli(description, name) {}
 
   DeclaredOption& declare(const OptionText& text) {
+    shown.push_back(text);
     declared.push_back({text, false, {}});
     entries.emplace_back();
     return declared.back();
-  }
-
-  void describe(CLI::Option* option) {
-    entries.back().option = option;
-    const OptionText& text = declared.back().text;
-    if (!text.group.empty()) option->group(text.group);
   }
 
   std::vector<GivenOption> given_on_line() const {
@@ -75,15 +88,48 @@ struct CommandLine::Parser {
     }
   }
 
-  /// --help shows without brackets what has to be given, here or in a file.
-  std::string help() {
-    for (std::size_t i = 0; i < entries.size(); ++i) entries[i].option->required(is_positional(declared[i].text));
-    return cli.help();
+  std::string help() const {
+    return fmt::format("{}\n\nUsage: {} {} [options]\n{}{}", wrap(cli.get_description(), kHelpWidth, 0), cli.get_name(),
+                       fmt::join(positionals(), " "), describe_options(shown), cli.get_footer());
+  }
+
+  std::vector<std::string> positionals() const {
+    std::vector<std::string> names;
+    for (const DeclaredOption& option : declared) {
+      if (is_positional(option.text)) names.push_back(option.is_list ? option.text.names + "..." : option.text.names);
+    }
+    return names;
+  }
+
+  /// Refuses what CLI11 did not know, in the order typed, each with the name that it may stand for. What follows a
+  /// wrong option may be its value, and is not told.
+  void check_known() const {
+    std::vector<std::string> names, unknown, unexpected;
+    for (const OptionText& option : shown) {
+      for (const std::string& name : split_names(option.names)) names.push_back(name);
+    }
+    for (const std::string& word : cli.remaining()) {
+      if (word.size() < 2 || word.front() != '-') {
+        unexpected.push_back(printable(word));
+        continue;
+      }
+      const auto meant = suggest_name(word, names);
+      unknown.push_back(meant ? fmt::format("{} (did you mean {}?)", printable(word), *meant) : printable(word));
+    }
+    if (!unknown.empty()) {
+      refuse_line(fmt::format("unknown option{}: {}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", ")));
+    }
+    if (!unexpected.empty()) refuse_line(fmt::format("unexpected: {}", fmt::join(unexpected, ", ")));
+  }
+
+  [[noreturn]] void refuse_line(const std::string& message) const {
+    throw Error(ErrorCode::invalid_option, fmt::format("{}{}", message, hint()));
   }
 
   std::string hint() const { return " (see " + cli.get_name() + " --help)"; }
 
   CLI::App cli;
+  std::vector<OptionText> shown;  ///< by --help
   std::deque<DeclaredOption> declared;
   std::deque<Entry> entries;  ///< of the same indices
   std::optional<std::string> config;
@@ -92,9 +138,11 @@ struct CommandLine::Parser {
 CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& version,
                          const std::string& footer)
     : parser_(std::make_unique<Parser>(name, description)) {
-  parser_->cli.set_help_flag("-h,--help", "Show this help");
-  parser_->cli.set_version_flag("--version", version, "Show the version");
+  parser_->cli.set_help_flag("-h,--help");
+  parser_->cli.set_version_flag("--version", version);
   parser_->cli.footer(footer);
+  parser_->cli.allow_extras();
+  parser_->shown = {{"-h,--help", "", "Show this help"}, {"--version", "", "Show the version"}};
 }
 
 CommandLine::~CommandLine() = default;
@@ -103,8 +151,7 @@ void CommandLine::add_value(const OptionText& option, const StoreValue& store) {
   parser_->declare(option).store = [store](const std::vector<std::string>& values) { return store(values.back()); };
   std::vector<std::string>& values = parser_->entries.back().values;
   const auto keep = [&values](const std::string& text) { values = {text}; };
-  parser_->describe(
-      parser_->cli.add_option_function<std::string>(option.names, keep, option.description)->type_name(option.type));
+  parser_->entries.back().option = parser_->cli.add_option_function<std::string>(option.names, keep);
 }
 
 void CommandLine::add_list(const OptionText& option, const StoreList& store) {
@@ -116,9 +163,9 @@ void CommandLine::add_list(const OptionText& option, const StoreList& store) {
   };
   std::vector<std::string>& values = parser_->entries.back().values;
   const auto keep = [&values](const std::vector<std::string>& all) { values = all; };
-  parser_->describe(parser_->cli.add_option_function<std::vector<std::string>>(option.names, keep, option.description)
-                        ->type_name(option.type)
-                        ->allow_extra_args(false));
+  CLI::Option* const added = parser_->cli.add_option_function<std::vector<std::string>>(option.names, keep);
+  if (!is_positional(option)) added->allow_extra_args(false);
+  parser_->entries.back().option = added;
 }
 
 void CommandLine::add_flag(const OptionText& option, bool& target) {
@@ -128,25 +175,29 @@ void CommandLine::add_flag(const OptionText& option, bool& target) {
     target = values.back() == flag_text(true);
     return std::optional<std::string>();
   };
-  parser_->describe(parser_->cli.add_flag(option.names, parser_->entries.back().flag, option.description));
+  parser_->entries.back().option = parser_->cli.add_flag(option.names, parser_->entries.back().flag);
 }
 
 void CommandLine::add_config(const OptionText& option, std::string& target) {
   const auto keep = [this, &target](const std::string& path) { parser_->config = target = path; };
-  parser_->cli.add_option_function<std::string>(option.names, keep, option.description)->type_name(option.type);
+  parser_->cli.add_option_function<std::string>(option.names, keep);
+  parser_->shown.push_back(option);
 }
 
 std::optional<std::string> CommandLine::parse(int argc, const char* const* argv) {
   try {
     parser_->config.reset();
     parser_->cli.parse(argc, argv);
+    parser_->check_known();
     std::vector<GivenOption> given = parser_->given_on_line();
+    const std::vector<GivenOption> line = given;
     if (parser_->config) {
       given = merge_options(given, find_config_options(read_config_file(*parser_->config), parser_->declared));
     }
     parser_->check_required(given);
     check_together(given);
     for (const GivenOption& each : given) store(each, parser_->hint());
+    for (const GivenOption& each : given) check_idle(each, line);
     return std::nullopt;
   } catch (const CLI::CallForVersion& version) {
     return std::string(version.what()) + "\n";

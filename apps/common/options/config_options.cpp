@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/options/suggest_name.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
@@ -29,8 +30,13 @@ bool has_key(const DeclaredOption& option, const std::string& key) {
 }
 
 const DeclaredOption& find_option(const ConfigEntry& entry, const std::deque<DeclaredOption>& declared) {
+  std::vector<std::string> keys;
   for (const DeclaredOption& option : declared) {
     if (has_key(option, entry.key)) return option;
+    for (const std::string& name : split_names(option.text.names)) keys.push_back(key_of(name));
+  }
+  if (const auto meant = suggest_name(entry.key, keys)) {
+    refuse(entry.place, entry.key, fmt::format("is no option; did you mean {}?", *meant));
   }
   refuse(entry.place, entry.key, "is no option; keys are the names of options without dashes in front: input-format");
 }

@@ -21,6 +21,10 @@ struct OptionText {
   std::vector<std::string> needs = {};     ///< the option does nothing, and is refused, without one of these
   std::vector<std::string> excludes = {};  ///< the option is refused beside any of these
   ValueKind kind = ValueKind::text;
+  /// Of a flag: why it does nothing beside the values of other options, or nothing where it does something. Asked once
+  /// all values are stored. Such a flag is refused, unless a file has it and the command line one of `depends_on`.
+  std::function<std::optional<std::string>()> idle = {};
+  std::vector<std::string> depends_on = {};
 };
 
 /// Stores the value of an option. Returns what is wrong with it, or nothing.

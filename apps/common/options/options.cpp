@@ -2,6 +2,8 @@
 
 namespace gvd::app {
 
+std::string stdout_format(const OutputOptions& output) { return output.formats.empty() ? "" : output.formats.front(); }
+
 DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   DiagramOptions options;
   options.method = compute.method;

@@ -14,7 +14,8 @@ namespace gvd::app {
 
 /// Where the mesh comes from.
 struct InputOptions {
-  std::string path;                  ///< a file, or "-" for standard input
+  std::vector<std::string> paths;    ///< of all runs; each a file, or "-" for standard input
+  std::string path;                  ///< of this run
   std::string format;                ///< obj, ply, off, stl; empty: told from content and extension
   std::string on_defect = "repair";  ///< error, repair, largest
 };
@@ -41,11 +42,13 @@ struct ComputeOptions {
   std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; for exact only
   std::int32_t threads = 0;               ///< 0: all cores; the results are the same for any number
   bool verify = false;
+  std::optional<std::int64_t> max_memory;  ///< bytes that the process may hold, > 0
 };
 
 struct OutputOptions {
-  std::vector<std::string> files;  ///< the extension names the format; "-" is standard output
-  std::string stdout_format;       ///< format of "-": an extension without its dot
+  std::vector<std::string> files;    ///< the extension names the format; "-" is standard output
+  std::vector<std::string> formats;  ///< of "-" or in `folder`: extensions without their dots
+  std::string folder;                ///< gets a file for each input and format; empty: none
   std::string report;
   std::string diagram;
   std::string view;
@@ -65,6 +68,9 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
 };
+
+/// The format of standard output.
+std::string stdout_format(const OutputOptions& output);
 
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);

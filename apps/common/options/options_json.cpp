@@ -64,6 +64,7 @@ void add_compute(Json& json, const ComputeOptions& compute) {
   json["front"] = exact ? Json() : Json(diagram.front == Front::planar ? "planar" : "circle");
   json["threads"] = compute.threads;
   json["verify"] = compute.verify;
+  json["max_memory"] = or_null(compute.max_memory);
 }
 
 void add_output(Json& json, const OutputOptions& output) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "common/options/file_extension.hpp"
+#include "common/options/parse_size.hpp"
 #include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 
@@ -44,8 +46,27 @@ std::string trim(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// Whether a file or standard output gets one of the formats.
+bool writes_any(const OutputOptions& output, const std::vector<std::string>& formats) {
+  const auto wanted = [&](const std::string& format) {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  };
+  if (!output.folder.empty()) return std::any_of(output.formats.begin(), output.formats.end(), wanted);
+  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
+    return wanted(file == "-" ? stdout_format(output) : file_extension(file));
+  });
+}
+
 void register_input(CommandLine& line, InputOptions& input) {
-  add_file(line, {"INPUT", "", "The mesh: .obj, .ply, .off or .stl; - for standard input"}, input.path);
+  line.add_list({"INPUT", "",
+                 "The mesh: .obj, .ply, .off or .stl; - for standard input. Several ones go with --output-dir", kInput},
+                [&input](const std::vector<std::string>& paths) {
+                  for (const std::string& path : paths) {
+                    if (path.empty()) throw Error(ErrorCode::invalid_option, "INPUT: the name is empty; name a file");
+                  }
+                  input.paths = paths;
+                  input.path = paths.front();
+                });
   add_choice(line,
              {"--input-format", "", "The input's format; needed with -, else told from content and extension", kInput},
              input.format, self_named({"obj", "ply", "off", "stl"}));
@@ -150,21 +171,74 @@ void register_compute(CommandLine& line, ComputeOptions& compute) {
   add_number(
       line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},
       compute.threads, kThreads);
+  line.add_value(
+      {"--max-memory", "SIZE", "End the run where it would hold more memory than this: 500M, 2G", kComputing},
+      [&compute](const std::string& text) -> std::optional<std::string> {
+        compute.max_memory = parse_size(text);
+        if (compute.max_memory) return std::nullopt;
+        return fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text);
+      });
   line.add_flag({"--verify", "", "Measure the diagram's error against exact distances after the run", kComputing},
                 compute.verify);
 }
 
-void register_output(CommandLine& line, OutputOptions& output, const std::vector<std::string>& formats) {
-  line.add_list({"-o,--output", "FILE",
-                 "Write this file (." + join(formats, ", .") + "); may be repeated; - for standard output", kOutput},
+/// Options that say which files get the result.
+void register_targets(CommandLine& line, OutputOptions& output, const std::vector<std::string>& formats) {
+  line.add_list({"-o,--output",
+                 "FILE",
+                 "Write this file (." + join(formats, ", .") + "); may be repeated; - for standard output",
+                 kOutput,
+                 {},
+                 {"--output-dir"}},
                 [&output](const std::vector<std::string>& files) { output.files = files; });
-  output.stdout_format = formats.front();
-  add_choice(line,
-             {"--output-format", "", "What -o - writes (default: " + formats.front() + ")", kOutput, {"--output -"}},
-             output.stdout_format, self_named(formats));
-  line.add_flag({"--no-curves", "", "Leave the bisectors out of .obj, .vtp and .glb", kOutput}, output.no_curves);
-  line.add_flag({"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only", kOutput},
-                output.ascii_ply);
+  add_file(line,
+           {"--output-dir",
+            "DIR",
+            "Run once for each INPUT, and write files named after it into this folder",
+            kOutput,
+            {},
+            {"--output", "--report", "--diagram", "--view"}},
+           output.folder);
+  output.formats = {formats.front()};
+  line.add_value({"--output-format",
+                  join(formats, "|"),
+                  "What -o - or --output-dir writes (default: " + formats.front() +
+                      "); for --output-dir also several, with commas",
+                  kOutput,
+                  {"--output -", "--output-dir"}},
+                 [&output, formats](const std::string& text) -> std::optional<std::string> {
+                   output.formats = split_names(text);
+                   for (const std::string& format : output.formats) {
+                     if (std::find(formats.begin(), formats.end(), format) != formats.end()) continue;
+                     return fmt::format("'{}' is none of {}", format, join(formats, "|"));
+                   }
+                   return std::nullopt;
+                 });
+}
+
+/// Options that only some formats have.
+void register_format_options(CommandLine& line, OutputOptions& output) {
+  const std::vector<std::string> targets{"--output", "--output-format", "--output-dir"};
+  OptionText no_curves{"--no-curves", "", "Leave the bisectors out of .obj, .vtp and .glb", kOutput};
+  no_curves.depends_on = targets;
+  no_curves.idle = [&output]() -> std::optional<std::string> {
+    if (writes_any(output, {"obj", "vtp", "glb"})) return std::nullopt;
+    return "only .obj, .vtp and .glb hold curves; write one of them with -o or leave --no-curves out";
+  };
+  line.add_flag(no_curves, output.no_curves);
+  OptionText ascii_ply{"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only",
+                       kOutput};
+  ascii_ply.depends_on = targets;
+  ascii_ply.idle = [&output]() -> std::optional<std::string> {
+    if (writes_any(output, {"ply"})) return std::nullopt;
+    return "no .ply is written; write one with -o or leave --ascii-ply out";
+  };
+  line.add_flag(ascii_ply, output.ascii_ply);
+}
+
+void register_output(CommandLine& line, OutputOptions& output, const std::vector<std::string>& formats) {
+  register_targets(line, output, formats);
+  register_format_options(line, output);
   add_file(line, {"--report", "FILE", "Write a report of the run (JSON)", kOutput}, output.report);
   add_file(line, {"--diagram", "FILE", "Write the diagram (JSON)", kOutput}, output.diagram);
   add_file(line, {"--view", "FILE", "Write a page that shows the result (HTML)", kOutput}, output.view);

@@ -16,6 +16,7 @@ struct CommandInfo {
   std::string examples;     ///< for --help: one call a line
   /// Extensions, without the dot, that `-o` takes. `-o -` writes the first one unless --output-format names another.
   std::vector<std::string> output_formats;
+  bool materials = true;  ///< an .obj of `-o` has its colours in an .mtl beside it
 };
 
 /// A command: the shared options, its own options, and the way from main() to an exit code.
@@ -37,11 +38,13 @@ class Command {
   /// checked as the files of all commands are.
   void add_target(OptionText option);
 
-  /// Parses, runs `body` and returns the exit code: 0 where it returns; 2 to 6 and 130 for a gvd::Error of each code,
-  /// with its message in one line on standard error; 5 where memory runs out.
+  /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
+  /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.
   int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);
 
  private:
+  void check() const;
+
   CommandInfo info_;
   Options options_;
   CommandLine line_;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "common/run/memory_limit.hpp"
+
 namespace gvd::app {
 
 /// A new process begins with the peak of the one that started it in ru_maxrss, on Linux; VmHWM is its own.
@@ -24,12 +26,20 @@ std::int64_t peak_memory_bytes() {
 #endif
 }
 
+void limit_memory_of(const ComputeOptions& compute) {
+  // The points of the bisectors are most of an exact diagram.
+  const bool exact = compute.method == Method::exact;
+  limit_memory(compute.max_memory,
+               exact ? fmt::format("{}, or take a coarser --chord-tolerance", kLessMemory) : kLessMemory);
+}
+
 Run::Run(const std::string& command, Options options, Console& console)
     : options_(std::move(options)), console_(console), report_(command, options_) {}
 
 Progress Run::progress() {
   return [this](std::string_view step, double fraction) {
     console_.bar(step, fraction);
+    check_memory();
     return !interrupt_requested();
   };
 }
@@ -42,6 +52,7 @@ void Run::report_time(std::string_view step, double milliseconds) {
 
 Run::Stopwatch::Stopwatch(Run& run, std::string_view step) : run_(run), step_(step) {
   check_interrupt();
+  check_memory();
   start_ = std::chrono::steady_clock::now();
 }
 

@@ -9,6 +9,7 @@
 #include "common/options/options.hpp"
 #include "common/run/console.hpp"
 #include "common/run/interrupt.hpp"
+#include "common/run/result_table.hpp"
 #include "common/run/run_report.hpp"
 #include "gvd/progress.hpp"
 
@@ -16,6 +17,9 @@ namespace gvd::app {
 
 /// Largest resident memory of this process so far, in bytes.
 std::int64_t peak_memory_bytes();
+
+/// Limits the memory of a run, by its options.
+void limit_memory_of(const ComputeOptions& compute);
 
 /// One run of a command: its options, its console and its report.
 class Run {
@@ -26,6 +30,9 @@ class Run {
   Console& console() { return console_; }
   /// The document of `--report`. Each step of a run adds its figures.
   RunReport& report() { return report_; }
+
+  /// For the table of several runs.
+  RunFigures& figures() { return figures_; }
 
   /// For the `progress` fields of the library: draws the bar, and cancels after a signal. Valid while the run lives.
   Progress progress();
@@ -59,6 +66,7 @@ class Run {
   Options options_;
   Console& console_;
   RunReport report_;
+  RunFigures figures_;
 };
 
 }  // namespace gvd::app

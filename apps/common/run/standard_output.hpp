@@ -1,19 +1,12 @@
 #pragma once
 
-#include <exception>
 #include <functional>
 #include <iosfwd>
 
 namespace gvd::app {
 
-/// The reader of standard output has gone away, as `head` does. Nobody is left to tell: the run ends without a message.
-class ReaderGone : public std::exception {
- public:
-  const char* what() const noexcept override { return "the reader of standard output is gone"; }
-};
-
 /// Writes to standard output what `write` puts into its stream, and flushes it.
-/// Throws out of the first write that fails: ReaderGone, or Error{unwritable_output} with the reason.
+/// Throws out of the first write that fails: Error{reader_gone}, or Error{unwritable_output} with the reason.
 void write_standard_output(const std::function<void(std::ostream&)>& write);
 
 /// Ends the process by SIGPIPE, as it would have ended had the signal not been ignored. Returns the exit code that

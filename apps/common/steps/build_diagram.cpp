@@ -16,6 +16,7 @@ Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint
 
 void report_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
+  run.figures().regions = std::ssize(diagram.cells);
   run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
                                  counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
                                  counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));

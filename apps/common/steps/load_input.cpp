@@ -36,7 +36,7 @@ CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& file : output.files) {
-    const auto format = parse_output_format(file == "-" ? output.stdout_format : file_extension(file));
+    const auto format = parse_output_format(file == "-" ? stdout_format(output) : file_extension(file));
     if (format) check_format(mesh, *format);
   }
 }

@@ -23,7 +23,7 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, Outp
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
                const std::map<std::string, OutputWriter>& own_formats) {
   const bool standard = path == "-";
-  const std::string format = standard ? run.options().output.stdout_format : file_extension(path);
+  const std::string format = standard ? stdout_format(run.options().output) : file_extension(path);
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
     if (standard) return write_standard_output(own->second);

@@ -13,6 +13,7 @@ enum class ErrorCode {
   precondition,       ///< the input can be read but breaks a stated precondition (exit code 4)
   no_valid_result,    ///< no valid result exists, or a stated guarantee is not met (exit code 5)
   unwritable_output,  ///< a file could not be written (exit code 6)
+  reader_gone,        ///< what read the output has gone away, as `head` does (the signal SIGPIPE)
   interrupted,        ///< the caller's progress callback asked to stop (exit code 130)
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <string>
 
 #include "gvd/progress.hpp"
 
@@ -25,7 +27,8 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Throws Error{unwritable_output} out of a failed write and Error{interrupted} out of a cancelled one.
+  /// Throws Error{unwritable_output} out of a failed write, Error{reader_gone} out of one to a pipe that nobody reads any
+  /// more, and Error{interrupted} out of a cancelled one.
   std::ostream& stream();
 
   /// Flushes, checks and renames. To be called once. Throws Error{unwritable_output}.
@@ -45,5 +48,9 @@ void check_writable(const std::filesystem::path& target);
 /// Throws what `write` throws, and what AtomicFile throws.
 void write_file(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write,
                 const Progress& progress = {});
+
+/// Writes what `write` puts into its stream to a file that is open, such as stdout, and flushes it. `name` is for
+/// messages. Throws what `write` throws, and Error{unwritable_output} or Error{reader_gone} out of a write that fails.
+void write_open_file(std::FILE* file, const std::string& name, const std::function<void(std::ostream&)>& write);
 
 }  // namespace gvd

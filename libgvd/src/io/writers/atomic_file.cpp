@@ -37,23 +37,30 @@ struct CloseFile {
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
+/// `name` is the file's, for messages. The reader of a pipe that goes away is no failure of ours: it has a code of its
+/// own.
+[[noreturn]] void fail_write(const std::string& name, int error) {
+  if (error == EPIPE) throw Error(ErrorCode::reader_gone, fmt::format("the reader of {} is gone", name));
+  throw Error(ErrorCode::unwritable_output, fmt::format("cannot write {}: {}", name, reason_of(error)));
+}
+
 /// A stream buffer that throws the reason of a failure, which a stream's badbit does not tell.
 class FileBuffer : public std::streambuf {
  public:
-  FileBuffer(fs::path target, Progress progress)
-      : target_(std::move(target)), progress_(std::move(progress)), step_("writing " + target_.filename().string()) {}
+  /// Owns no file.
+  FileBuffer(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {}
 
-  void open(FilePointer file) { file_ = std::move(file); }
-
-  void close() {
-    std::FILE* file = file_.release();
-    if (file != nullptr && std::fclose(file) != 0) fail(target_, reason_of(errno));
+  void attach(std::FILE* file) { file_ = file; }
+  void report_to(Progress progress, std::string step) {
+    progress_ = std::move(progress);
+    step_ = std::move(step);
   }
+  const std::string& name() const { return name_; }
 
  protected:
   std::streamsize xsputn(const char* bytes, std::streamsize count) override {
     const auto size = static_cast<std::size_t>(count);
-    if (std::fwrite(bytes, 1, size, file_.get()) != size) fail(target_, reason_of(errno));
+    if (std::fwrite(bytes, 1, size, file_) != size) fail_write(name_, errno);
     unreported_ += size;
     if (unreported_ >= kChunkBytes) {
       unreported_ = 0;
@@ -70,17 +77,20 @@ class FileBuffer : public std::streambuf {
   }
 
   int sync() override {
-    if (std::fflush(file_.get()) != 0) fail(target_, reason_of(errno));
+    if (std::fflush(file_) != 0) fail_write(name_, errno);
     return 0;
   }
 
  private:
-  fs::path target_;
+  std::FILE* file_;
+  std::string name_;
   Progress progress_;
   std::string step_;
-  FilePointer file_;
   std::size_t unreported_ = 0;
 };
+
+/// Lets the exceptions of the buffer through.
+void throw_of_buffer(std::ostream& stream) { stream.exceptions(std::ios::badbit); }
 
 fs::path follow_links(fs::path path) {
   std::error_code ignored;
@@ -112,9 +122,12 @@ void check_target(const fs::path& target, const fs::path& file, const fs::file_s
 
 struct AtomicFile::State {
   State(const fs::path& given, Progress progress)
-      : target(given), file(follow_links(given)), buffer(given, std::move(progress)), stream(nullptr) {
-    stream.rdbuf(&buffer);
-    stream.exceptions(std::ios::badbit);  // lets the buffer's own exception through
+      : target(given),
+        file(follow_links(given)),
+        buffer(nullptr, fmt::format("'{}'", given.string())),
+        stream(&buffer) {
+    buffer.report_to(std::move(progress), fmt::format("writing {}", given.filename().string()));
+    throw_of_buffer(stream);
   }
 
   void open() {
@@ -123,11 +136,21 @@ struct AtomicFile::State {
     if (target.empty()) fail(target, "the name is empty; name a file");
     check_target(target, file, status);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-      buffer.open(open_or_fail(target, file, "wb"));
+      attach(open_or_fail(target, file, "wb"));
       return;
     }
-    buffer.open(create_temporary());
+    attach(create_temporary());
     if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
+  }
+
+  void attach(FilePointer file_to_write) {
+    opened = std::move(file_to_write);
+    buffer.attach(opened.get());
+  }
+
+  void close() {
+    std::FILE* closing = opened.release();
+    if (closing != nullptr && std::fclose(closing) != 0) fail_write(buffer.name(), errno);
   }
 
   /// Created exclusively, so that two runs with the same target do not write into each other's file.
@@ -135,10 +158,10 @@ struct AtomicFile::State {
     const std::string name = file.filename().string().substr(0, kNameBytes);
     for (int i = 0; i < kMaxLeftovers; ++i) {
       const fs::path candidate = file.parent_path() / fmt::format("{}.partial{}", name, i);
-      FilePointer opened(std::fopen(candidate.c_str(), "wbx"));
-      if (opened) {
+      FilePointer created(std::fopen(candidate.c_str(), "wbx"));
+      if (created) {
         temporary = candidate;
-        return opened;
+        return created;
       }
       if (errno != EEXIST) fail(target, reason_of(errno));
     }
@@ -148,6 +171,7 @@ struct AtomicFile::State {
   fs::path target;     ///< as given, for messages
   fs::path file;       ///< what it leads to
   fs::path temporary;  ///< empty where the file is written directly, and once there is nothing to remove
+  FilePointer opened;
   FileBuffer buffer;
   std::ostream stream;
 };
@@ -166,7 +190,7 @@ std::ostream& AtomicFile::stream() { return state_->stream; }
 
 void AtomicFile::commit() {
   state_->stream.flush();
-  state_->buffer.close();
+  state_->close();
   if (state_->temporary.empty()) return;
   std::error_code error;
   fs::rename(state_->temporary, state_->file, error);
@@ -189,6 +213,14 @@ void write_file(const fs::path& target, const std::function<void(std::ostream&)>
   AtomicFile file(target, progress);
   write(file.stream());
   file.commit();
+}
+
+void write_open_file(std::FILE* file, const std::string& name, const std::function<void(std::ostream&)>& write) {
+  FileBuffer buffer(file, name);
+  std::ostream stream(&buffer);
+  throw_of_buffer(stream);
+  write(stream);
+  stream.flush();
 }
 
 }  // namespace gvd

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <new>
 #include <system_error>
 
 #include "gvd/counted.hpp"
@@ -67,31 +66,23 @@ PolygonSoup parse_format(std::string_view bytes, MeshFormat format, std::string_
 
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (bytes.empty()) refuse(name, "the file is empty");
-  try {
-    PolygonSoup soup = parse_format(bytes, format, name);
-    if (soup.polygon_count() == 0) {
-      refuse(name, fmt::format("the file has {} and no face; a surface is needed",
-                               counted(std::ssize(soup.positions), "vertex", "vertices")));
-    }
-    check_counts(soup.positions.size(), soup.polygon_count(), name);
-    return soup;
-  } catch (const std::bad_alloc&) {
-    refuse(name, "there is not enough memory for this mesh; simplify it");
+  PolygonSoup soup = parse_format(bytes, format, name);
+  if (soup.polygon_count() == 0) {
+    refuse(name, fmt::format("the file has {} and no face; a surface is needed",
+                             counted(std::ssize(soup.positions), "vertex", "vertices")));
   }
+  check_counts(soup.positions.size(), soup.polygon_count(), name);
+  return soup;
 }
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
-  try {
-    const std::string bytes = read_bytes(path);
-    if (bytes.empty()) refuse(name, "the file is empty");
-    if (!format) format = detect_format(bytes, name);
-    if (!format)
-      refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
-    return parse_soup(bytes, *format, name);
-  } catch (const std::bad_alloc&) {
-    refuse(name, "there is not enough memory for this file; simplify the mesh");
-  }
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty()) refuse(name, "the file is empty");
+  if (!format) format = detect_format(bytes, name);
+  if (!format)
+    refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
+  return parse_soup(bytes, *format, name);
 }
 
 }  // namespace gvd

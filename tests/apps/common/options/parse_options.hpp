@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/options/check_outputs.hpp"
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
 
@@ -10,6 +11,8 @@ namespace gvd::test {
 
 /// Formats that the commands of these tests write.
 inline const std::vector<std::string> kFormats{"ply", "obj", "json"};
+
+inline const app::OutputFormats kOutputFormats{kFormats};
 
 /// Parses a command line without its first word. Returns the text of --help or --version, or nothing.
 std::optional<std::string> parse_line(app::CommandLine& line, const std::vector<std::string>& arguments);

@@ -7,20 +7,20 @@
 using namespace gvd;
 using namespace gvd::app;
 using Catch::Matchers::Contains;
-using gvd::test::kFormats;
+using gvd::test::kOutputFormats;
 using gvd::test::parse_options;
 
 namespace {
 
 std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
   CAPTURE(arguments);
-  return test::refusal([&] { check_options(parse_options(arguments), kFormats); }, code);
+  return test::refusal([&] { check_options(parse_options(arguments), kOutputFormats); }, code);
 }
 
 }  // namespace
 
 TEST_CASE("generators come from exactly one option") {
-  CHECK_NOTHROW(check_options(parse_options({"a.obj", "--vertices", "1,2"}), kFormats));
+  CHECK_NOTHROW(check_options(parse_options({"a.obj", "--vertices", "1,2"}), kOutputFormats));
   CHECK(refusal({"a.obj"}) == "no generators: give one of -n, --generators, --vertices or --radius");
   CHECK_THAT(refusal({"a.obj", "-n", "3", "--radius", "1"}), Contains("-n and --radius"));
   CHECK_THAT(refusal({"a.obj", "--vertices", "1", "--generators", "g.txt"}), Contains("--generators and --vertices"));
@@ -28,7 +28,7 @@ TEST_CASE("generators come from exactly one option") {
 
 TEST_CASE("standard input needs a format") {
   CHECK_THAT(refusal({"-", "-n", "3"}), Contains("--input-format"));
-  CHECK_NOTHROW(check_options(parse_options({"-", "-n", "3", "--input-format", "off"}), kFormats));
+  CHECK_NOTHROW(check_options(parse_options({"-", "-n", "3", "--input-format", "off"}), kOutputFormats));
 }
 
 TEST_CASE("an option that the method ignores is refused, with what to do") {

@@ -9,14 +9,14 @@
 using namespace gvd;
 using namespace gvd::app;
 using Catch::Matchers::Contains;
-using gvd::test::kFormats;
+using gvd::test::kOutputFormats;
 using gvd::test::parse_options;
 
 namespace {
 
 std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
   CAPTURE(arguments);
-  return test::refusal([&] { check_outputs(parse_options(arguments), kFormats); }, code);
+  return test::refusal([&] { check_outputs(parse_options(arguments), kOutputFormats); }, code);
 }
 
 }  // namespace
@@ -37,14 +37,29 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
   CHECK_THAT(refusal(with({"-o", scratch / "none/a.ply"}), ErrorCode::unwritable_output),
              Contains("there is no directory"));
   CHECK_NOTHROW(check_outputs(parse_options(with({"-o", scratch / "a.ply", "-o", "-", "--report", scratch / "r.json"})),
-                              kFormats));
+                              kOutputFormats));
 }
 
 TEST_CASE("an option of a format that is not written is refused") {
   CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
   CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
   CHECK_NOTHROW(check_outputs(
-      parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kFormats));
+      parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kOutputFormats));
+}
+
+TEST_CASE("an option of a format in a file goes where the command line writes another format") {
+  const test::ScratchFolder scratch;
+  const std::string config = scratch / "o.toml";
+  test::write_text(config, "output = \"" + scratch / "b.obj" + "\"\nno-curves = true\nn = 3\n");
+  CHECK(parse_options({"a.obj", "--config", config}).output.no_curves);
+  const Options other = parse_options({"a.obj", "-o", "b.ply", "--config", config});
+  CHECK(!other.output.no_curves);
+  CHECK(other.output.files == std::vector<std::string>{"b.ply"});
+  CHECK_THAT(refusal({"a.obj", "-o", "b.ply", "--no-curves", "--config", config}), Contains("only .obj, .vtp"));
+  test::write_text(config, "output = \"b.ply\"\nno-curves = true\n");
+  CHECK_THAT(refusal({"a.obj", "--config", config}), Contains("o.toml:2:1: no-curves: only .obj, .vtp"));
+  test::write_text(config, "ascii-ply = true\n");
+  CHECK(!parse_options({"a.obj", "-o", "b.obj", "--config", config}).output.ascii_ply);
 }
 
 TEST_CASE("no target is a file that the run reads, whatever it is called") {
@@ -72,8 +87,10 @@ TEST_CASE("the materials of an .obj are a file of the run, too") {
              Contains("two options name this file"));
   std::filesystem::create_directory(scratch / "b.mtl");
   CHECK_THAT(refusal({"a.obj", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output), Contains("is a directory"));
-  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "c.obj"}), kFormats));
+  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "c.obj"}), kOutputFormats));
   CHECK(!std::filesystem::exists(scratch / "c.mtl"));
+  // Of a command that writes none, what lies there is nobody's business.
+  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "b.obj"}), {test::kFormats, false}));
 }
 
 TEST_CASE("the file of options is not replaced") {

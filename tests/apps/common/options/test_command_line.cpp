@@ -67,14 +67,23 @@ TEST_CASE("a usage error names the option, what is wrong with it, and where the 
   CHECK_THAT(Fixture().refusal({"in", "--config", "/nonexistent.toml"}), Contains("/nonexistent.toml"));
 }
 
+TEST_CASE("unknown options are named in the order typed, each with the one that it may stand for") {
+  CHECK(Fixture().refusal({"in", "--evne", "2"}) ==
+        "unknown option: --evne (did you mean --even?) (see gvd-test --help)");
+  CHECK(
+      Fixture().refusal({"in", "--zzz", "--oter", "x", "--fiel=3"}) ==
+      "unknown options: --zzz, --oter (did you mean --other?), --fiel=3 (did you mean --file?) (see gvd-test --help)");
+  CHECK(Fixture().refusal({"in", "more", "still"}) == "unexpected: more, still (see gvd-test --help)");
+}
+
 TEST_CASE("help and version are answers, even where a required argument is missing") {
   Fixture fixture;
   CHECK(parse_line(fixture.line, {"--version"}) == "gvd-test 1.2\n");
   for (const char* name : {"-h", "--help"}) {
     const auto help = parse_line(fixture.line, {name});
     REQUIRE(help);
-    for (const char* part :
-         {"A test.", "The footer.", "INPUT", "--even N", "-f,--file FILE", "Numbers:", "Some files"}) {
+    for (const char* part : {"A test.", "The footer.", "Usage: gvd-test INPUT [options]", "--even N", "-f, --file FILE",
+                             "Numbers:", "Some files"}) {
       CHECK_THAT(*help, Contains(part));
     }
   }
@@ -131,6 +140,7 @@ TEST_CASE("an option of the command line takes the place of those of the file th
 TEST_CASE("an error in a configuration file has line, column, key and what was expected") {
   const auto refused = [](const std::string& text) { return ConfigFixture(text).refused({"in"}); };
   CHECK_THAT(refused("\nodd = 8\n"), StartsWith(":2:1: odd: is no option"));
+  CHECK(refused("evne = 8\n") == ":1:1: evne: is no option; did you mean even?");
   CHECK(refused("even = \"8\"\n") == ":1:8: even: expected a whole number, found a string");
   CHECK(refused("flag = 1\n") == ":1:8: flag: expected true or false, found a whole number");
   CHECK(refused("other = true\n") == ":1:9: other: expected a string in quotes, found a boolean");

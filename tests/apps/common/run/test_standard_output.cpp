@@ -8,8 +8,8 @@
 #include "apps/run_command.hpp"
 #include "common/run/interrupt.hpp"
 #include "common/run/standard_output.hpp"
-#include "gvd/error.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 using namespace gvd;
 using namespace gvd::app;
@@ -73,5 +73,6 @@ TEST_CASE("a failed write has its reason, and a reader that is gone an exception
   REQUIRE(pipe(ends) == 0);
   close(ends[0]);
   const Redirected redirected(ends[1]);
-  CHECK_THROWS_AS(write_standard_output(write_much), ReaderGone);
+  CHECK(test::refusal([] { write_standard_output(write_much); }, ErrorCode::reader_gone) ==
+        "the reader of standard output is gone");
 }

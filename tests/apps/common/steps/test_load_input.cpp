@@ -64,7 +64,7 @@ TEST_CASE("a format that can't hold the mesh is refused when the mesh is loaded"
     options.output.files = {scratch / "a." + format};
     CHECK_THROWS_AS(load(options), Error);
     options.output.files = {"-"};
-    options.output.stdout_format = format;
+    options.output.formats = {format};
     CHECK_THROWS_AS(load(options), Error);
   }
   options.output.files = {scratch / "a.ply"};

@@ -1,0 +1,57 @@
+#include "common/options/suggest_name.hpp"
+
+#include <algorithm>
+
+namespace gvd::app {
+namespace {
+
+/// A shorter beginning fits too many names.
+constexpr std::size_t kLeastBeginning = 3;
+
+/// "--sampling=random" as "sampling".
+std::string bare_name(const std::string& text) {
+  const std::size_t first = text.find_first_not_of('-');
+  return first == text.npos ? "" : text.substr(first, text.find('=') - first);
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
+/// Damerau and Levenshtein, with no letter changed twice.
+std::size_t count_edits(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> before, last, now(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j) now[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    before = std::move(last);
+    last = now;
+    now[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (from[i - 1] != to[j - 1])});
+      const bool swapped = i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
+      if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+    }
+  }
+  return now[to.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names) {
+  const std::string typed = bare_name(wrong);
+  std::optional<std::string> nearest, longer;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const std::string bare = bare_name(name);
+    // So many letters at least have to be inserted or deleted.
+    const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
+    const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
+    // An option of one letter is nobody's misspelling.
+    if (edits < least && (bare.size() > 1 || edits == 0)) {
+      least = edits;
+      nearest = name;
+    }
+    const bool begins = typed.size() >= kLeastBeginning && bare.starts_with(typed);
+    if (begins && (!longer || name.size() < longer->size())) longer = name;
+  }
+  return longer ? longer : nearest;
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,38 @@
+#include "common/options/suggest_name.hpp"
+#include "support/catch.hpp"
+
+using gvd::app::suggest_name;
+
+namespace {
+
+const std::vector<std::string> kNames{"-n",     "--count", "--sampling",      "--seed",   "--generators",
+                                      "--view", "-o",      "--output-format", "--output", "--radius",
+                                      "--cut",  "-h",      "--help",          "--method", "--threads"};
+
+}  // namespace
+
+TEST_CASE("a misspelt option is told from few letters that differ") {
+  CHECK(suggest_name("--smapling", kNames) == "--sampling");  // a swap
+  CHECK(suggest_name("--samplin", kNames) == "--sampling");
+  CHECK(suggest_name("--samplings", kNames) == "--sampling");
+  CHECK(suggest_name("--sanplimg=random", kNames) == "--sampling");
+  CHECK(suggest_name("-sampling", kNames) == "--sampling");
+  CHECK(suggest_name("--generater", kNames) == "--generators");
+  CHECK(suggest_name("--cat", kNames) == "--cut");
+  CHECK(suggest_name("--n", kNames) == "-n");
+}
+
+TEST_CASE("the beginning of an option stands for the shortest that begins so") {
+  CHECK(suggest_name("--out", kNames) == "--output");
+  CHECK(suggest_name("--gen", kNames) == "--generators");
+  CHECK(suggest_name("--output-f", kNames) == "--output-format");
+}
+
+TEST_CASE("what is like no option gets no suggestion") {
+  for (const char* wrong : {"--nonsense", "--x", "-x", "-", "--", "--=3", "--qq"}) {
+    CAPTURE(wrong);
+    CHECK(!suggest_name(wrong, kNames));
+  }
+  CHECK(!suggest_name("--seed", {}));
+  CHECK(!suggest_name(std::string(1 << 24, 's'), kNames));  // at once
+}

@@ -1,0 +1,15 @@
+#include "common/run/result_table.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::app;
+
+TEST_CASE("results stand in columns, with a column for each figure that a run has") {
+  const std::vector<RunResult> results{{"a.ply", "done", {30, std::nullopt, 1.5}, 0.125},
+                                       {"long-name.ply", "failed (3: unreadable input)", {}, 12}};
+  CHECK(format_results(results) ==
+        std::vector<std::string>{"input          result                        regions  energy     time",
+                                 "a.ply          done                               30     1.5   0.12 s",
+                                 "long-name.ply  failed (3: unreadable input)        -       -  12.00 s"});
+  const std::vector<std::string> plain = format_results({{"a", "done", {1, 0.5, std::nullopt}, 0}});
+  CHECK(plain.front() == "input  result  regions    E    time");
+}

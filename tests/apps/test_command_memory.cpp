@@ -1,0 +1,66 @@
+// Where memory ends: by --max-memory, and by a limit of the system.
+
+#include <filesystem>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kSanitized = false;
+#endif
+
+}  // namespace
+
+TEST_CASE("memory: a run that passes --max-memory ends in one line, and writes nothing") {
+  const ScratchFolder scratch;
+  // Some 80 MB with fine bisectors, and 10 MB before the first diagram.
+  const std::string mesh = data_file("figure.obj") + " -n 200 -q --chord-tolerance 1e-9 ";
+  write_text(scratch / "o.toml", "max-memory = \"30M\"\n");
+  for (const std::string& name : built_commands()) {
+    for (const std::string& limit : std::vector<std::string>{
+             "--max-memory 1K", "--max-memory 30M", "--threads 4 --max-memory 30M", "--config " + scratch / "o.toml"}) {
+      require_error(name, mesh + limit + " -o " + scratch / "a.ply", 5, "out of memory: ");
+      require_error(name, mesh + limit + " -o " + scratch / "a.ply", 5, ", beyond --max-memory ");
+    }
+    CHECK(!std::filesystem::exists(scratch / "a.ply"));
+    CHECK(run_command(name, data_file("torus.ply") + " -n 20 -q --max-memory 2G -o " + scratch / "a.ply").exit_code ==
+          0);
+    std::filesystem::remove(scratch / "a.ply");
+    require_error(name, mesh + "--max-memory much", 2, "'much' is no size");
+  }
+}
+
+TEST_CASE("memory: where the system has no more, the message says how much was in use and asked for") {
+  if (kSanitized) return;  // they reserve more than there is
+  for (const std::string& name : built_commands()) {
+    const std::string run = "ulimit -v 90000; exec '" + std::string(GVD_BIN_DIR) + "/" + name + "' " +
+                            data_file("figure.obj") + " -n 200 -q --threads 1 --chord-tolerance 1e-9";
+    const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 5);
+    CHECK(line_count(result.err) == 1);
+    CHECK_THAT(result.err, StartsWith(name + ": error: out of memory: ") && Contains(" more asked for; ") &&
+                               Contains("--max-memory ends such a run sooner"));
+  }
+}
+
+TEST_CASE("memory: of several inputs each has the whole limit") {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "out";
+  const CommandResult result = run_command("gvd-segment", data_file("figure.obj") + " " + data_file("torus.ply") +
+                                                              " -n 200 --max-memory 6M --output-dir " + out);
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 5);
+  CHECK_THAT(result.err, Contains("failed (5: out of memory)"));
+}
