@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "base/plane.hpp"
@@ -23,6 +24,11 @@ TEST_CASE("cross and turned_left are counter-clockwise positive") {
   CHECK(cross({2, 3}, {4, 6}) == 0);
   CHECK(turned_left({1, 0}) == Vec2(0, 1));
   CHECK(turned_left({3, 4}) == Vec2(-4, 3));
+}
+
+TEST_CASE("unit_vector counts angles counter-clockwise from the x axis") {
+  CHECK(unit_vector(0) == Vec2(1, 0));
+  CHECK((unit_vector(std::acos(-1.0) / 2) - Vec2(0, 1)).norm() < 1e-15);
 }
 
 TEST_CASE("twice_signed_area changes its sign with the direction and keeps it under rotation of the corners") {

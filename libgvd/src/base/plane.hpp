@@ -13,6 +13,9 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// v, rotated counter-clockwise by 90 degrees.
 inline Vec2 turned_left(const Vec2& v) { return {-v.y(), v.x()}; }
 
+/// The vector of length 1 at this angle from the x axis, radians.
+inline Vec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
 /// Twice the signed area of a triangle: > 0 where a, b, c are counter-clockwise. Subject to rounding; `orientation`
 /// gives the sign where it is certain.
 inline double twice_signed_area(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }

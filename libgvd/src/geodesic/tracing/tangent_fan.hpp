@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/plane.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
@@ -55,6 +56,5 @@ class TangentFan {
 /// The equivalent angle in [0, 2 pi), radians.
 double normalized_angle(double angle);
 inline double angle_of(const Vec2& v) { return normalized_angle(std::atan2(v.y(), v.x())); }
-inline Vec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 }  // namespace gvd

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "geodesic/tracing/tangent_fan.hpp"
+#include "base/plane.hpp"
 #include "gvd/generator_list.hpp"
 #include "mesh/coincidence.hpp"
 #include "mesh/vertex_ring.hpp"
