@@ -11,7 +11,7 @@ namespace {
 
 /// Least barycentric coordinate of a guessed branch point: ten times the gap between crossings and corners. It moves
 /// the point by at most a millionth of the triangle's height.
-constexpr double kInside = 1e-6;
+constexpr double kInsideOfGuess = 1e-6;
 
 /// The same for accurate guesses, which lie on a side or at a vertex by a tie: they move by rounding only. A little
 /// less than the coordinate of confirmed points, so that these do not move at all.
@@ -74,7 +74,7 @@ std::optional<Bary> moved_to_polygon(const FacePolygon& polygon, const std::opti
 }  // namespace
 
 Bary BranchPlacement::place_in_face(const FacePolygon& polygon, const std::optional<Bary>& wanted) const {
-  const double least = is_accurate_ ? kInsideExactly : kInside;
+  const double least = is_accurate_ ? kInsideExactly : kInsideOfGuess;
   return approach(centre(polygon), wanted, is_accurate_,
                   [&](const Bary& p) { return *std::min_element(p.begin(), p.end()) >= least; });
 }

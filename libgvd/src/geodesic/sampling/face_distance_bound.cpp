@@ -12,7 +12,7 @@ namespace {
 
 /// A point whose barycentric coordinates exceed this counts as inside. The tolerance is safe: so close to a side, the
 /// value is that of the side within rounding.
-constexpr double kInside = -1e-9;
+constexpr double kBesideFace = -1e-9;
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
@@ -22,7 +22,7 @@ struct Frame {
 
   bool contains(double x, double y) const {
     const double bary2 = y / y2, bary1 = (x - bary2 * x2) / x1;
-    return bary1 > kInside && bary2 > kInside && 1 - bary1 - bary2 > kInside;
+    return bary1 > kBesideFace && bary2 > kBesideFace && 1 - bary1 - bary2 > kBesideFace;
   }
 };
 

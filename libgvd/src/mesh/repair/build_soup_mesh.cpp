@@ -24,7 +24,7 @@ namespace {
 
 /// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
 /// times the rounding error of a position on the side.
-constexpr double kFlatTriangle = 1e-15;
+constexpr double kHeightWithoutArea = 1e-15;
 
 std::vector<char> find_used_vertices(const WorkFaces& work) {
   std::vector<char> used(work.positions.size(), 0);
@@ -76,7 +76,7 @@ std::int64_t count_zero_area_faces(const Mesh& mesh) {
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     double longest = 0;
     for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.length(Mesh::halfedge(FaceId(f), i)));
-    count += 2 * mesh.area(FaceId(f)) <= kFlatTriangle * longest * longest;
+    count += 2 * mesh.area(FaceId(f)) <= kHeightWithoutArea * longest * longest;
   }
   return count;
 }
