@@ -273,8 +273,11 @@ TEST_CASE("cut: faces without area, where cuts of different edges coincide") {
 }
 
 TEST_CASE("cut: far from the origin, where points of different edges coincide by rounding") {
+  // At 1e10, four units in the last place of a coordinate are about the chord tolerance. Points of one arc then merge,
+  // and the pieces of a face may overlap: such a face stays whole, and is counted.
+  const std::vector<std::pair<double, std::int64_t>> offsets_and_uncut{{1e8, 0}, {1e10, 1}};
   for (const auto& [name, mesh] : test::small_family()) {
-    for (const double offset : {1e8, 1e10}) {
+    for (const auto& [offset, uncut] : offsets_and_uncut) {
       std::vector<Vec3> positions = mesh.positions();
       for (Vec3& p : positions) p += Vec3::Constant(offset);
       std::vector<std::array<VertexId, 3>> faces;
@@ -288,7 +291,7 @@ TEST_CASE("cut: far from the origin, where points of different edges coincide by
       CAPTURE(name, offset);
       const CutMesh cut = cut_faces(moved, compute_diagram(moved, random_points(moved, 300, 5)));
       const MeshSummary before = compute_mesh_summary(moved), after = compute_mesh_summary(cut.mesh);
-      CHECK(cut.uncut_faces == 0);
+      CHECK(cut.uncut_faces <= uncut);
       CHECK(after.euler_characteristic == before.euler_characteristic);
       CHECK(after.boundary_loops == before.boundary_loops);
     }
