@@ -98,6 +98,18 @@ TEST_CASE("two images nearly in one place, far from the start of the edge, are t
   }
 }
 
+TEST_CASE("two images that tie at the start of the edge, but for a tiny offset, change just behind it") {
+  // On a bipyramid of needles with a generator in each face. The position lies 4e-9 from the start, by the slopes
+  // there.
+  const EdgeSource a = source(0.89477948613550307, 0.003487944182557612, 2.1474927273429897e-13);
+  const EdgeSource b = source(0.89476740056005333, 0.0058132141316566705, 1.6106195455072423e-13);
+  const auto positions = equidistant_positions(a, b, 1);
+  INFO(positions[0] << " and " << positions[1]);
+  CHECK(positions[0] < -3e-9);
+  CHECK(positions[1] > 3e-9);
+  CHECK(positions[1] < 5e-9);
+}
+
 TEST_CASE("Newton's steps improve a position, and stay in the interval") {
   const EdgeSource a = source(0.1, 0.2, 0), b = source(0.8, 0.3, 0.1);
   const auto positions = equidistant_positions(a, b, 1);
