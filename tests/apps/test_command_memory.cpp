@@ -41,6 +41,16 @@ TEST_CASE("memory: a run that passes --max-memory ends in one line, and writes n
   }
 }
 
+TEST_CASE("memory: a list of generators that does not fit is refused, and never cut short") {
+  if (kSanitized) return;  // they count resident memory only
+  const ScratchFolder scratch;
+  write_text(scratch / "long.txt", "0\n" + std::string(std::size_t{20} << 20, '#') + "\n1\n");
+  const std::string run = data_file("torus.ply") + " -q -o " + scratch / "a.ply --generators ";
+  require_error("gvd-segment", run + scratch / "long.txt --max-memory 30M", 5, "out of memory: ");
+  require_error("gvd-segment", run + "- --generators-format text --max-memory 30M < " + scratch / "long.txt", 5,
+                "out of memory: ");
+}
+
 TEST_CASE("memory: where the system has no more, the message says how much was in use and asked for") {
   if (kSanitized) return;  // they reserve more than there is
   for (const std::string& name : built_commands()) {

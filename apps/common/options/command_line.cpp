@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "common/options/config_options.hpp"
 #include "common/options/help_text.hpp"
@@ -108,8 +109,10 @@ struct CommandLine::Parser {
     for (const OptionText& option : shown) {
       for (const std::string& name : split_names(option.names)) names.push_back(name);
     }
+    bool is_marked = false;  // by "--", after which nothing is an option
     for (const std::string& word : cli.remaining()) {
-      if (word.size() < 2 || word.front() != '-') {
+      if (word == "--" && !std::exchange(is_marked, true)) continue;
+      if (is_marked || word.size() < 2 || word.front() != '-') {
         unexpected.push_back(printable(word));
         continue;
       }

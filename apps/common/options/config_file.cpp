@@ -12,6 +12,7 @@
 #include "common/options/checked_toml.hpp"
 #include "common/options/option_text.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/read_to_end.hpp"
 
 namespace gvd::app {
 namespace {
@@ -125,10 +126,9 @@ std::vector<ConfigEntry> read_config_file(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(fmt::format("--config '{}': {}; name a TOML file", path, std::strerror(errno)));
-  std::ostringstream content;
-  content << file.rdbuf();
+  const std::string content = read_to_end(file);
   if (file.bad()) refuse(path + ": could not be read to its end");
-  return parse_config(std::move(content).str(), path);
+  return parse_config(content, path);
 }
 
 }  // namespace gvd::app

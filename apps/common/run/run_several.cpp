@@ -11,9 +11,9 @@
 namespace gvd::app {
 namespace {
 
-/// Errors of the input name it already.
+/// Errors of the input begin with its name already.
 std::string named(const std::string& message, const std::string& input) {
-  return message.find(input) == message.npos ? fmt::format("{}: {}", input, message) : message;
+  return message.starts_with(input) ? message : fmt::format("{}: {}", input, message);
 }
 
 struct Ended {

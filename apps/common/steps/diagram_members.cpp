@@ -11,6 +11,7 @@ namespace gvd::app {
 
 std::string open_diagram(const Mesh& mesh, const Diagram& diagram) {
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // a lack of memory must not pass for a failed write
   write_diagram_json(text, mesh, diagram);
   std::string object = std::move(text).str();
   object.erase(object.rfind('}'));

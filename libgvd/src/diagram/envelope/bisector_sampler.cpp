@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagram/envelope/path_change.hpp"
+
 namespace gvd {
 namespace {
 

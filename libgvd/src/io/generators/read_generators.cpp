@@ -1,10 +1,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/io/read_to_end.hpp"
 #include "io/generators/list_fields.hpp"
 #include "io/generators/parse_csv.hpp"
 #include "io/generators/parse_json.hpp"
@@ -21,10 +21,9 @@ std::string read_whole(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(ErrorCode::unreadable_input, path.string() + ": " + std::strerror(errno));
-  std::ostringstream content;
-  content << file.rdbuf();
+  std::string content = read_to_end(file);
   if (file.bad()) throw Error(ErrorCode::unreadable_input, path.string() + ": could not be read to its end");
-  return std::move(content).str();
+  return content;
 }
 
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {

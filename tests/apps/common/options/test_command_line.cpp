@@ -76,6 +76,13 @@ TEST_CASE("unknown options are named in the order typed, each with the one that 
   CHECK(Fixture().refusal({"in", "more", "still"}) == "unexpected: more, still (see gvd-test --help)");
 }
 
+TEST_CASE("after two dashes an argument may begin with a dash") {
+  Fixture fixture;
+  CHECK(!parse_line(fixture.line, {"--even", "4", "--", "-in"}));
+  CHECK(fixture.input == "-in");
+  CHECK(Fixture().refusal({"--", "in", "--more"}) == "unexpected: --more (see gvd-test --help)");
+}
+
 TEST_CASE("help and version are answers, even where a required argument is missing") {
   Fixture fixture;
   CHECK(parse_line(fixture.line, {"--version"}) == "gvd-test 1.2\n");
