@@ -45,7 +45,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error counted progress diagram_steps",
+    "libgvd/src/base": "vec ids error counted progress diagram_steps io/read_to_end",
     "libgvd/src/mesh": "mesh surface_point surface_normal closest_point quality openmesh",
     "libgvd/src/mesh/reading": "mesh_format read_soup",
     "libgvd/src/mesh/repair": "soup",
