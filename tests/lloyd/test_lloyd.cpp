@@ -1,6 +1,8 @@
 // Lloyd's relaxation as a library: energies, centroids, and what must never happen.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
@@ -153,6 +155,25 @@ TEST_CASE("lloyd: generators that start close together move apart") {
     }
   }
   CHECK(nearest > 0.8);  // an octahedron's corners are 1.41 apart
+}
+
+TEST_CASE("lloyd: a generator just beside a saddle reaches it by a step of a hundredth") {
+  // Most of the disc lies behind the saddle, so the step points at it and leads far beyond. There are two full turns
+  // too many about the saddle: whatever is passed comes nearer to one side and farther from all others.
+  std::vector<Vec3> positions = {{0, 0, 0}};
+  std::vector<std::array<int, 3>> faces;
+  const int sides = 12;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    positions.push_back({std::cos(angle), std::sin(angle), i % 2 == 0 ? 2.0 : -2.0});
+    faces.push_back({0, 1 + i, 1 + (i + 1) % sides});
+  }
+  const Mesh mesh = test::make_mesh(positions, faces);
+  const double beside = 0.003;
+  const LloydResult result = relax_generators(mesh, {make_surface_point(FaceId(0), {1 - 2 * beside, beside, beside})});
+  require_falling(result);
+  CHECK(result.final_energy < result.initial_energy);
+  CHECK(position(mesh, result.generators[0]).norm() < 0.1 * beside);
 }
 
 TEST_CASE("lloyd: generators of a ring end half way between its boundaries") {
