@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "comparator.hpp"
+#include "piece_contacts.hpp"
+
+namespace gvd::paper {
+
+/// The faces of a mesh, cut where the three-dimensional Voronoi diagram of the generators intersects them. Cost: one
+/// clip for each neighbour of each cell that intersects a face.
+Pieces clip_to_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions,
+                             const std::vector<std::vector<GeneratorId>>& neighbours);
+
+/// The restricted Voronoi diagram: the surface cut by the cells of straight distances in space.
+///
+/// Source: D.-M. Yan, B. Levy, Y. Liu, F. Sun, W. Wang, Isotropic remeshing with fast and exact computation of restricted
+///   Voronoi diagram, 2009: [29] in the paper, section 5.5.
+/// Generators may lie anywhere. `field_ms`: the Delaunay triangulation. Islands are what [28] calls orphans.
+Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+
+}  // namespace gvd::paper
