@@ -107,16 +107,25 @@ Pieces clip_to_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& position
   return FaceClipper(mesh, positions, neighbours).clip_all();
 }
 
-Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  std::vector<Vec3> positions;
-  for (const SurfacePoint& g : generators) positions.push_back(position(mesh, g));
-  Comparison result;
+Pieces time_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions, Comparison& result) {
   const double start = bench::cpu_milliseconds();
   const auto neighbours = find_delaunay_neighbours(positions);
   const double triangulated = bench::cpu_milliseconds();
   Pieces pieces = clip_to_voronoi_cells(mesh, positions, neighbours);
-  result.field_ms = triangulated - start;
-  result.diagram_ms = bench::cpu_milliseconds() - triangulated;
+  result.field_ms += triangulated - start;
+  result.diagram_ms += bench::cpu_milliseconds() - triangulated;
+  return pieces;
+}
+
+std::vector<Vec3> find_positions(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& g : generators) positions.push_back(position(mesh, g));
+  return positions;
+}
+
+Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  Comparison result;
+  Pieces pieces = time_voronoi_cells(mesh, find_positions(mesh, generators), result);
   collect_pieces(mesh, generators, std::move(pieces), result);
   return result;
 }

@@ -12,6 +12,12 @@ namespace gvd::paper {
 Pieces clip_to_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions,
                              const std::vector<std::vector<GeneratorId>>& neighbours);
 
+/// The pieces of the restricted Voronoi diagram; adds the times to `result`.
+Pieces time_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions, Comparison& result);
+
+/// Where the generators are, mesh units.
+std::vector<Vec3> find_positions(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+
 /// The restricted Voronoi diagram: the surface cut by the cells of straight distances in space.
 ///
 /// Source: D.-M. Yan, B. Levy, Y. Liu, F. Sun, W. Wang, Isotropic remeshing with fast and exact computation of restricted

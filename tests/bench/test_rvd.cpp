@@ -12,12 +12,6 @@ using namespace gvd::paper;
 
 namespace {
 
-std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  std::vector<Vec3> positions;
-  for (const SurfacePoint& g : generators) positions.push_back(position(mesh, g));
-  return positions;
-}
-
 double mesh_area(const Mesh& mesh) { return compute_mesh_summary(mesh).area; }
 
 }  // namespace
@@ -27,7 +21,7 @@ TEST_CASE("on a flat grid RVD is the planar Voronoi diagram") {
   const auto generators = test::random_generators(mesh, 15, 3);
   const Comparison rvd = compute_rvd(mesh, generators);
   std::vector<Vec2> points;
-  for (const Vec3& p : positions_of(mesh, generators)) points.push_back(p.head<2>());
+  for (const Vec3& p : find_positions(mesh, generators)) points.push_back(p.head<2>());
   const test::PlanarVoronoi planar(points, 12, 9);
   for (int i = 0; i < 15; ++i) {
     CHECK(rvd.diagram.cells[GeneratorId(i)].area == Approx(planar.cell_area(i)).epsilon(1e-9));
@@ -45,7 +39,7 @@ TEST_CASE("the pieces of RVD cover every mesh") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const auto generators = test::random_generators(mesh, 20, 5);
-    const auto positions = positions_of(mesh, generators);
+    const auto positions = find_positions(mesh, generators);
     const Pieces pieces = clip_to_voronoi_cells(mesh, positions, find_delaunay_neighbours(positions));
     CHECK(sum_areas(mesh, pieces) == Approx(mesh_area(mesh)).epsilon(1e-9));
     CHECK(compute_rvd(mesh, generators).faults.open_ends == 0);
@@ -55,7 +49,7 @@ TEST_CASE("the pieces of RVD cover every mesh") {
 TEST_CASE("Delaunay neighbours give the same cells as all generators") {
   const Mesh mesh = test::make_torus(24, 12);
   const auto generators = test::random_generators(mesh, 25, 7);
-  const auto positions = positions_of(mesh, generators);
+  const auto positions = find_positions(mesh, generators);
   std::vector<std::vector<GeneratorId>> all(positions.size());
   for (auto& list : all) {
     for (int g = 0; g < 25; ++g) list.emplace_back(g);
