@@ -1,8 +1,8 @@
 // Finds the camera that sees all points as large as possible.
 
 // For points (three coordinates each) and unit vectors `right`, `up` and `back` (from the points to the eye), arrays of
-// three: {x, y, distance}. The eye at x right + y up + distance back sees every point within the tangents of half the
-// angles of view, `wide` and `high`, and none nearer than that. Points exactly at the edge of the view remain.
+// three: {x, y, distance}. `wide` and `high` are the tangents of half the angles of view. The eye at
+// x right + y up + distance back sees every point, and no nearer one does. Points exactly at the edge of the view remain.
 export function fit_points(positions, { right, up, back }, wide, high) {
   const reach = { left: -Infinity, right: -Infinity, down: -Infinity, up: -Infinity };
   for (let i = 0; i < positions.length; i += 3) {

@@ -3,6 +3,7 @@ import { kThemes, kUnreachedFill } from './colours.js';
 import { read_array, read_manifest } from './data.js';
 import { HoverMark } from './hover_mark.js';
 import { IdMap } from './id_map.js';
+import { arrange_panels, covered, open_first_panels } from './layout.js';
 import { draw_legend, show_legend } from './legend.js';
 import { bisector_width, make_mark_materials } from './marks.js';
 import { make_surface_materials } from './materials.js';
@@ -32,7 +33,6 @@ const kToggles = [
   ['smooth', 'Smooth shading'],
 ];
 const kMarks = ['bisectors', 'generators', 'added_generators', 'branch_points'];
-const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 const kPerScene = ['wireframe', 'smooth'];  // the others keep their state when the scene changes
 
@@ -52,14 +52,6 @@ function bounding_sphere(p) {
   return new Sphere(new Vector3(), Math.sqrt(squared) || 1);
 }
 
-// Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
-function covered() {
-  const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name).getBoundingClientRect());
-  if (!phone.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
-  const upright = innerWidth < innerHeight;  // on its side there is room beside the title
-  return { left: 0, right: 0, top: upright && head.height ? head.bottom : 0, bottom: bar.height && innerHeight - bar.top };
-}
-
 class Viewer {
   constructor(manifest) {
     this.manifest = manifest;
@@ -76,7 +68,7 @@ class Viewer {
     this.stage.at_rest = () => this.pick();  // the surface has moved under the pointer
     this.inputs = panel.make_toggles(kToggles, (key, value) => this.toggle(key, value));
     this.colours = panel.make_colour_choice(kColourings, (key) => this.colour_by(key));
-    panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
+    this.choose_first = panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
     this.listen();
     this.choose(0);
     this.follow_theme();
@@ -98,7 +90,7 @@ class Viewer {
     canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('pointerleave', () => this.point_at(null));
-    canvas.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
+    document.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
     dark_scheme.addEventListener('change', () => this.follow_theme());
     panel.by_id('unpin').addEventListener('click', () => this.pin(null));
     panel.by_id('save').addEventListener('click', () => this.save_picture());
@@ -236,8 +228,10 @@ class Viewer {
 
   reset() {
     this.set_defaults();
-    this.apply();
-    this.stage.show_all();
+    this.table.reset();
+    this.choose_first();
+    open_first_panels();
+    this.stage.reset();
   }
 
   follow_theme() {
@@ -251,20 +245,6 @@ class Viewer {
       this.materials[key].uniforms.ring.value.set(key === 'branch_point' ? theme.generator : theme.branch_point);
     }
     this.stage.request_draw();
-  }
-}
-
-// On a phone the panels are closed at the start, and opening one closes the others.
-function arrange_panels() {
-  const boxes = [...document.querySelectorAll('details')];
-  const close_all = () => boxes.forEach((box) => (box.open = false));
-  if (phone.matches) close_all();
-  phone.addEventListener('change', () => phone.matches && close_all());
-  for (const box of boxes) {
-    box.addEventListener('toggle', () => {
-      if (!phone.matches || !box.open) return;
-      boxes.forEach((other) => (other.open = other === box));
-    });
   }
 }
 

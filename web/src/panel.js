@@ -23,15 +23,21 @@ function fill_rows(body, rows) {
   );
 }
 
-// The buttons that choose a scene, if there are several. Calls `choose` with the scene's index.
+// The buttons that choose a scene, if there are several. Calls `choose` with the scene's index. Returns a function that
+// chooses the first.
 export function make_scene_switch(scenes, choose) {
   const box = by_id('scenes');
   box.hidden = scenes.length < 2;
-  scenes.forEach((scene, i) => {
+  const inputs = scenes.map((scene, i) => {
     const input = element('input', { type: 'radio', name: 'scene', value: String(i), checked: i === 0 });
     input.addEventListener('change', () => choose(i));
     box.append(element('label', {}, input, scene.name || `Picture ${i + 1}`));
+    return input;
   });
+  return () => {
+    inputs[0].checked = true;
+    choose(0);
+  };
 }
 
 // The ways of colouring [key, text], of which the scene offers some. Calls `change` with the key. Returns the options by

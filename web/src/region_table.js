@@ -28,7 +28,8 @@ export class RegionTable {
   // Calls `pin` with the label of a row that is clicked.
   constructor(pin) {
     this.pin = pin;
-    [this.key, this.ascending, this.pinned] = ['label', true, null];
+    this.pinned = null;
+    this.sort_by_label();
     [this.cells, this.order] = [[], []];
     this.box = by_id('region-rows');
     this.body = this.box.querySelector('tbody');
@@ -45,6 +46,16 @@ export class RegionTable {
       cell.dataset.key = key;
       this.box.querySelector('thead tr').append(cell);
     }
+  }
+
+  sort_by_label() {
+    [this.key, this.ascending] = ['label', true];
+  }
+
+  // As at the start, when the next scene is shown.
+  reset() {
+    this.sort_by_label();
+    this.box.scrollTop = 0;
   }
 
   // Shows the cells of a scene; `colour` gives the CSS colour of a label.
@@ -72,7 +83,7 @@ export class RegionTable {
 
   mark(label) {
     this.pinned = label;
-    this.show_rows();
+    for (const row of this.body.rows) row.classList.toggle('pinned', row.dataset.label === String(label));
   }
 
   show_rows() {
@@ -85,7 +96,15 @@ export class RegionTable {
       return row;
     };
     const shown = rows.map((label) => this.make_row(label));
+    const focused = this.body.contains(document.activeElement) ? document.activeElement.closest('tr').dataset.label : null;
     this.body.replaceChildren(space(first), ...shown, space(this.order.length - first - rows.length));
+    if (focused !== null) this.focus_row(focused);
+  }
+
+  // Gives the new row of a label the focus that its old one had; the table, where the row is out of view.
+  focus_row(label) {
+    const row = [...this.body.rows].find(({ dataset }) => dataset.label === label);
+    (row?.querySelector('button') ?? this.box).focus({ preventScroll: true });
   }
 
   make_row(label) {
@@ -95,6 +114,7 @@ export class RegionTable {
     const texts = [cell.area, cell.energy].map((value) => (Number.isFinite(value) ? short(value) : ''));
     const others = [...texts, cell.neighbours.length].map((text) => element('td', { textContent: text }));
     const row = element('tr', {}, element('td', {}, button), ...others);
+    row.dataset.label = label;
     row.classList.toggle('pinned', label === this.pinned);
     row.addEventListener('click', () => this.pin(label));
     return row;

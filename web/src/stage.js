@@ -80,6 +80,15 @@ export class Stage {
     this.request_draw();
   }
 
+  // As at the start: everything in view, and at rest.
+  reset() {
+    const damped = this.controls.enableDamping;
+    this.controls.enableDamping = false;  // ends the motion that is left of the last drag
+    this.controls.update();
+    this.controls.enableDamping = damped;
+    this.show_all();
+  }
+
   // Fits the drawing to the canvas. Returns whether its size has changed, which leaves it blank until it is drawn.
   resize() {
     const { clientWidth: width, clientHeight: height } = this.renderer.domElement;

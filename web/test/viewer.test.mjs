@@ -93,6 +93,14 @@ async function picture(page, name) {
   return createHash('sha256').update(await page.screenshot({ clip })).digest('hex');
 }
 
+// The picture with its panels as PNG in base64, with the pointer where `at` says and no focus.
+async function shot(page, at) {
+  await page.evaluate(() => document.activeElement.blur());
+  if (at) await page.mouse.move(...at);
+  await settle(page);
+  return (await page.screenshot()).toString('base64');
+}
+
 // In the page: the number of pixels in which two pictures differ, by more than `least` levels of red or green.
 async function count_differing([first, second, least = 0]) {
   const [one, two] = await Promise.all(
@@ -170,6 +178,28 @@ async function close(page) {
   await page.context().close();
 }
 
+// The number of pixels that the generators' dots change by more than `least` levels.
+async function count_dot_pixels(page, least = 0) {
+  const dots = page.locator('#toggle-generators'), on = await shot(page);
+  await dots.uncheck();
+  const off = await shot(page);
+  await dots.check();
+  return page.evaluate(count_differing, [on, off, least]);
+}
+
+const kBeside = [30, 400];  // beside the surface
+
+// What the panels at the right and the choice of the scene show: texts, open panels, order and position of the table.
+const panels_shown = (page) =>
+  page.evaluate(() => ({
+    text: document.querySelector('aside').innerText,
+    open: [...document.querySelectorAll('details')].map((box) => box.open),
+    scene: document.querySelector('#scenes :checked').value,
+    sorted: [...document.querySelectorAll('th[data-key]')].map((cell) => cell.getAttribute('aria-sort')),
+    scrolled: document.getElementById('region-rows').scrollTop,
+  }));
+const settle_frame = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const offered = (page) => page.locator('#colour option:not([hidden])').evaluateAll((all) => all.map(({ value }) => value));
 const draws = (page) => page.evaluate(() => window.drawn.splice(0));
 const card = (page) => page.locator('#region').innerText();
@@ -334,6 +364,8 @@ const tests = {
   async 'the table of regions sorts and pins'() {
     const page = await open();
     await page.locator('#regions summary').click();
+    const table = await page.locator('#region-rows').boundingBox();
+    assert.ok(table.y + table.height <= 700, `the table ends at ${table.y + table.height}`);
     const column = (n) => page.locator(`#region-rows tbody tr:not([aria-hidden]) td:nth-child(${n})`).allInnerTexts();
     assert.deepEqual((await column(1)).slice(0, 3).map(Number), [0, 1, 2]);
     await page.locator('th[data-key=area] button').click();
@@ -364,23 +396,70 @@ const tests = {
   },
 
   async 'reset brings back how the page opened'() {
-    const page = await open();
-    const shot = async () => {
-      await page.evaluate(() => document.activeElement.blur());
-      await page.mouse.move(30, 400);
-      await settle(page);
-      return (await page.screenshot()).toString('base64');
-    };
-    const first = await shot();
+    const page = await open(), first = await shot(page, kBeside), panels = await panels_shown(page);
+    await page.getByText('60 generators').click();
     await page.locator('#canvas').focus();
     await page.keyboard.press('ArrowLeft');
     await page.selectOption('#colour', 'area');
     await page.locator('#toggle-bisectors').uncheck();
+    await page.locator('#figures summary').click();
+    await page.locator('#regions summary').click();
+    await page.locator('th[data-key=area] button').click();
+    await page.locator('#region-rows').evaluate((box) => (box.scrollTop = 300));
     await page.mouse.click(370, 350);
-    assert.ok((await page.evaluate(count_differing, [first, await shot()])) > 10000);
+    assert.ok((await page.evaluate(count_differing, [first, await shot(page, kBeside)])) > 10000);
     await page.locator('#reset').click();
-    assert.ok((await page.evaluate(count_differing, [first, await shot()])) < 20);  // the last bits of the camera
+    const last = await shot(page, kBeside);
+    assert.ok((await page.evaluate(count_differing, [first, last])) < 20);  // the last bits of the camera
     assert.equal(await page.locator('#colour').inputValue(), 'regions');
+    assert.deepEqual(await panels_shown(page), panels);
+    await close(page);
+  },
+
+  async 'reset ends the motion that is left of a drag'() {
+    const viewport = { width: 900, height: 500 };
+    const page = await open({ reducedMotion: 'no-preference', viewport }), first = await shot(page, kBeside);
+    await page.evaluate(() => {  // in one task, so that no frame comes between the drag and the reset
+      const canvas = document.getElementById('canvas');
+      canvas.setPointerCapture = canvas.releasePointerCapture = () => {};  // refused without a real pointer
+      for (const [type, x, buttons] of [['pointerdown', 300, 1], ['pointermove', 330, 1], ['pointerup', 330, 0]]) {
+        canvas.dispatchEvent(new PointerEvent(type, { bubbles: true, pointerType: 'touch', clientX: x, clientY: x - 60, buttons }));
+      }
+      document.getElementById('reset').click();
+    });
+    assert.ok((await page.evaluate(count_differing, [first, await shot(page, kBeside)])) < 20);
+    await close(page);
+  },
+
+  async 'Escape frees the pinned region wherever the focus is'() {
+    const page = await open(), pinned = page.locator('#pinned');
+    for (const focused of ['#canvas', '#toggle-bisectors', '#save']) {
+      await page.mouse.click(370, 350);
+      assert.ok(await pinned.isVisible());
+      await page.locator(focused).focus();
+      await page.keyboard.press('Escape');
+      assert.ok(await pinned.isHidden(), focused);
+    }
+    await close(page);
+  },
+
+  async 'a row of the table keeps the focus when it pins its region, and when the table scrolls'() {
+    const page = await open();
+    await page.getByText('60 generators').click();
+    await page.locator('#regions summary').click();
+    const focused = () => page.evaluate(() => document.activeElement.closest('tr')?.innerText.split(/\s/)[0]);
+    await page.locator('#region-rows tbody tr:not([aria-hidden]) button').nth(2).focus();
+    await page.keyboard.press('Enter');
+    assert.ok((await page.locator('#pinned').innerText()).includes('Region 2'));
+    assert.equal(await focused(), '2');
+    for (let label = 3; label < 40; ++label) {
+      await page.keyboard.press('Tab');
+      await settle_frame(page);
+      assert.equal(await focused(), String(label));
+    }
+    await page.locator('#region-rows').evaluate((box) => (box.scrollTop = 0));
+    await settle(page);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'region-rows');
     await close(page);
   },
 
@@ -424,21 +503,10 @@ const tests = {
 
   async 'dots are as large as the picture makes them'() {
     const page = await open({ page_address: write_dots(400) });
-    const dots = async () => {
-      const without = page.locator('#toggle-generators');
-      const shot = async () => (await page.screenshot()).toString('base64');
-      await settle(page);
-      const on = await shot();
-      await without.uncheck();
-      await settle(page);
-      const off = await shot();
-      await without.check();
-      return page.evaluate(count_differing, [on, off]);
-    };
-    const near = await dots();
+    const near = await count_dot_pixels(page);
     await page.setViewportSize({ width: 740, height: 490 });
     await page.locator('#reset').click();
-    const far = await dots();
+    const far = await count_dot_pixels(page);
     assert.ok(far > 0 && far < 0.7 * near, `${near} and ${far} pixels`);
     await close(page);
   },
@@ -447,10 +515,7 @@ const tests = {
     const shares = [];
     for (const step of [400, 1]) {
       const page = await open({ page_address: write_dots(step) });
-      const shot = async () => (await settle(page), (await page.screenshot()).toString('base64'));
-      const on = await shot();
-      await page.locator('#toggle-generators').uncheck();
-      shares.push((await page.evaluate(count_differing, [on, await shot(), 40])) / (1000 * 700));
+      shares.push((await count_dot_pixels(page, 40)) / (1000 * 700));
       await close(page);
     }
     const [few, many] = shares;

@@ -1,0 +1,34 @@
+// What covers the picture: panels at its right, or on a phone above and below it.
+
+const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
+
+// Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
+export function covered() {
+  const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name).getBoundingClientRect());
+  if (!phone.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
+  const upright = innerWidth < innerHeight;  // on its side there is room beside the title
+  return { left: 0, right: 0, top: upright && head.height ? head.bottom : 0, bottom: bar.height && innerHeight - bar.top };
+}
+
+const panels = () => [...document.querySelectorAll('details')];
+
+// Opens the panels that the page names, on a phone none, and shows the first of them.
+export function open_first_panels() {
+  for (const box of panels()) box.open = !phone.matches && box.dataset.open !== undefined;
+  document.querySelector('aside').scrollTop = 0;
+}
+
+// A panel that is opened comes into view; on a phone the others are closed.
+export function arrange_panels() {
+  open_first_panels();
+  phone.addEventListener('change', () => phone.matches && open_first_panels());
+  for (const box of panels()) {
+    box.addEventListener('toggle', () => {
+      if (!phone.matches || !box.open) return;
+      panels().forEach((other) => (other.open = other === box));
+    });
+    box.querySelector('summary').addEventListener('click', () => {
+      requestAnimationFrame(() => box.open && box.scrollIntoView({ block: 'nearest' }));
+    });
+  }
+}
