@@ -25,16 +25,8 @@ constexpr const char* kExamples =
 
 constexpr const char* kRegions = "Regions";
 
-/// The page shows the labels of the output's faces, and the bisectors and figures of the diagram.
-void write_view(app::Run& run, const Mesh& mesh, const Diagram& diagram, const LabelledMesh& output) {
-  app::write_view_file(run, "gvd-segment", [&] {
-    ViewScene scene = make_view_scene("Regions", mesh, diagram);
-    scene.mesh = &output.mesh;
-    scene.face_label = *output.face_label;
-    scene.vertex_distance = *output.vertex_distance;
-    scene.pieces.clear();
-    return std::vector{scene};
-  });
+void write_view(app::Run& run, const LabelledMesh& output) {
+  app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
 }
 
 void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
@@ -49,7 +41,7 @@ void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, 
   output.diagram = &diagram;
   const auto json = [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); };
   app::write_output_files(run, output, {{"json", json}});
-  write_view(run, mesh, diagram, output);
+  write_view(run, output);
 }
 
 void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
@@ -66,7 +58,7 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   output.diagram_mesh = &mesh;
   const auto json = [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); };
   app::write_output_files(run, output, {{"json", json}});
-  write_view(run, mesh, diagram, output);
+  write_view(run, output);
 }
 
 void segment(app::Run& run, const app::OwnOptions& own) {

@@ -192,6 +192,8 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     const auto& labels = output.contains("cut_mesh") ? output["cut_mesh"]["labels"] : output["face_labels"];
     const std::string page = read_text(scratch / "v.html");
     CHECK(labels_on_page(page) == labels.get<std::vector<int>>());
-    CHECK(nlohmann::json::parse(element_text(page, "manifest"))["up"] == "z");
+    const auto manifest = nlohmann::json::parse(element_text(page, "manifest"));
+    CHECK(manifest["up"] == "z");
+    CHECK(manifest["scenes"][0]["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
   }
 }

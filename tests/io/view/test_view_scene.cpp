@@ -1,6 +1,7 @@
 #include <map>
 
 #include "gvd/diagram.hpp"
+#include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -34,6 +35,42 @@ TEST_CASE("a scene has the labels, pieces, lines and points of its diagram") {
   for (std::size_t i = 0; i < 12; ++i) CHECK(scene.generators[i] == position(mesh, diagram.generators[i]));
   CHECK(figures_of(scene)["Generators"] == "12");
   CHECK(figures_of(scene)["Branch points"] == std::to_string(diagram.branch_points.size()));
+}
+
+TEST_CASE("the scene of a labelled mesh shows its labels, and counts the faces that it shows") {
+  const Mesh mesh = make_sphere(2), finer = make_sphere(3);
+  const Diagram diagram = compute_diagram(mesh, random_generators(mesh, 12, 3));
+  const IdVector<FaceId, GeneratorId> label(std::size_t(finer.face_count()), GeneratorId(3));
+  const IdVector<VertexId, double> distance(std::size_t(finer.vertex_count()), 0.5);
+  LabelledMesh shown{finer};
+  shown.face_label = &label;
+  shown.vertex_distance = &distance;
+  shown.diagram = &diagram;
+  shown.diagram_mesh = &mesh;
+  const ViewScene scene = make_view_scene("A name", shown);
+  CHECK(scene.name == "A name");
+  CHECK(scene.mesh == &finer);
+  CHECK(scene.face_label == label);
+  CHECK(scene.vertex_distance == distance);
+  CHECK(scene.pieces.empty());
+  CHECK(scene.bisectors.size() == diagram.bisectors.size());
+  CHECK(figures_of(scene)["Faces"] == "1280");
+  CHECK(figures_of(scene)["Vertices"] == "642");
+  CHECK(figures_of(scene)["Faces before the cut"] == "320");
+  CHECK(figures_of(scene)["Euler count"] == figures_of(make_view_scene("", mesh, diagram))["Euler count"]);
+}
+
+TEST_CASE("the scene of whole faces counts them once, and none can be made without a diagram") {
+  const Mesh mesh = make_sphere(2);
+  const Diagram diagram = compute_diagram(mesh, random_generators(mesh, 12, 3));
+  LabelledMesh shown{mesh};
+  shown.face_label = &diagram.face_label;
+  shown.vertex_distance = &diagram.vertex_distance;
+  CHECK_THROWS_AS(make_view_scene("", shown), Error);
+  shown.diagram = &diagram;
+  const ViewScene scene = make_view_scene("", shown);
+  CHECK(figures_of(scene)["Faces"] == "320");
+  CHECK(figures_of(scene).count("Faces before the cut") == 0);
 }
 
 TEST_CASE("the line of a closed bisector ends at its first point") {

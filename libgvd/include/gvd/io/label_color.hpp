@@ -17,7 +17,8 @@ struct Rgb {
 /// The grey of faces and vertices that no generator reaches.
 inline constexpr Rgb kUnlabelledColor{160, 160, 160};
 
-/// The colour of a generator's region, the same in every file and page; kUnlabelledColor for an invalid id.
+/// The colour of a generator's region, the same in every file; kUnlabelledColor for an invalid id. Pages
+/// have few colours instead, chosen so that neighbours differ (gvd/io/view.hpp).
 ///
 /// Properties: (1) it depends on the id alone and is the same on every machine; (2) the hues of consecutive ids differ
 /// by the golden angle (137.5 degrees), those of any two of the first 13 by at least 20; (3) no label is grey.

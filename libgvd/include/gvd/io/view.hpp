@@ -5,6 +5,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
 
@@ -51,6 +52,12 @@ struct ViewOptions {
 /// Cost: O(n) time and memory.
 ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram);
 
+/// The scene of a mesh with labels, as its files hold it: whole faces with their labels, or the mesh that was cut along
+/// the bisectors. Faces and vertices in the figures are those of this mesh; where it was cut, the faces before the cut
+/// follow. All other figures are the diagram's.
+/// Throws Error{precondition} where it has no diagram, labels of faces or distances. Cost: O(n) time and memory.
+ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
+
 /// Whether this library carries the page (CMake option GVD_WITH_VIEWER).
 bool has_viewer();
 
@@ -60,7 +67,7 @@ bool has_viewer();
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored
 /// once; (5) a large mesh takes less than 40 bytes a face, beside 650 kB for the page itself; (6) regions with a common
-/// border differ by at least 20 in CIEDE2000, for the colour-blind too, on surfaces of genus 0 and 1.
+/// border differ by at least 20 in CIEDE2000, for the colour-blind too, on surfaces of genus 3 and less.
 /// Throws Error{invalid_option} where the library was built without the viewer.
 /// Throws Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value is out of
 /// its range.

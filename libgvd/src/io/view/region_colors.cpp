@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace gvd::io {
 namespace {
@@ -21,6 +22,13 @@ void add_face_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
     const HalfedgeId h = mesh.halfedge(EdgeId(e));
     if (!mesh.twin(h).valid()) continue;
     add_pair(pairs, scene.face_label[Mesh::face(h)], scene.face_label[Mesh::face(mesh.twin(h))]);
+  }
+}
+
+void add_cell_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
+  for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+    for (const GeneratorId other : scene.cells.raw()[i].neighbours)
+      add_pair(pairs, GeneratorId(std::int64_t(i)), other);
   }
 }
 
@@ -56,11 +64,9 @@ std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
 
 std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < scene.cells.size(); ++i) {
-    for (const GeneratorId other : scene.cells.raw()[i].neighbours)
-      add_pair(pairs, GeneratorId(std::int64_t(i)), other);
-  }
   if (!scene.face_label.empty()) add_face_neighbours(scene, pairs);
+  // Bisectors drawn over whole faces are no borders. The graph with both pairs need not fit the surface.
+  if (!scene.pieces.empty()) add_cell_neighbours(scene, pairs);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -73,9 +79,10 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>
   for (const std::size_t label : order_smallest_last(neighbours)) {
     std::array<std::size_t, kColors + 1> around{};
     for (const std::size_t other : neighbours[label]) ++around[choice[other]];
+    const auto cost = [&](std::size_t c) { return std::tuple(around[c], c >= kUsualColors, uses[c]); };
     std::size_t best = 0;
     for (std::size_t c = 1; c < kColors; ++c) {
-      if (std::pair(around[c], uses[c]) < std::pair(around[best], uses[best])) best = c;
+      if (cost(c) < cost(best)) best = c;
     }
     choice[label] = best;
     ++uses[best];

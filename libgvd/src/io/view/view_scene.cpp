@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "io/view/cell_energy.hpp"
 
@@ -26,15 +27,15 @@ bool reaches_everything(const Diagram& diagram) {
                      [](GeneratorId label) { return label.valid(); });
 }
 
-std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram) {
+std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, const Mesh& shown) {
   const MeshSummary summary = compute_mesh_summary(mesh);
   std::int64_t characteristics = 0, discs = 0;
   for (const Cell& cell : diagram.cells) {
     characteristics += cell.euler_characteristic;
     discs += cell.euler_characteristic == 1 && cell.components == 1;
   }
-  std::vector<ViewFigure> figures{{"Faces", fmt::format("{}", summary.faces)},
-                                  {"Vertices", fmt::format("{}", summary.vertices)},
+  std::vector<ViewFigure> figures{{"Faces", fmt::format("{}", shown.face_count())},
+                                  {"Vertices", fmt::format("{}", shown.vertex_count())},
                                   {"Area", fmt::format("{:.6g}", summary.area)},
                                   {"Euler characteristic", fmt::format("{}", summary.euler_characteristic)},
                                   {"Generators", fmt::format("{}", diagram.generators.size())},
@@ -42,6 +43,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram) {
                                   {"Bisectors", fmt::format("{}", diagram.bisectors.size())},
                                   {"Bisector length", fmt::format("{:.6g}", diagram.length)},
                                   {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
+  if (&shown != &mesh) figures.insert(figures.begin() + 1, {"Faces before the cut", fmt::format("{}", summary.faces)});
   if (reaches_everything(diagram)) {
     figures.push_back({"Euler count", fmt::format("{} of {}", count_excess(mesh, diagram),
                                                   2 * (characteristics - summary.euler_characteristic))});
@@ -57,21 +59,39 @@ std::vector<Vec3> make_polyline(const Mesh& mesh, const Bisector& bisector) {
   return polyline;
 }
 
-}  // namespace
-
-ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
+/// What of a scene does not depend on the mesh that is shown.
+ViewScene make_diagram_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
   ViewScene scene;
   scene.name = std::move(name);
-  scene.mesh = &mesh;
-  scene.face_label = diagram.face_label;
-  scene.pieces = diagram.pieces;
-  scene.vertex_distance = diagram.vertex_distance;
   for (const Bisector& bisector : diagram.bisectors) scene.bisectors.push_back(make_polyline(mesh, bisector));
   for (const SurfacePoint& generator : diagram.generators) scene.generators.push_back(position(mesh, generator));
   for (const BranchPoint& branch_point : diagram.branch_points) scene.branch_points.push_back(branch_point.position);
   scene.cells = diagram.cells;
   scene.cell_energy = io::compute_cell_energies(mesh, diagram);
-  scene.figures = make_figures(mesh, diagram);
+  return scene;
+}
+
+}  // namespace
+
+ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
+  ViewScene scene = make_diagram_scene(std::move(name), mesh, diagram);
+  scene.mesh = &mesh;
+  scene.face_label = diagram.face_label;
+  scene.pieces = diagram.pieces;
+  scene.vertex_distance = diagram.vertex_distance;
+  scene.figures = make_figures(mesh, diagram, mesh);
+  return scene;
+}
+
+ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
+  if (shown.diagram == nullptr || shown.face_label == nullptr || shown.vertex_distance == nullptr)
+    throw Error(ErrorCode::precondition, "a scene of a labelled mesh needs a diagram, face labels and distances");
+  const Mesh& mesh = shown.diagram_mesh != nullptr ? *shown.diagram_mesh : shown.mesh;
+  ViewScene scene = make_diagram_scene(std::move(name), mesh, *shown.diagram);
+  scene.mesh = &shown.mesh;
+  scene.face_label = *shown.face_label;
+  scene.vertex_distance = *shown.vertex_distance;
+  scene.figures = make_figures(mesh, *shown.diagram, shown.mesh);
   return scene;
 }
 
