@@ -86,6 +86,7 @@ void require_bisectors(const Traced& t, const Mesh& mesh) {
       REQUIRE((e == 0 ? b.points.front() : b.points.back()) == t.diagram.branch_points[b.ends[e]].point);
     }
   }
+  REQUIRE(t.diagram.report.unresolved_ends == 0);
   REQUIRE(segments == t.traced.faces.arcs.size());  // every arc in one bisector, once
   REQUIRE(bisectors == Approx(arcs).epsilon(1e-9));
   REQUIRE(t.diagram.length == Approx(bisectors).epsilon(1e-12));
@@ -153,6 +154,22 @@ TEST_CASE("two generators on a ring: two bisectors from boundary to boundary") {
     CHECK((b.points.front().kind() == SurfacePoint::Kind::edge && b.points.back().kind() == SurfacePoint::Kind::edge));
   }
   CHECK(t.diagram.length == Approx(1).epsilon(0.05));
+}
+
+TEST_CASE("ends where an arc is missing are counted as unresolved, those on the boundary are not") {
+  const Mesh sphere = test::make_sphere(3), ring = test::make_ring(24, 6);
+  for (const Mesh* mesh : {&sphere, &ring}) {
+    const std::vector<int> vertices = mesh == &sphere ? std::vector{0, 3} : std::vector{3, 12 * 7 + 3};
+    Traced t(*mesh, test::at_vertices(*mesh, vertices), Front::circle);
+    REQUIRE(t.diagram.report.unresolved_ends == 0);
+    const std::size_t bisectors = t.diagram.bisectors.size();
+    t.traced.faces.arcs.erase(t.traced.faces.arcs.begin() + 7);
+    Diagram torn;
+    trace_bisectors(t.working, t.traced, ParallelChunks(1, Progress()), torn);
+    CHECK(torn.report.unresolved_ends == 2);
+    CHECK(torn.bisectors.size() == (mesh == &sphere ? bisectors : bisectors + 1));  // a closed one is opened
+    for (const Bisector& b : torn.bisectors) CHECK_FALSE(b.closed);
+  }
 }
 
 TEST_CASE("one generator has no bisector") {

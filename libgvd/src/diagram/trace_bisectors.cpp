@@ -108,16 +108,15 @@ class BisectorTracer {
     }
     for (std::size_t c = 0; c < traced_.crossings.size(); ++c) {
       const CrossingId crossing(static_cast<std::int64_t>(c));
-      if (working_.mesh().is_boundary(traced_.crossings[crossing].edge)) {
-        follow(crossing_arcs_[crossing][0], at(crossing), false);
-      }
+      const auto [arc, other] = crossing_arcs_[crossing];
+      if (arc != kNone && other == kNone) follow(arc, at(crossing), false);
     }
     // The remaining arcs have no end: their bisectors are closed.
     for (std::size_t a = 0; a < arcs_.size(); ++a) follow(static_cast<std::int32_t>(a), arcs_[a].begin, true);
   }
 
   /// Adds the bisector that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at the mesh's
-  /// boundary, or where it began.
+  /// boundary, or where it began. An end at a crossing where no further arc begins is unresolved.
   void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
     if (visited_[static_cast<std::size_t>(arc)]) return;
     Bisector bisector;
@@ -138,7 +137,12 @@ class BisectorTracer {
       arc = first == arc ? second : first;
     }
     bisector.ends[1] = here.branch;
+    if (!closed) diagram_.report.unresolved_ends += is_unresolved(from) + is_unresolved(here);
     diagram_.bisectors.push_back(std::move(bisector));
+  }
+
+  bool is_unresolved(const ArcEnd& end) const {
+    return !end.branch.valid() && !working_.mesh().is_boundary(traced_.crossings[end.crossing].edge);
   }
 
   /// Sets the points of bisector i; returns its length.
