@@ -17,10 +17,4 @@ TEST_CASE("a location is a name and, where there is one, a line") {
   }
 }
 
-TEST_CASE("a quotation is short and printable") {
-  CHECK(detail::quoted("abc") == "'abc'");
-  CHECK(detail::quoted("a\n\x01\xff") == "'a" + std::string(3, '?') + "'");
-  CHECK(detail::quoted(std::string(100, 'x')) == "'" + std::string(40, 'x') + "...'");
-}
-
 }  // namespace gvd::test

@@ -47,12 +47,6 @@ TEST_CASE("parse_integer: signs, and nothing beyond 64 bits") {
   for (const char* text : {"", "9223372036854775808", "1.0", "1e3", "+-1", "a"}) CHECK_FALSE(parse_integer(text));
 }
 
-TEST_CASE("quoted: printable and shortened") {
-  CHECK(gvd::quoted("abc") == "'abc'");
-  CHECK(gvd::quoted("a\tb\xff") == "'a?b?'");
-  CHECK(gvd::quoted(std::string(40, 'x')) == "'" + std::string(32, 'x') + "...'");
-}
-
 TEST_CASE("text reader: lines end in LF, CR LF or CR, and are numbered") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const std::string bytes = "a b" + end + end + "c" + end;

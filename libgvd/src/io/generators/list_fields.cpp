@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/printable.hpp"
 #include "gvd/counted.hpp"
 
 namespace gvd::detail {

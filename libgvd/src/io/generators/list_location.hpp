@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace gvd::detail {
 
@@ -17,11 +15,5 @@ struct ListLocation {
   /// "name:line", or the name where there is no line.
   std::string text() const;
 };
-
-/// A text for a message: printable characters only, at most `longest` of them, and "..." where some are left out.
-std::string printable(std::string_view text, std::size_t longest);
-
-/// A field of a list between quotes, printable and short.
-std::string quoted(std::string_view text);
 
 }  // namespace gvd::detail

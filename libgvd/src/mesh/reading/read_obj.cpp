@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
 #include "gvd/counted.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_text.hpp"

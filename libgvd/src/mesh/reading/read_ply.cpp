@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/printable.hpp"
 #include "gvd/error.hpp"
 #include "mesh/reading/check_counts.hpp"
 #include "mesh/reading/read_ply_header.hpp"

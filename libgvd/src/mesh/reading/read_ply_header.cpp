@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "mesh/reading/read_text.hpp"
 
 namespace gvd {

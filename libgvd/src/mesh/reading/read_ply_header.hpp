@@ -43,8 +43,8 @@ struct PlyHeader {
   std::int64_t lines = 0;  ///< number of lines of the header
 };
 
-/// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed, has no element
-/// `vertex` with x, y and z, or no element `face` or `tristrips` with a list `vertex_indices` or `vertex_index`.
+/// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed. It needs an
+/// element `vertex` with x, y and z, and `face` or `tristrips` with a list `vertex_indices` or `vertex_index`.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name);
 
 }  // namespace gvd

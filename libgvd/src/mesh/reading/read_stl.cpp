@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/printable.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "mesh/reading/check_counts.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/printable.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -74,15 +75,6 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   if (stop != end || token.empty() || error != std::errc()) return std::nullopt;
   return value;
 }
-
-std::string printable(std::string_view token) {
-  constexpr std::size_t kLongest = 32;
-  std::string text;
-  for (const char c : token.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
-  return token.size() > kLongest ? text + "..." : text;
-}
-
-std::string quoted(std::string_view token) { return fmt::format("'{}'", printable(token)); }
 
 TextReader::TextReader(std::string_view bytes, std::string_view name, bool comments)
     : text_(bytes), name_(name), comments_(comments) {

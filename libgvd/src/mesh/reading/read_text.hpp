@@ -16,12 +16,6 @@ std::optional<double> parse_double(std::string_view token);
 /// A decimal integer with an optional sign; none where the token is anything else or beyond 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
-/// A token from a file for a message: printable characters only, shortened to 32 characters.
-std::string printable(std::string_view token);
-
-/// The same in quotes.
-std::string quoted(std::string_view token);
-
 /// Reads a text line by line and token by token, and keeps the line number for messages.
 class TextReader {
  public:
