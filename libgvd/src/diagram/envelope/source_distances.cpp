@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "diagram/envelope/equidistant_search.hpp"
-
 namespace gvd {
 namespace {
 
@@ -155,8 +153,7 @@ std::optional<Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, G
 
 std::vector<Bary> SourceDistances::equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const {
   std::vector<Bary> found;
-  EquidistantSearch search;
-  for (const Vec2& p : search.find(*layout_, sources(a), sources(b), sources(c))) {
+  for (const Vec2& p : search_.find(*layout_, sources(a), sources(b), sources(c))) {
     const Bary bary = layout_->bary(p);
     if (!(*std::min_element(bary.begin(), bary.end()) > -kBeyondFace)) continue;
     const auto [least, most] = std::minmax({at(a, bary), at(b, bary), at(c, bary)});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagram/assembly/face_distances.hpp"
+#include "diagram/envelope/equidistant_search.hpp"
 #include "geodesic/field/distance_field.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/field/symbolic_offset.hpp"
@@ -30,7 +31,7 @@ inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Pat
   return true;
 }
 
-/// The distances inside one face from a solver's sources: as accurate as the solver.
+/// The distances inside one face from a solver's sources: as accurate as the solver. Not for several threads at once.
 class SourceDistances final : public FaceDistances {
  public:
   /// `field` must outlive this. `offset`: as on the edges.
@@ -84,6 +85,7 @@ class SourceDistances final : public FaceDistances {
   std::vector<FaceSource> others_;   // with symbolic offsets where sources_ is without, and vice versa; or empty
   std::vector<FaceSource> found_;
   std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
+  mutable EquidistantSearch search_;                         // keeps its memory from face to face
 };
 
 }  // namespace gvd
