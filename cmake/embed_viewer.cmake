@@ -1,4 +1,4 @@
-# Builds the page of --view out of web/ and puts it into a target as data, so that a program needs no file at run time.
+# Builds the page of --view out of web/ and puts it into a target as data. So a program needs no file at run time.
 #
 #   GVD_WITH_VIEWER  ON where npm is found. OFF: gvd::make_view_page refuses, everything else works.
 #   GVD_VIEWER_PAGE  a page that was built elsewhere (BUILD/viewer/viewer.html): no npm and no network are needed then.

@@ -17,8 +17,8 @@
 namespace gvd {
 namespace {
 
-/// A new point splits the edge instead of the face if the ways to it from both ends of the edge make a smaller angle
-/// with the edge, in radians. A split of the face would leave a triangle with these two angles.
+/// Two ways lead to a new point from the ends of an edge. If both make a smaller angle with the edge, in radians, the
+/// point splits the edge instead of the face. A split of the face would leave a triangle with these two angles.
 constexpr double kOnEdge = 1e-9;
 
 /// A flip must gain more than this, relative to the product of four edge lengths, so that rounding can't cause endless

@@ -26,7 +26,7 @@ class BisectorSampler {
   bool is_near(const BisectorSample& sample) const;
   /// The same for the segment between two samples that are near enough. The bisector has a corner where a path changes
   /// from one source to another. So the segment is sampled where paths change, unless the corner can't be high.
-  /// Cost: a few paths for each change, and for a corner that may be high one sample or more, over all sources that may
+  /// Cost: a few paths for each change. A corner that may be high takes one sample or more, over all sources that may
   /// see the band.
   bool is_near_between(const BisectorSample& a, const BisectorSample& b) const;
 

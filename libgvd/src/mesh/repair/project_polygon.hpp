@@ -9,7 +9,7 @@
 namespace gvd {
 
 /// The sine of an angle at or below this counts as 0. Coordinates scaled to 1 carry a rounding error of about 1e-16
-/// each, and the sine of a corner between sides a thousandth as long one of about 1e-13; this is ten times as much.
+/// each. The sine of a corner between sides a thousandth as long has one of about 1e-13; this is ten times as much.
 inline constexpr double kFlatSine = 1e-12;
 
 /// The corners of a polygon in space, and their projection to a plane.
