@@ -13,8 +13,8 @@
 namespace gvd {
 namespace {
 
-/// The second diagonal of a quadrilateral is taken only if it is better by more than this fraction. So rounding does not
-/// decide between those of a square. Dimensionless; far above the rounding of a few operations.
+/// The second diagonal of a quadrilateral is taken only if it is better by more than this fraction. So rounding does
+/// not decide between those of a square. Dimensionless; far above the rounding of a few operations.
 constexpr double kBetterDiagonal = 1e-6;
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
