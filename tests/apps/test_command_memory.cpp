@@ -67,10 +67,32 @@ TEST_CASE("memory: where the system has no more, the message says how much was i
 
 TEST_CASE("memory: of several inputs each has the whole limit") {
   const ScratchFolder scratch;
-  const std::string out = scratch / "out";
-  const CommandResult result = run_command("gvd-segment", data_file("figure.obj") + " " + data_file("torus.ply") +
-                                                              " -n 200 --max-memory 6M --output-dir " + out);
+  // The first one needs some 80 MB, the second one 10.
+  const CommandResult result =
+      run_command("gvd-segment", data_file("figure.obj") + " " + data_file("torus.ply") +
+                                     " -n 200 --chord-tolerance 1e-9 --max-memory 30M --output-dir " + scratch / "out");
   CAPTURE(result.err);
   CHECK(result.exit_code == 5);
-  CHECK_THAT(result.err, Contains("failed (5: out of memory)"));
+  CHECK_THAT(result.err, Contains("figure.obj  failed (5: out of memory)"));
+  if (!kSanitized) CHECK_THAT(result.err, Contains("torus.ply   done"));
+}
+
+TEST_CASE(
+    "memory: where it ends before a message or a thread has some, there is a line and an exit code all the same") {
+  if (kSanitized) return;  // they reserve more than there is
+  const ScratchFolder scratch;
+  int told = 0;
+  for (int kilobytes = 11000; kilobytes <= 20000; kilobytes += 300) {
+    const std::string run = "ulimit -v " + std::to_string(kilobytes) + "; exec '" + GVD_BIN_DIR + "/gvd-remesh' " +
+                            data_file("figure.obj") + " -n 20 -q --threads 2 -o " + scratch / "a.ply";
+    const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
+    CAPTURE(kilobytes, result.err);
+    if (result.exit_code == 127 || result.exit_code == 0) continue;  // the libraries do not fit, or the run does
+    CHECK(result.exit_code == 5);
+    CHECK_THAT(result.err, StartsWith("gvd-remesh: error: ") && !Contains("unexpected"));
+    CHECK(line_count(result.err) == 1);
+    CHECK(!std::filesystem::exists(scratch / "a.ply.partial0"));
+    ++told;
+  }
+  CHECK(told > 0);
 }

@@ -145,3 +145,15 @@ TEST_CASE("commands: an interrupted run exits with 130 and leaves the old file")
     }
   }
 }
+
+TEST_CASE("commands: a pipe without a reader is waited for until the run is interrupted") {
+  const ScratchFolder scratch;
+  REQUIRE(std::system(("mkfifo " + scratch / "pipe.off").c_str()) == 0);
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    const CommandResult result =
+        run_interrupted(name, {data_file("torus.ply"), "-n", "9", "-q", "-o", scratch / "pipe.off"}, SIGINT);
+    CHECK(result.exit_code == 130);
+    CHECK(line_count(result.err) == 1);
+  }
+}

@@ -1,5 +1,6 @@
 // Several inputs of one call: a run and outputs for each, and one table.
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +56,19 @@ TEST_CASE("several inputs: a run's output is that of the same run alone") {
   const CommandResult quiet = run_command("gvd-segment", inputs.all + inputs.to_out + " -q");
   CHECK(quiet.exit_code == 3);
   CHECK(line_count(quiet.err) == 1);
+}
+
+TEST_CASE("several inputs: a pipe whose reader leaves ends one run without a word") {
+  const Inputs inputs;
+  fs::create_directory(inputs.out);
+  const std::string pipe = inputs.out + "/torus.json";
+  REQUIRE(std::system(("mkfifo " + pipe + "; { true < " + pipe + "; } &").c_str()) == 0);
+  const CommandResult result =
+      run_command("gvd-segment", data_file("torus.ply") + " " + inputs.good + inputs.to_out + " --output-format json");
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 141);
+  CHECK_THAT(result.err, Contains("failed (141: reader gone)") && !Contains("error"));
+  CHECK(fs::is_regular_file(inputs.out + "/good.json"));
 }
 
 TEST_CASE("several inputs: E is in the table with --verify") {

@@ -9,6 +9,7 @@
 #include "common/run/outcome.hpp"
 #include "common/run/run_several.hpp"
 #include "common/run/standard_output.hpp"
+#include "common/run/termination.hpp"
 
 namespace gvd::app {
 namespace {
@@ -20,10 +21,16 @@ std::string help_footer(const std::string& examples) {
          "130 interrupted; of several inputs, that of the first one that failed.\n";
 }
 
+/// The description of a command whose options may not find the memory that they need.
+CommandInfo guard(CommandInfo info) {
+  report_termination(info.name);
+  return info;
+}
+
 }  // namespace
 
 Command::Command(CommandInfo info)
-    : info_(std::move(info)),
+    : info_(guard(std::move(info))),
       line_(info_.name, info_.description, info_.name + " " + GVD_VERSION, help_footer(info_.examples)) {
   register_options(line_, options_, info_.output_formats);
 }
@@ -39,24 +46,24 @@ void Command::check() const { check_options(options_, {info_.output_formats, inf
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
   reserve_standard_streams();
   install_signal_handlers();
-  int exit_code = 0;
+  int exit_code = kDone;
   const Outcome outcome = run_guarded([&] {
     if (const auto answer = line_.parse(argc, argv)) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }
     check();
-    limit_memory_of(options_.compute);
     if (!options_.output.folder.empty()) {
       exit_code = run_several(info_.name, plan_runs(options_), body);
       return;
     }
+    limit_memory_of(options_.compute);
     Console console(info_.name, detect_console_style(), options_.quiet, options_.verbose);
     Run run(info_.name, options_, console);
     body(run);
   });
   if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
   if (!outcome.message.empty()) Console(info_.name, {}, false, false).error(outcome.message);
-  return outcome.exit_code != 0 ? outcome.exit_code : exit_code;
+  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
 }
 
 }  // namespace gvd::app

@@ -98,9 +98,12 @@ void Console::bar(std::string_view step, double fraction) {
 }
 
 void Console::clear_bar() {
-  if (!bar_drawn_) return;
-  write_stderr(kClearLine);
+  if (bar_drawn_) clear_line();
   bar_drawn_ = false;
+}
+
+void Console::clear_line() {
+  if (style_.bars) write_stderr(kClearLine);
 }
 
 }  // namespace gvd::app

@@ -48,6 +48,8 @@ class Console {
   /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();
+  /// Clears the terminal's line, where another console may have drawn a bar.
+  void clear_line();
 
  private:
   void line(std::string_view kind, std::string_view message);

@@ -5,13 +5,7 @@
 
 #include <array>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <fstream>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "common/run/heap_count.hpp"
 
@@ -19,7 +13,6 @@ namespace gvd::app {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{50};
-constexpr int kNoResult = 5;
 
 struct State {
   std::optional<std::int64_t> limit;
@@ -40,23 +33,11 @@ std::optional<std::int64_t> resident_bytes() {
   return resident * ::sysconf(_SC_PAGESIZE);
 }
 
-/// Functions that may not throw, such as destructors, end the process where they are refused memory.
-[[noreturn]] void terminate_for_memory() {
-  lift_heap_limit_here();
-  if (!refused_request()) std::abort();
-  std::fputs(fmt::format("error: {}\n", describe_shortage()).c_str(), stderr);
-  std::_Exit(kNoResult);
-}
-
 }  // namespace
 
 void limit_memory(std::optional<std::int64_t> bytes, const std::string& advice) {
-#ifdef __GLIBC__
-  ::malloc_trim(0);  // what an earlier run has freed is not held against the next one
-#endif
   state() = {bytes, advice, {}};
   limit_heap(bytes);
-  std::set_terminate(terminate_for_memory);
 }
 
 void check_memory() {

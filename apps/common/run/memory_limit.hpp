@@ -21,8 +21,7 @@ class MemoryLimitPassed : public std::bad_alloc {
 };
 
 /// From now on a request for memory that passes the limit throws std::bad_alloc: see `limit_heap`. Nothing: no limit.
-/// An exception that nothing catches ends the process with a message too, where memory is short. `advice`: what lets
-/// the run do with less, for messages.
+/// `advice`: what lets the run do with less, for messages.
 void limit_memory(std::optional<std::int64_t> bytes, const std::string& advice = kLessMemory);
 
 /// Throws MemoryLimitPassed where the resident memory is above the limit: what is not counted as heap counts here. Asks

@@ -4,6 +4,9 @@
 
 #include <exception>
 #include <new>
+#include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "common/run/heap_count.hpp"
 #include "common/run/memory_limit.hpp"
@@ -15,27 +18,51 @@ namespace {
 
 struct CodeWords {
   ErrorCode code;
-  int exit_code;
+  ExitCode exit_code;
   const char* words;
 };
 
-constexpr CodeWords kNoResult{ErrorCode::no_valid_result, 5, "no valid result"};
-constexpr CodeWords kCodes[]{{ErrorCode::invalid_option, 2, "usage"},
-                             {ErrorCode::unreadable_input, 3, "unreadable input"},
-                             {ErrorCode::precondition, 4, "precondition not met"},
-                             kNoResult,
-                             {ErrorCode::unwritable_output, 6, "not written"},
-                             {ErrorCode::interrupted, 130, "interrupted"},
+constexpr CodeWords kNoValidResult{ErrorCode::no_valid_result, kNoResult, "no valid result"};
+constexpr CodeWords kCodes[]{{ErrorCode::invalid_option, kUsage, "usage"},
+                             {ErrorCode::unreadable_input, kUnreadableInput, "unreadable input"},
+                             {ErrorCode::precondition, kPreconditionNotMet, "precondition not met"},
+                             kNoValidResult,
+                             {ErrorCode::unwritable_output, kNotWritten, "not written"},
+                             {ErrorCode::interrupted, kInterrupted, "interrupted"},
                              {ErrorCode::reader_gone, kReaderGone, "reader gone"}};
 
 const CodeWords& words_of(ErrorCode code) {
   for (const CodeWords& each : kCodes) {
     if (each.code == code) return each;
   }
-  return kNoResult;
+  return kNoValidResult;
 }
 
-Outcome describe(const std::exception_ptr& failure) {
+Outcome out_of_memory(std::optional<std::int64_t> in_use = {}) {
+  return {kNoResult, describe_shortage(in_use), "out of memory"};
+}
+
+/// oneTBB throws a std::runtime_error with the name of the function that failed; std::thread a std::system_error.
+bool tells_of_threads(const std::exception& error) {
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
+
+Outcome describe_exception(const std::exception& error) {
+  if (tells_of_threads(error)) {
+    return {kNoResult,
+            "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
+            "no thread"};
+  }
+  return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
+}
+
+}  // namespace
+
+Outcome describe_failure(const std::exception_ptr& failure) {
+  if (!failure && refused_request()) return out_of_memory();  // not even the exception had memory
+  if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
   try {
     std::rethrow_exception(failure);
   } catch (const Error& error) {
@@ -43,15 +70,15 @@ Outcome describe(const std::exception_ptr& failure) {
     const bool gone = error.code() == ErrorCode::reader_gone;
     return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
   } catch (const MemoryLimitPassed& passed) {
-    return {kNoResult.exit_code, describe_shortage(passed.in_use()), "out of memory"};
+    return out_of_memory(passed.in_use());
   } catch (const std::bad_alloc&) {
-    return {kNoResult.exit_code, describe_shortage(), "out of memory"};
+    return out_of_memory();
   } catch (const std::exception& error) {
-    return {kNoResult.exit_code, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
+    return describe_exception(error);
+  } catch (...) {
+    return {kNoResult, "unexpected: an exception of an unknown type; please report it", "unexpected error"};
   }
 }
-
-}  // namespace
 
 Outcome run_guarded(const std::function<void()>& work) {
   std::exception_ptr failure;
@@ -62,7 +89,7 @@ Outcome run_guarded(const std::function<void()>& work) {
     failure = std::current_exception();
   }
   lift_heap_limit_here();  // the message needs some
-  return describe(failure);
+  return describe_failure(failure);
 }
 
 }  // namespace gvd::app

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "common/run/exit_code.hpp"
 #include "gvd/io/atomic_file.hpp"
 
 namespace gvd::app {
@@ -18,8 +19,7 @@ void write_standard_output(const std::function<void(std::ostream&)>& write) {
 int end_by_broken_pipe() {
   std::signal(SIGPIPE, SIG_DFL);
   std::raise(SIGPIPE);
-  constexpr int kSignalled = 128;  // what shells add
-  return kSignalled + SIGPIPE;
+  return kReaderGone;
 }
 
 void reserve_standard_streams() {

@@ -1,12 +1,15 @@
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "io/fixture.hpp"
+#include "io/writers/unnamed_file.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd;
@@ -136,6 +139,27 @@ TEST_CASE("a long name, a link, a leftover and the permissions are respected") {
   CHECK(folder.names() == std::vector<std::string>{"link", "real", "real.partial0"});
 }
 
+TEST_CASE("(4) a killed process leaves the old file and nothing else") {
+  const TemporaryFolder folder;
+  if (std::FILE* const unnamed = detail::open_unnamed(folder / "")) {
+    std::fclose(unnamed);
+  } else {
+    WARN("skipped: no files without a name here");
+    return;
+  }
+  write_bytes(folder / "a.txt", "old");
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    AtomicFile file(folder / "a.txt");
+    file.stream() << "new" << std::flush;
+    ::raise(SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  CHECK(read_bytes(folder / "a.txt") == "old");
+  CHECK(folder.names() == std::vector<std::string>{"a.txt"});
+}
+
 TEST_CASE("a file without a folder lands in the current one") {
   const TemporaryFolder folder;
   const fs::path before = fs::current_path();
@@ -153,7 +177,8 @@ TEST_CASE("whether a target can be written is found out without a trace") {
   check_writable("/dev/null");
   CHECK(folder.names() == std::vector<std::string>{"old"});
   CHECK(read_bytes(folder / "old") == "old");
-  for (const fs::path& path : {folder / "none" / "a", folder / "", fs::path("/proc/x"), fs::path()}) {
+  for (const fs::path& path :
+       {folder / "none" / "a", folder / "", fs::path("/proc/x"), folder / std::string(300, 'a'), fs::path()}) {
     CHECK(contains(message_of(ErrorCode::unwritable_output, [&] { check_writable(path); }), path.string()));
   }
 }

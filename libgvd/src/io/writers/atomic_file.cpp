@@ -1,6 +1,7 @@
 #include "gvd/io/atomic_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "io/writers/unnamed_file.hpp"
 
 namespace gvd {
 namespace {
@@ -41,6 +43,7 @@ using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 /// own.
 [[noreturn]] void fail_write(const std::string& name, int error) {
   if (error == EPIPE) throw Error(ErrorCode::reader_gone, fmt::format("the reader of {} is gone", name));
+  if (error == EINTR) throw Error(ErrorCode::interrupted, fmt::format("interrupted while {} was written", name));
   throw Error(ErrorCode::unwritable_output, fmt::format("cannot write {}: {}", name, reason_of(error)));
 }
 
@@ -103,15 +106,20 @@ fs::path follow_links(fs::path path) {
 
 FilePointer open_or_fail(const fs::path& target, const fs::path& path, const char* mode) {
   FilePointer file(std::fopen(path.c_str(), mode));
+  if (!file && errno == EINTR) {  // a pipe is opened once it has a reader
+    throw Error(ErrorCode::interrupted, fmt::format("interrupted while '{}' waited for a reader", target.string()));
+  }
   if (!file) fail(target, reason_of(errno));
   return file;
 }
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 /// Refuses, before the content is written, a target that can't be renamed to or must not be replaced.
 void check_target(const fs::path& target, const fs::path& file, const fs::file_status& status) {
   std::error_code ignored;
   if (fs::is_directory(status)) fail(target, "it is a directory; name a file");
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(file);
   if (!fs::exists(folder, ignored))
     fail(target, fmt::format("there is no directory '{}'; create it first", folder.string()));
   // A rename would replace a write-protected file.
@@ -131,16 +139,17 @@ struct AtomicFile::State {
   }
 
   void open() {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(file, ignored);
+    std::error_code failed;
+    const fs::file_status status = fs::status(file, failed);
     if (target.empty()) fail(target, "the name is empty; name a file");
+    if (failed == std::errc::filename_too_long) fail(target, failed.message());
     check_target(target, file, status);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
       attach(open_or_fail(target, file, "wb"));
       return;
     }
     attach(create_temporary());
-    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
+    if (fs::exists(status)) ::fchmod(::fileno(opened.get()), static_cast<mode_t>(status.permissions()));
   }
 
   void attach(FilePointer file_to_write) {
@@ -148,29 +157,43 @@ struct AtomicFile::State {
     buffer.attach(opened.get());
   }
 
-  void close() {
-    std::FILE* closing = opened.release();
-    if (closing != nullptr && std::fclose(closing) != 0) fail_write(buffer.name(), errno);
+  FilePointer create_temporary() {
+    FilePointer created(detail::open_unnamed(folder_of(file)));
+    is_unnamed = created != nullptr;
+    if (is_unnamed) return created;
+    // Created exclusively, so that two runs with the same target do not write into each other's file.
+    take_name([&](const fs::path& name) {
+      created.reset(std::fopen(name.c_str(), "wbx"));
+      return created != nullptr;
+    });
+    return created;
   }
 
-  /// Created exclusively, so that two runs with the same target do not write into each other's file.
-  FilePointer create_temporary() {
+  /// Names the temporary file; `try_name` says whether it could have the name, and why not in errno.
+  void take_name(const std::function<bool(const fs::path&)>& try_name) {
     const std::string name = file.filename().string().substr(0, kNameBytes);
     for (int i = 0; i < kMaxLeftovers; ++i) {
       const fs::path candidate = file.parent_path() / fmt::format("{}.partial{}", name, i);
-      FilePointer created(std::fopen(candidate.c_str(), "wbx"));
-      if (created) {
+      if (try_name(candidate)) {
         temporary = candidate;
-        return created;
+        return;
       }
       if (errno != EEXIST) fail(target, reason_of(errno));
     }
     fail(target, fmt::format("too many files named '{}.partial*' beside it; remove them", name));
   }
 
+  /// The file has no more to come: it gets a name, and is closed.
+  void finish() {
+    if (is_unnamed) take_name([&](const fs::path& name) { return detail::give_name(opened.get(), name); });
+    std::FILE* closing = opened.release();
+    if (closing != nullptr && std::fclose(closing) != 0) fail_write(buffer.name(), errno);
+  }
+
   fs::path target;     ///< as given, for messages
   fs::path file;       ///< what it leads to
-  fs::path temporary;  ///< empty where the file is written directly, and once there is nothing to remove
+  fs::path temporary;  ///< empty where the file is written directly or has no name, and once there is nothing to remove
+  bool is_unnamed = false;
   FilePointer opened;
   FileBuffer buffer;
   std::ostream stream;
@@ -190,7 +213,7 @@ std::ostream& AtomicFile::stream() { return state_->stream; }
 
 void AtomicFile::commit() {
   state_->stream.flush();
-  state_->close();
+  state_->finish();
   if (state_->temporary.empty()) return;
   std::error_code error;
   fs::rename(state_->temporary, state_->file, error);

@@ -1,5 +1,6 @@
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "common/run/outcome.hpp"
 #include "gvd/error.hpp"
@@ -17,6 +18,20 @@ TEST_CASE("work that returns is done, and what it throws becomes a code and a me
   const Outcome strange = run_guarded([] { throw std::runtime_error("x"); });
   CHECK(strange.exit_code == 5);
   CHECK(strange.message == "unexpected: x; please report it");
+}
+
+TEST_CASE("a thread that can't be started is told as such, with what helps") {
+  const auto no_thread = [] {
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  };
+  const auto none_of_tbb = [] { throw std::runtime_error("pthread_create has failed: Resource unavailable"); };
+  for (const std::function<void()>& work : {std::function<void()>(no_thread), std::function<void()>(none_of_tbb)}) {
+    const Outcome outcome = run_guarded(work);
+    CHECK(outcome.exit_code == 5);
+    CHECK(outcome.summary == "no thread");
+    CHECK_THAT(outcome.message, Catch::Matchers::StartsWith("a thread could not be started") &&
+                                    Catch::Matchers::EndsWith("use --threads 1"));
+  }
 }
 
 TEST_CASE("a reader that is gone ends without a message") {
