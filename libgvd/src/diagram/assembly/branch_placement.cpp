@@ -44,9 +44,9 @@ Bary approach(const Bary& safe, const std::optional<Bary>& wanted, bool is_accur
   return mix(safe, *wanted, last * (1 - left_out(beyond, is_accurate)));
 }
 
-/// A polygon that a first branch point has left may be much thinner than it is long. An accurate guess may lie beside it
-/// by rounding or a tie: up to this far, in barycentric coordinates. It moves to the nearest point of the polygon, and
-/// not to where the way from the centre leaves it.
+/// A polygon that a first branch point has left may be much thinner than it is long. An accurate guess may lie beside
+/// it by rounding or a tie: up to this far, in barycentric coordinates. It moves to the nearest point of the polygon,
+/// and not to where the way from the centre leaves it.
 constexpr double kBesidePolygon = 1e-4;
 
 Bary nearest_of_segment(const Bary& a, const Bary& b, const Bary& p) {
