@@ -12,13 +12,18 @@ namespace {
 /// A point this far outside of a piece counts as inside, in barycentric coordinates: a thousand times the rounding.
 constexpr double kInside = 1e-9;
 
+/// Whether a point lies in a polygon that need not be convex, or near its border.
 bool contains(const FacePiece& piece, const Bary& bary) {
   const std::size_t n = piece.corners.size();
+  const Vec2 p = affine_point(bary);
+  bool inside = false;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 begin = affine_point(piece.corners[i]), end = affine_point(piece.corners[(i + 1) % n]);
-    if (twice_signed_area(begin, end, affine_point(bary)) < -kInside * (end - begin).norm()) return false;
+    const Vec2 a = affine_point(piece.corners[i]) - p, b = affine_point(piece.corners[(i + 1) % n]) - p;
+    const double along = std::clamp(-a.dot(b - a) / std::max((b - a).squaredNorm(), 1e-300), 0.0, 1.0);
+    if ((a + along * (b - a)).norm() <= kInside) return true;
+    if ((a.y() > 0) != (b.y() > 0) && (cross(a, b) > 0) == (b.y() > a.y())) inside = !inside;
   }
-  return true;
+  return inside;
 }
 
 /// Calls visit(index) for every piece of the generator's label that contains it.
@@ -46,6 +51,7 @@ CellParts number_parts(const Mesh& mesh, const Pieces& pieces, UnionFind& sets) 
     parts.part_of[i] = parts.part_of[root];
     const double area = mesh.area(pieces[i].face) * area_share(pieces[i].corners);
     parts.area[static_cast<std::size_t>(parts.part_of[i])] += area;
+    parts.total_area += area;
   }
   parts.has_generator.resize(parts.area.size(), 0);
   return parts;

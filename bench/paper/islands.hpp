@@ -8,6 +8,10 @@
 
 namespace gvd::paper {
 
+/// Smaller components are no islands: a fraction of the mesh's area. Where three generators are equally far from a
+/// vertex, rounding leaves its label a triangle of some 1e-12 edges.
+inline constexpr double kLeastIsland = 1e-12;
+
 /// The connected components of all cells.
 struct CellParts {
   std::vector<std::int32_t> part_of;   ///< [piece] its component, numbered from 0 in the order of their first pieces
@@ -15,10 +19,12 @@ struct CellParts {
   std::vector<char> has_generator;     ///< [component] whether the generator lies in it
   std::vector<double> area;            ///< [component] square mesh units
 
-  /// A component of a cell without its generator.
+  double total_area = 0;  ///< of all components
+
+  /// A component of a cell without its generator, larger than kLeastIsland.
   bool is_island(std::int32_t part) const {
     const auto i = static_cast<std::size_t>(part);
-    return generator[i].valid() && has_generator[i] == 0;
+    return generator[i].valid() && has_generator[i] == 0 && area[i] > kLeastIsland * total_area;
   }
 };
 

@@ -3,6 +3,7 @@
 #include "pieces_of_faces.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
 
 using namespace gvd;
 using namespace gvd::paper;
@@ -50,4 +51,27 @@ TEST_CASE("a generator in the cell of another one is lost, and pieces without a 
   CHECK(found.faults.lost_generators == 1);
   CHECK(found.faults.islands == 1);
   CHECK(found.faults.unowned_area == Approx(1));
+}
+
+TEST_CASE("a component that rounding leaves at a vertex is no island") {
+  const Mesh mesh = test::make_grid(5, 1);
+  for (const auto& [width, islands] : {std::pair(1e-12, 0), std::pair(1e-3, 1)}) {
+    Pieces pieces = test::whole_faces(mesh, [](FaceId) { return 0; });
+    const LinearForm corner{width, width - 1, width - 1}, rest{-width, 1 - width, 1 - width};
+    pieces[0] = {FaceId(0), GeneratorId(0), clip_polygon(whole_face(), rest, true)};
+    pieces.insert(pieces.begin(), {FaceId(0), GeneratorId(1), clip_polygon(whole_face(), corner, true)});
+    Comparison result;
+    collect_pieces(mesh, {middle(2), middle(4)}, std::move(pieces), result);
+    CHECK(result.faults.islands == islands);
+  }
+}
+
+TEST_CASE("a generator in the notch of a piece is not in it") {
+  const Mesh mesh = test::make_triangle();
+  const SurfacePoint generator = make_surface_point(FaceId(0), {0.3, 0.35, 0.35});
+  const Polygon notched{{1, 0, 0}, {0, 1, 0}, {0.6, 0.2, 0.2}, {0, 0, 1}}, notch{{0, 1, 0}, {0, 0, 1}, {0.6, 0.2, 0.2}};
+  const Pieces outside{{FaceId(0), GeneratorId(0), notched}, {FaceId(0), GeneratorId(1), notch}};
+  CHECK(find_cell_parts(mesh, {generator}, outside, {}).has_generator == std::vector<char>{0, 0});
+  const Pieces inside{{FaceId(0), GeneratorId(1), notched}, {FaceId(0), GeneratorId(0), notch}};
+  CHECK(find_cell_parts(mesh, {generator}, inside, {}).has_generator == std::vector<char>{0, 1});
 }
