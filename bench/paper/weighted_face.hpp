@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "diagram/graph/crossings.hpp"
+#include "geodesic/field/distance_field.hpp"
+#include "piece_contacts.hpp"
+
+namespace gvd::paper {
+
+/// A part of a face's boundary with one label: from its first point to its last one, counter-clockwise.
+struct BoundaryRun {
+  GeneratorId generator;
+  std::vector<std::array<double, 3>> points;
+};
+
+/// Cuts a face by the additively weighted Voronoi diagram of the sources that reach it, with straight segments.
+///
+/// Two crossings are joined by a segment. Where runs of three generators follow each other, a point that is equally far
+/// from all three, and no nearer to any other one, ends the one in the middle; the same again with the runs that are
+/// left. A run between two of one generator is closed by a segment. Where no rule applies the ends meet in the mean of
+/// the crossings, and the face counts as forced.
+class WeightedFace {
+ public:
+  /// `sources`: all that reach the face, as `DistanceField::collect` gives them. Lengths in mesh units. Both must
+  /// outlive this.
+  WeightedFace(const FaceLayout& layout, const std::vector<FaceSource>& sources);
+
+  struct Cut {
+    std::vector<BoundaryRun> polygons;  ///< the points go round the whole piece
+    bool forced = false;
+  };
+  /// `runs`: round the boundary; two or more, with different labels one after the other.
+  Cut cut(std::vector<BoundaryRun> runs) const;
+
+ private:
+  double distance(GeneratorId g, const Vec2& p) const;
+  bool is_nearest_to(const std::array<GeneratorId, 3>& three, const Vec2& p) const;
+  std::vector<std::array<double, 3>> find_branch_points(const std::array<GeneratorId, 3>& three) const;
+  bool contract_triple(std::vector<BoundaryRun>& runs, Cut& cut) const;
+  static bool contract_bump(std::vector<BoundaryRun>& runs, Cut& cut);
+  void join_last(std::vector<BoundaryRun> runs, Cut& cut) const;
+
+  const FaceLayout& layout_;
+  std::vector<std::vector<FaceSource>> sources_;  // by generator, ascending
+};
+
+/// The runs of a face's boundary between its crossings, which are not empty.
+std::vector<BoundaryRun> make_runs(const std::vector<BoundaryCrossing>& crossings);
+
+}  // namespace gvd::paper

@@ -1,0 +1,82 @@
+#include "judge.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/planar_voronoi.hpp"
+#include "window_voronoi.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+namespace {
+
+double error_of(const Judge& judge, const Diagram& diagram) { return judge.judge(diagram).error.error_integral; }
+
+std::vector<SurfacePoint> some_vertices(const Mesh& mesh, int count) {
+  std::vector<SurfacePoint> generators;
+  for (int i = 0; i < count; ++i) {
+    generators.push_back(vertex_point(mesh, VertexId(i * (mesh.vertex_count() - 1) / (count - 1))));
+  }
+  return generators;
+}
+
+}  // namespace
+
+TEST_CASE("on a flat grid exact windows give the planar Voronoi diagram, wherever the generators lie") {
+  const Mesh mesh = test::make_grid(12, 9);
+  const auto generators = test::random_generators(mesh, 15, 3);
+  const Comparison found = compute_window_voronoi(mesh, generators);
+  std::vector<Vec2> points;
+  for (const SurfacePoint& g : generators) points.push_back(position(mesh, g).head<2>());
+  const test::PlanarVoronoi planar(points, 12, 9);
+  for (int i = 0; i < 15; ++i) {
+    CHECK(found.diagram.cells[GeneratorId(i)].area == Approx(planar.cell_area(i)).epsilon(1e-6));
+  }
+  CHECK(error_of(Judge(mesh, generators), found.diagram) < 1e-6);
+  CHECK(found.faults.islands == 0);
+  CHECK(found.faults.open_ends == 0);
+  CHECK(found.faults.forced_faces == 0);
+}
+
+TEST_CASE("on a sphere straight segments between exact crossings beat planar growth") {
+  const Mesh mesh = test::make_sphere(3);
+  const auto generators = some_vertices(mesh, 14);
+  const Judge judge(mesh, generators);
+  DiagramOptions planar;
+  planar.method = Method::gbgvd;
+  planar.front = Front::planar;
+  const Comparison found = compute_window_voronoi(mesh, generators);
+  const Judgement judgement = judge.judge(found.diagram);
+  CHECK(judgement.error.error_integral > 0);
+  CHECK(judgement.error.error_integral < 0.1 * error_of(judge, compute_diagram(mesh, generators, planar)));
+  CHECK(judgement.wrong_labels == 0);
+  const Diagram exact = compute_diagram(mesh, generators);
+  CHECK(judgement.error.error_integral > error_of(judge, exact));  // whose arcs are curved
+  CHECK(found.diagram.length == Approx(exact.length).epsilon(1e-3));
+}
+
+TEST_CASE("windows that no other generator prunes give the same diagram") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto generators = some_vertices(mesh, 9);
+    const Comparison pruned = compute_window_voronoi(mesh, generators);
+    const Comparison unpruned = compute_window_voronoi(mesh, generators, {true});
+    const Judge judge(mesh, generators);
+    CHECK(judge.judge(pruned.diagram).wrong_labels == 0);
+    CHECK(judge.judge(unpruned.diagram).wrong_labels == 0);
+    CHECK(unpruned.diagram.length == Approx(pruned.diagram.length).epsilon(0.02));
+    CHECK(error_of(judge, unpruned.diagram) <= 1.5 * error_of(judge, pruned.diagram) + 1e-6 * mesh.bbox_diagonal());
+  }
+}
+
+TEST_CASE("exact windows leave no island and no open end on curved meshes") {
+  for (const Mesh& mesh : {test::make_bumpy_sphere(3, 4), test::make_torus(24, 12), test::make_plate(12, 0.01)}) {
+    const Comparison found = compute_window_voronoi(mesh, test::random_generators(mesh, 12, 6));
+    CHECK(found.faults.islands == 0);
+    CHECK(found.faults.lost_generators == 0);
+    CHECK(found.faults.open_ends == 0);
+    double area = 0;
+    for (const Cell& cell : found.diagram.cells) area += cell.area;
+    CHECK(area == Approx(compute_mesh_summary(mesh).area).epsilon(1e-9));
+  }
+}
