@@ -1,0 +1,109 @@
+// gvd-compare: the methods that the paper compares itself with, beside ours, one line each.
+//
+//   gvd-compare [MESH...] [-m 30] [--seed 0] [--runs 1] [--time-factor 1] [--no-unpruned]
+//
+// The generators are random vertices, seeded. Times are processor times of one thread, the medians of the runs:
+//   E          the integral of the difference of the exact distances along the bisectors (section 5.2)
+//   wrong      vertices with another label than a nearest generator
+//   islands    components of cells without their generator, and their share of the area
+//   forced     faces closed without a rule of the method, or at its cap
+//   open       ends of bisectors that nothing continues
+//   GDF, VD    milliseconds of the distances, and of the diagram
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "command_line.hpp"
+#include "draw_vertices.hpp"
+#include "judge.hpp"
+#include "list_comparators.hpp"
+
+namespace gvd::paper {
+namespace {
+
+struct Settings {
+  std::vector<std::string> meshes;
+  int generators = 30;
+  std::uint64_t seed = 0;
+  int runs = 1;
+  ComparatorOptions comparators;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The result of the last run, with the medians of the times.
+Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                       int runs) {
+  Comparison result;
+  std::vector<double> field, diagram;
+  for (int run = 0; run < runs; ++run) {
+    result = comparator.run(mesh, generators);
+    field.push_back(result.field_ms);
+    diagram.push_back(result.diagram_ms);
+  }
+  result.field_ms = median(field);
+  result.diagram_ms = median(diagram);
+  return result;
+}
+
+void print_header() {
+  std::cout << fmt::format("{:<14} {:>10} {:>8} {:>10} {:>14} {:>7} {:>5} {:>10} {:>10}\n", "method", "E", "length",
+                           "wrong", "islands", "forced", "open", "GDF ms", "VD ms");
+}
+
+void print_row(const std::string& name, const Comparison& result, const Judgement& judgement, double area) {
+  const Faults& faults = result.faults;
+  const std::string islands = fmt::format("{} ({:.2f} %)", faults.islands, 100 * faults.island_area / area);
+  const double share = static_cast<double>(judgement.wrong_labels) / static_cast<double>(judgement.labelled);
+  std::cout << fmt::format("{:<14} {:>10.3g} {:>8.2f} {:>8.2f} % {:>14} {:>7} {:>5} {:>10.1f} {:>10.1f}\n", name,
+                           judgement.error.error_integral, judgement.error.length, 100 * share, islands,
+                           faults.forced_faces, faults.open_ends, result.field_ms, result.diagram_ms)
+            << std::flush;
+}
+
+void compare(const std::string& path, const Settings& settings) {
+  const bench::NamedMesh named = bench::read_named_mesh(path);
+  const Mesh& mesh = named.mesh;
+  std::vector<SurfacePoint> generators;
+  for (const VertexId v : bench::draw_vertices(mesh, settings.generators, settings.seed)) {
+    generators.push_back(vertex_point(mesh, v));
+  }
+  std::cout << fmt::format("{}: {} faces, {} generators, seed {}\n", named.name, mesh.face_count(), generators.size(),
+                           settings.seed);
+  print_header();
+  const Judge judge(mesh, generators);
+  const double area = compute_mesh_summary(mesh).area;
+  for (const Comparator& comparator : list_comparators(settings.comparators)) {
+    const Comparison result = run_several(comparator, mesh, generators, settings.runs);
+    print_row(comparator.name, result, judge.judge(result.diagram), area);
+  }
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  bool no_unpruned = false;
+  CLI::App app("Compares the paper's comparators with this library's methods, by E, labels, faults and time");
+  bench::add_mesh_arguments(app, settings.meshes);
+  app.add_option("-m,--generators", settings.generators, "number of generators: random vertices")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", settings.seed, "seed for drawing the generators");
+  app.add_option("--runs", settings.runs, "runs; times are their medians")->check(CLI::PositiveNumber);
+  app.add_option("--time-factor", settings.comparators.diffusion.time_factor,
+                 "time step of diffusion, in squared mean edge lengths")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--no-unpruned", no_unpruned, "leave out windows of each generator for itself, which need much memory");
+  CLI11_PARSE(app, argc, argv);
+  settings.comparators.unpruned_windows = !no_unpruned;
+  for (const std::string& path : settings.meshes) compare(path, settings);
+  return 0;
+}
+
+}  // namespace
+}  // namespace gvd::paper
+
+int main(int argc, char** argv) { return gvd::bench::run_program("gvd-compare", gvd::paper::run, argc, argv); }

@@ -1,0 +1,46 @@
+#include <set>
+
+#include "judge.hpp"
+#include "list_comparators.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+TEST_CASE("every comparator has a name of its own and fills a diagram that the same E judges") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  std::vector<SurfacePoint> generators;
+  for (int i = 0; i < 10; ++i) generators.push_back(vertex_point(mesh, VertexId(1 + 60 * i)));
+  const Judge judge(mesh, generators);
+  std::set<std::string> names;
+  for (const Comparator& comparator : list_comparators()) {
+    INFO(comparator.name);
+    CHECK(names.insert(comparator.name).second);
+    const Comparison found = comparator.run(mesh, generators);
+    CHECK(found.diagram.generators == generators);
+    CHECK(found.diagram.bisectors.size() > 10);
+    CHECK(found.diagram.face_label.size() == std::size_t(mesh.face_count()));
+    CHECK(found.field_ms + found.diagram_ms > 0);
+    const Judgement judgement = judge.judge(found.diagram);
+    CHECK(judgement.error.length == Approx(found.diagram.length).epsilon(1e-6));
+    CHECK(std::isfinite(judgement.error.error_integral));
+    CHECK(double(judgement.wrong_labels) < 0.2 * double(judgement.labelled));
+  }
+  CHECK(names.size() == 8);
+}
+
+TEST_CASE("the exact method has the least error, and windows with straight segments the next") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  std::vector<SurfacePoint> generators;
+  for (int i = 0; i < 10; ++i) generators.push_back(vertex_point(mesh, VertexId(1 + 60 * i)));
+  const Judge judge(mesh, generators);
+  std::vector<double> error;
+  for (const Comparator& comparator : list_comparators({{}, false})) {
+    error.push_back(judge.judge(comparator.run(mesh, generators).diagram).error.error_integral);
+  }
+  REQUIRE(error.size() == 7);
+  const double exact = error[0], windows = error[3];
+  CHECK(exact < windows);
+  for (const std::size_t other : {1, 2, 4, 5, 6}) CHECK(windows < error[other]);
+}
