@@ -2,15 +2,18 @@
 
 const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
 
+const box_of = (element) => element.getBoundingClientRect();
+const panels = () => [...document.querySelectorAll('details')];
+
 // Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
 export function covered() {
-  const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name).getBoundingClientRect());
-  if (!phone.matches) return { left: 0, right: side.width && innerWidth - side.left, top: 0, bottom: 0 };
+  const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name));
+  if (!phone.matches) return { left: 0, right: box_of(side).width && innerWidth - box_of(side).left, top: 0, bottom: 0 };
   const upright = innerWidth < innerHeight;  // on its side there is room beside the title
-  return { left: 0, right: 0, top: upright && head.height ? head.bottom : 0, bottom: bar.height && innerHeight - bar.top };
+  const buttons = [bar, ...panels().filter((panel) => !panel.open)].map(box_of).filter(({ height }) => height > 0);
+  const bottom = innerHeight - Math.min(innerHeight, ...buttons.map(({ top }) => top));
+  return { left: 0, right: 0, top: upright && box_of(head).height ? box_of(head).bottom : 0, bottom };
 }
-
-const panels = () => [...document.querySelectorAll('details')];
 
 // Opens the panels that the page names, on a phone none, and shows the first of them.
 export function open_first_panels() {
@@ -21,6 +24,9 @@ export function open_first_panels() {
 // A panel that is opened comes into view; on a phone the others are closed.
 export function arrange_panels() {
   open_first_panels();
+  // On a narrow phone the buttons have two rows: cards are above them.
+  const measure = () => document.documentElement.style.setProperty('--covered', `${covered().bottom}px`);
+  new ResizeObserver(measure).observe(document.querySelector('aside'));
   phone.addEventListener('change', () => phone.matches && open_first_panels());
   for (const box of panels()) {
     box.addEventListener('toggle', () => {

@@ -15,6 +15,12 @@ export function format_number(value) {
   return size >= 1e-4 && size < 1e7 ? String(Number(value.toPrecision(6))) : value.toExponential(4);
 }
 
+// A share in percent: one digit after the point, or two significant ones.
+export function format_share(share) {
+  const percent = 100 * share;
+  return percent >= 1 ? percent.toFixed(1) : String(Number(percent.toPrecision(2)));
+}
+
 function fill_rows(body, rows) {
   body.replaceChildren(
     ...rows.map(([name, value]) =>
@@ -84,7 +90,7 @@ export function show_region(id, region) {
   if (!region) return;
   const rows = [];
   if (region.cell) {
-    const share = region.share > 0 ? ` (${(100 * region.share).toFixed(1)}\u00a0%)` : '';
+    const share = region.share > 0 ? ` (${format_share(region.share)}\u00a0%)` : '';
     rows.push(['Area', format_number(region.cell.area) + share]);
     if (Number.isFinite(region.cell.energy)) rows.push(['Energy', format_number(region.cell.energy)]);
     rows.push(['Neighbours', list_neighbours(region.cell.neighbours)]);

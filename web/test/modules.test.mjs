@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { make_coarse } from '../src/coarse.js';
 import { fit_points } from '../src/fit.js';
+import { format_share } from '../src/panel.js';
 import { ramp, ramp_gradient } from '../src/ramp.js';
 import { sort_labels } from '../src/region_table.js';
 import { file_name } from '../src/save_picture.js';
@@ -84,6 +85,10 @@ test('labels sort by a column, equal ones by label', () => {
   assert.deepEqual(sort_labels(cells, 'area', true), [0, 2, 1]);
   assert.deepEqual(sort_labels(cells, 'neighbours', false), [1, 0, 2]);
   assert.deepEqual(sort_labels(cells, 'label', false), [2, 1, 0]);
+});
+
+test('shares have one digit after the point, small ones two that are not 0', () => {
+  assert.deepEqual([0.123456, 0.0149, 0.00035041, 0.00002].map(format_share), ['12.3', '1.5', '0.035', '0.002']);
 });
 
 test('titles become file names', () => {

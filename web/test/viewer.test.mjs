@@ -563,6 +563,17 @@ const tests = {
     await close(page);
   },
 
+  async 'shows the card of a pinned region above the buttons, on the narrowest phone too'() {
+    for (const width of [280, 320, 390]) {
+      const page = await open({ viewport: { width, height: 568 }, hasTouch: true, isMobile: true });
+      await page.touchscreen.tap(width / 2, 280);
+      await settle(page);
+      const card = await page.locator('#pinned').boundingBox(), buttons = await page.locator('aside').boundingBox();
+      assert.ok(card.y + card.height <= buttons.y, `${width}: the card ends at ${card.y + card.height}, of ${buttons.y}`);
+      await close(page);
+    }
+  },
+
   async 'works by touch on a narrow screen, and uses all of its width'() {
     const viewport = { width: 390, height: 780 };
     const page = await open({ viewport, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
