@@ -3,8 +3,8 @@ is flat. They share no code with the library."""
 import heapq
 import math
 
-# A path along edges with this many points on each is at most a few percent longer than the shortest path on well shaped faces, or a
-# tenth of an edge. With 4, a torus of 576 faces has 0.15 edges.
+# On well shaped faces, a path along edges with this many points on each is at most a few percent longer than the shortest path, or
+# by a tenth of an edge. With 4, a torus of 576 faces has 0.15 edges.
 POINTS_ON_AN_EDGE = 8
 
 

@@ -11,9 +11,9 @@ from surface import require
 # files of a corpus only.
 DONE, UNREADABLE, PRECONDITION, NO_VALID_RESULT = 0, 3, 4, 5
 
-# CPU time. A run on a few hundred faces takes 0.02 s, on 20,000 ordinary faces 1 s (0.05 ms a face for each generator that
-# reaches it). The limit is a hundred times as much a face, for hostile faces, and 10 s for what does not depend on their number,
-# such as rounds of gvd-remesh.
+# CPU time. A run on a few hundred faces takes 0.02 s. One on 20,000 ordinary faces takes 1 s: 0.05 ms a face for each generator
+# that reaches it. The limit is a hundred times as much a face, for hostile faces. What does not depend on their number, such as
+# rounds of gvd-remesh, has 10 s.
 FIXED_SECONDS, SECONDS_A_FACE = 10.0, 0.005
 # Elapsed time: a busy machine may give a run a tenth of a core.
 ELAPSED_FOR_CPU = 10.0

@@ -29,8 +29,8 @@ namespace {
 /// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers.
 constexpr unsigned kFirstSeed = 401, kSeeds = 300;
 
-/// A step on these small meshes reports progress a few times at most (once in 16,384 windows), and a diagram has up to
-/// 13 rounds of three steps. One with more reports than this does not terminate. A limit on time would depend on the
+/// A step on these small meshes reports progress a few times at most (once in 16,384 windows). A diagram has up to 13
+/// rounds of three steps. One with more reports than this does not terminate. A limit on time would depend on the
 /// machine.
 constexpr int kMaxReports = 120;
 

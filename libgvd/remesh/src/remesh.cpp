@@ -18,8 +18,8 @@ std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<SurfacePoint>
   return positions;
 }
 
-/// Up to this round, flipped triangles are looked for only where the dual has no other defect, because the repair of
-/// the others often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
+/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
+/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
 /// remeshes end before.
 constexpr std::int32_t kRoundsWithoutFlips = 12;
 

@@ -86,8 +86,8 @@ class RegionMeter {
     }
   }
 
-  /// The part of a face's side that bounds the piece. Corners of pieces that lie on a side have an exact 0 there, but
-  /// for the rounding of coordinates that were converted from a split face.
+  /// The part of a face's side that bounds the piece. Corners of pieces that lie on a side have a 0 there. It is
+  /// exact, but for the rounding of coordinates that were converted from a split face.
   static double covered_part(const FacePiece& piece, int side) {
     const auto start = static_cast<std::size_t>(side), opposite = static_cast<std::size_t>((side + 2) % 3);
     double sum = 0;

@@ -43,7 +43,7 @@ struct ThickTriangle {
 
 /// Each corner waits in a queue with the quality that it would have as an ear, and the best one is tried first. Where
 /// another corner lies in its triangle, it waits until that one is cut off, because it can't be an ear before. So the
-/// search through a corner's triangle visits each other corner once, however often it is interrupted, and starts anew
+/// search through a corner's triangle visits each other corner once, however often it is interrupted. It starts anew
 /// only where a neighbour is cut off.
 class EarClipper {
  public:

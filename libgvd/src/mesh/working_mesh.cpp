@@ -185,8 +185,8 @@ HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
   return found;
 }
 
-/// Splits the edge of h for generator g at p, which has the coordinates `here` in the parent of h's face and `there` in
-/// that of its twin's. Returns h's face, the one appended beside it, and where there is a twin the same for its side.
+/// Splits the edge of h for generator g at p. Its coordinates are `here` in the parent of h's face and `there` in that
+/// of its twin's. Returns h's face, the one appended beside it, and where there is a twin the same for its side.
 std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here,
                                             const Bary& there) {
   std::vector<FaceId> changed;

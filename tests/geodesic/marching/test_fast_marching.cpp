@@ -97,9 +97,8 @@ NearestError nearest_error(const test::Reference& reference, Front front) {
 }  // namespace
 
 TEST_CASE("nearest distances at the vertices agree with the reference distances") {
-  // Measured: circle 0.01 to 0.3 % on an average, planar 2 to 7 %. Below the exact distance: a circle is unfolded from
-  // two distances whose paths pass different sides of a saddle vertex, so it can fall short (by 7 % at worst, on
-  // rotor).
+  // Measured: circle 0.01 to 0.3 % on an average, planar 2 to 7 %. Below the exact one by 7 % at worst, on rotor:
+  // a circle is unfolded from two distances whose paths pass different sides of a saddle vertex.
   struct Bound {
     const char* name;
     Front front;

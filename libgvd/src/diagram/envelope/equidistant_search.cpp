@@ -24,8 +24,8 @@ constexpr int kMostCells = 2000;
 /// thin faces are off by 1e-9 of it.
 constexpr double kBesideOpening = 1e-6;
 
-/// Two distances that differ by less than this fraction of themselves may be equal, and a point may lie beside a disc
-/// by this fraction of its radius.
+/// Two distances that differ by less than this fraction of themselves may be equal. A point may lie beside a disc by
+/// this fraction of its radius.
 constexpr double kBeside = 1e-6;
 
 /// Whether a straight path of a source may pass its opening and reach the disc.

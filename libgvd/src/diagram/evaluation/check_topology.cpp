@@ -31,9 +31,10 @@ std::int64_t reached_characteristic(const Mesh& mesh, const ReachedFaces& reache
   return vertices - edges + faces;
 }
 
-/// The surface is the disjoint union of the cells' interiors, the bisectors without their ends (characteristic -1 each,
-/// 0 if closed), the branch points (+1 each) and the mesh's boundary. Along each loop of that boundary, its pieces and
-/// the bisector ends on it cancel. The interior of a cell counts as much as the cell: its boundary loops count 0.
+/// The surface is the disjoint union of four: the cells' interiors, the bisectors without their ends (characteristic -1
+/// each, 0 if closed), the branch points (+1 each) and the mesh's boundary. Along each loop of that boundary, its
+/// pieces and the bisector ends on it cancel. The interior of a cell counts as much as the cell: its boundary loops
+/// count 0.
 void check_euler(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
   std::int64_t cells = 0, open = 0;
   for (const Cell& c : diagram.cells) cells += c.euler_characteristic;

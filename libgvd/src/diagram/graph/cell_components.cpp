@@ -54,8 +54,8 @@ void CellComponents::find_unanchored_vertices() {
   for (auto& [v, member] : unanchored_) member = add_member(traced_.labels.label[v], Mesh::face(mesh_.halfedge(v)));
 }
 
-/// Whether v is its generator's vertex, or an uncrossed edge connects it to a vertex of its cell that is nearer to the
-/// generator and anchored itself.
+/// Whether v is its generator's vertex, or an uncrossed edge connects it to an anchored vertex of its cell that is
+/// nearer to the generator.
 bool CellComponents::is_anchored(VertexId v) const {
   const NearestLabels& labels = traced_.labels;
   if (!labels.label[v].valid() || working_.vertex(labels.label[v]) == v) return true;

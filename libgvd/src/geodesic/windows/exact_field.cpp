@@ -44,7 +44,7 @@ struct NearestInside {
 
 /// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
 /// a thin triangle, areas tell only the distance of p from the longest side. The position along that side is measured
-/// on the side itself, so that the point is right up to rounding although its coordinates may not be.
+/// on the side itself. So the point is right up to rounding although its coordinates may not be.
 NearestInside nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
   const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
   const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };

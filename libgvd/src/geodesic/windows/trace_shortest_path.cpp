@@ -12,7 +12,7 @@
 namespace gvd {
 namespace {
 
-/// A line that passes a corner at no more than this angle, in radians, ends there, and the path continues with the
+/// A line that passes a corner at no more than this angle, in radians, ends there. The path continues with the
 /// corner's own shortest path. Otherwise rounding could lead the line past the wrong side of the corner at which its
 /// window ends. Far above the rounding error of an image (1e-13), far below the angle to another corner.
 constexpr double kAtCorner = 1e-9;

@@ -148,8 +148,8 @@ TEST_CASE("each rule keeps the number of windows down") {
     for (int v = 0; v < mesh.vertex_count(); v += mesh.vertex_count() / 5) generators.emplace_back(v);
     return double(propagate(mesh, generators).carried) / mesh.face_count();
   };
-  // 10.49 windows a face; 26.8 where saddles send into all directions, 11.3 without the filter of the edge's
-  // start, 11.2 without that of its end, 10.6 where vertices send again for distances that have decreased since.
+  // 10.49 windows a face; 26.8 where saddles send into all directions. 11.3 without the filter of the edge's
+  // start, 11.2 without that of its end. 10.6 where vertices send again for distances that have decreased since.
   CHECK(carried_a_face(test::make_bumpy_sphere(4, 1)) < 10.55);
   // 1.78; 7.0 where windows that were split at flat vertices are not joined again.
   CHECK(carried_a_face(test::make_grid(40, 40)) < 1.8);

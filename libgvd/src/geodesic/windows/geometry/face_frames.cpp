@@ -52,7 +52,7 @@ VertexKind kind_of(const AngleSum& total, bool boundary) {
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
 
-/// Sine that the widest angle of a face without area is given, so that paths can cross the face from its middle corner
+/// Sine that the widest angle of a face without area is given. So paths can cross the face from its middle corner
 /// through the longest side. It is relative to the two shorter sides, so that lengths still agree however unequal these
 /// are: the height's square is 1e-24 of theirs. Paths become longer by at most 1e-12 of the shorter side.
 constexpr double kLeastSine = 1e-12;
