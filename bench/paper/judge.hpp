@@ -4,6 +4,7 @@
 
 #include "comparator.hpp"
 #include "gvd/error_measure.hpp"
+#include "gvd/exact_field.hpp"
 
 namespace gvd::paper {
 
@@ -17,23 +18,23 @@ struct Judgement {
 /// Distances that differ by this fraction are equal: mirror-symmetric meshes have vertices with two nearest generators.
 inline constexpr double kEquallyNear = 1e-9;
 
-/// Exact distances by one `ExactField` for each generator. Points of one query share the field.
+/// Exact distances, by one `ExactField` for each query on the part of the mesh that the shortest paths can visit.
 std::vector<std::vector<double>> compute_field_distances(const Mesh& mesh, const std::vector<DistanceQuery>& queries);
 
 /// Judges diagrams of one mesh with one list of generators.
 class Judge {
  public:
-  /// The mesh must outlive this. Cost: one exact field for each generator, here and for each diagram.
-  Judge(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+  /// The mesh must outlive this. Cost: one exact field of all generators.
+  Judge(const Mesh& mesh, const std::vector<SurfacePoint>& generators) : mesh_(mesh), nearest_(mesh, generators) {}
 
+  /// Cost: one exact field for each generator, round its cell.
   Judgement judge(const Diagram& diagram) const;
 
  private:
-  bool is_nearest(VertexId v, GeneratorId label) const;
+  std::int64_t count_wrong_labels(const Diagram& diagram) const;
 
   const Mesh& mesh_;
-  std::vector<std::vector<double>> distances_;  // [generator][vertex]
-  std::vector<double> least_;                   // [vertex]
+  ExactField nearest_;
 };
 
 }  // namespace gvd::paper

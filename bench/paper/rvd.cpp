@@ -27,15 +27,25 @@ class FaceClipper {
   }
 
   Pieces clip_all() {
-    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) clip_face(FaceId(i));
+    for (const Vec3& p : mesh_.positions()) label_.push_back(walk_to_nearest(p));
+    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) cut_face(FaceId(i));
     return std::move(pieces_);
   }
 
  private:
-  void clip_face(FaceId f) {
+  /// Cells are convex: they contain a face with its corners.
+  void cut_face(FaceId f) {
+    const auto& [a, b, c] = mesh_.vertices(f);
+    if (label_[a] == label_[b] && label_[b] == label_[c]) {
+      pieces_.push_back({f, label_[a], whole_face()});
+    } else {
+      clip_face(f, label_[a]);
+    }
+  }
+
+  void clip_face(FaceId f, GeneratorId nearest) {
     const std::size_t first = pieces_.size();
-    walk_to_nearest(mesh_.position(mesh_.vertices(f)[0]));
-    enqueue(f, nearest_);
+    enqueue(f, nearest);
     for (std::size_t i = 0; i < queue_.size(); ++i) clip_cell(f, queue_[i], neighbours_[queue_[i].index()]);
     queue_.clear();
     if (is_covered(first)) return;
@@ -46,19 +56,21 @@ class FaceClipper {
   }
 
   /// From the last nearest generator along Delaunay edges: one of them always leads closer, if there is a closer one.
-  void walk_to_nearest(const Vec3& p) {
+  /// Of two that are equally near, the lower one is taken.
+  GeneratorId walk_to_nearest(const Vec3& p) {
     double least = cells_.squared_distance(p, nearest_);
     for (bool closer = true; closer;) {
       closer = false;
       for (const GeneratorId g : neighbours_[nearest_.index()]) {
         const double d = cells_.squared_distance(p, g);
-        if (!(d < least)) continue;
+        if (!(d < least || (d == least && g < nearest_))) continue;
         least = d;
         nearest_ = g;
         closer = true;
         break;
       }
     }
+    return nearest_;
   }
 
   void enqueue(FaceId f, GeneratorId g) {
@@ -94,7 +106,8 @@ class FaceClipper {
   EuclideanCells cells_;
   const std::vector<std::vector<GeneratorId>>& neighbours_;
   std::vector<GeneratorId> all_;
-  std::vector<FaceId> queued_;  // [generator] the last face for which it was queued
+  IdVector<VertexId, GeneratorId> label_;  // the nearest generator in space
+  std::vector<FaceId> queued_;             // [generator] the last face for which it was queued
   std::vector<GeneratorId> queue_;
   GeneratorId nearest_{0};
   Pieces pieces_;

@@ -8,18 +8,23 @@
 
 namespace gvd::paper {
 
-/// A part of a face's boundary with one label: from its first point to its last one, counter-clockwise.
+/// A part of a face's boundary with one label: from its first point to its last one, counter-clockwise. The points may
+/// go on to a branch point inside.
 struct BoundaryRun {
   GeneratorId generator;
   std::vector<std::array<double, 3>> points;
+  /// Where the run begins and ends on the boundary: corner + parameter along the halfedge of that corner; begin is
+  /// below 3, and end is not below begin.
+  double begin = 0, end = 0;
 };
 
 /// Cuts a face by the additively weighted Voronoi diagram of the sources that reach it, with straight segments.
 ///
-/// Two crossings are joined by a segment. Where runs of three generators follow each other, a point that is equally far
-/// from all three, and no nearer to any other one, ends the one in the middle; the same again with the runs that are
-/// left. A run between two of one generator is closed by a segment. Where no rule applies the ends meet in the mean of
-/// the crossings, and the face counts as forced.
+/// Two crossings are joined by a segment. Where runs of three generators follow each other, the one in the middle ends
+/// in a point that is equally far from all three, and no nearer to any other one. The straight paths back from that
+/// point must leave the face through these three runs. The same again with the runs that are left. A run between two of
+/// one generator is closed by a segment, first where paths to one of the two enter through the other. Where no rule
+/// applies the ends meet in the mean of the crossings, and the face counts as forced.
 class WeightedFace {
  public:
   /// `sources`: all that reach the face, as `DistanceField::collect` gives them. Lengths in mesh units. Both must
@@ -34,11 +39,15 @@ class WeightedFace {
   Cut cut(std::vector<BoundaryRun> runs) const;
 
  private:
-  double distance(GeneratorId g, const Vec2& p) const;
-  bool is_nearest_to(const std::array<GeneratorId, 3>& three, const Vec2& p) const;
-  std::vector<std::array<double, 3>> find_branch_points(const std::array<GeneratorId, 3>& three) const;
+  using Three = std::array<const BoundaryRun*, 3>;
+
+  const FaceSource* nearest(GeneratorId g, const Vec2& p, double& distance) const;
+  bool enters_through(const BoundaryRun& run, const Vec2& p) const;
+  bool is_branch_point(const Three& runs, const Vec2& p) const;
+  std::vector<std::array<double, 3>> find_branch_points(const Three& runs) const;
+  bool is_linked(const BoundaryRun& run, const BoundaryRun& other) const;
   bool contract_triple(std::vector<BoundaryRun>& runs, Cut& cut) const;
-  static bool contract_bump(std::vector<BoundaryRun>& runs, Cut& cut);
+  bool contract_bump(std::vector<BoundaryRun>& runs, bool linked, Cut& cut) const;
   void join_last(std::vector<BoundaryRun> runs, Cut& cut) const;
 
   const FaceLayout& layout_;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "judge.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -33,4 +35,20 @@ TEST_CASE("vertices that nothing reaches are not judged") {
   const Judgement found = Judge(mesh, generators).judge(compute_diagram(mesh, generators));
   CHECK(found.labelled < mesh.vertex_count());
   CHECK(found.wrong_labels == 0);
+}
+
+TEST_CASE("distances on the part that paths can visit are those of the whole mesh") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const ExactField field(mesh, {vertex_point(mesh, VertexId(0))});
+    DistanceQuery query{vertex_point(mesh, VertexId(0)), {}};
+    for (int f = 0; f < mesh.face_count(); f += 7)
+      query.points.push_back(make_surface_point(FaceId(f), {0.2, 0.5, 0.3}));
+    const std::vector<double> found = compute_field_distances(mesh, {query})[0];
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double expected = field.nearest(query.points[i]).distance;
+      if (std::isfinite(expected)) CHECK(found[i] == Approx(expected).epsilon(1e-12));
+      if (!std::isfinite(expected)) CHECK(std::isinf(found[i]));
+    }
+  }
 }

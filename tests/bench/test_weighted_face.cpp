@@ -12,7 +12,7 @@ namespace {
 
 /// A source that sees the whole face, as if it were a corner: at p, with an offset.
 FaceSource source_at(const Vec2& p, int generator, double offset = 0) {
-  return {p, p, p, offset, GeneratorId(generator), Mesh::halfedge(FaceId(0), 0), true, offset, offset};
+  return {p, p, p, offset, GeneratorId(generator), Mesh::halfedge(FaceId(0), generator % 3), true, offset, offset};
 }
 
 BoundaryCrossing crossing(int corner, double t, int previous, int next) {

@@ -80,3 +80,13 @@ TEST_CASE("exact windows leave no island and no open end on curved meshes") {
     CHECK(area == Approx(compute_mesh_summary(mesh).area).epsilon(1e-9));
   }
 }
+
+TEST_CASE(
+    "cells that come into a face twice stay connected: each branch point serves the runs its paths come through") {
+  const std::vector<std::pair<Mesh, unsigned>> cases{
+      {test::make_genus3(2), 6}, {test::make_torus(16, 8), 7}, {test::make_bumpy_sphere(2, 1), 7}};
+  for (const auto& [mesh, seed] : cases) {
+    INFO(mesh.face_count());
+    CHECK(compute_window_voronoi(mesh, test::random_generators(mesh, 12, seed)).faults.islands == 0);
+  }
+}
