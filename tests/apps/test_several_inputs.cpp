@@ -91,7 +91,7 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
     }
     require_error(name, "- --input-format off" + inputs.to_out, 2, "standard input has no name");
     require_error(name, inputs.all + " --generators - --output-dir " + inputs.out, 2, "name a file");
-    require_error(name, inputs.all + inputs.to_out + "/none/x", 6, "No such file");
+    require_error(name, inputs.all + inputs.to_out + "/none/x", 6, "create it first");
     require_error(name, inputs.good + " -n 9 --output-format off --output-dir " + inputs.scratch / "", 2,
                   "this is the file that is read");
     require_error(name, inputs.good + inputs.to_out + " --output-format off,bmp", 2, "'bmp' is none of");

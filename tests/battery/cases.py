@@ -70,9 +70,7 @@ def fixed_cases(mesh):
 
 
 def outputs(case):
-    if case.command == "segment":
-        return ["-o", "out.json"]
-    return ["-o", "out.json"] if case.command == "lloyd" else ["-o", "out.off"]
+    return ["-o", "out.off" if case.command == "remesh" else "out.json"]
 
 
 def check_outputs(mesh, surface, case, folder):

@@ -151,9 +151,9 @@ def check_segment(mesh, surface, diagram, report, method="exact"):
         check_regions(surface, labels, diagram, report)
         check_areas(surface, labels, diagram)
     error = DISTANCE_ERROR * surface.size + 1e3 * surface.rounding
-    for bisector in diagram["bisectors"]:
-        for point in bisector["points"]:
-            check_on_surface(surface, point, error)
+    points = [point for bisector in diagram["bisectors"] for point in bisector["points"]] + diagram["branch_points"]
+    for point in points:
+        check_on_surface(surface, point, error)
     if method != "exact":
         return
     check_lengths(surface, diagram, error)

@@ -98,6 +98,11 @@ class SegmentCase(unittest.TestCase):
             diagram["bisectors"][0]["points"][1]["position"][2] += 1e-4
         self.assertIn("not where", self.spoilt(self.ball, change))
 
+    def test_branch_point_off_the_surface(self):
+        def change(diagram):
+            diagram["branch_points"][1]["position"][2] += 1e-4
+        self.assertIn("not where", self.spoilt(self.ball, change))
+
     def test_piece_of_another_cell(self):
         def change(diagram):
             labels = diagram["cut_mesh"]["labels"]

@@ -178,7 +178,10 @@ TEST_CASE("generators on two edges coincide where they are nearer to each other 
   const auto at = [&](double t) {
     return std::vector{edge_point(Mesh::halfedge(FaceId(0), 0), t), edge_point(Mesh::halfedge(FaceId(0), 2), 1 - t)};
   };
-  CHECK_THROWS_WITH(WorkingMesh(wedge, at(5e-12)), Catch::Matchers::Contains("generators 0 and 1 coincide"));
+  std::vector<SurfacePoint> near = at(5e-12);
+  CHECK_THROWS_WITH(WorkingMesh(wedge, near), Catch::Matchers::Contains("generators 0 and 1 coincide"));
+  std::swap(near[0], near[1]);
+  CHECK_THROWS_WITH(WorkingMesh(wedge, near), Catch::Matchers::Contains("generators 0 and 1 coincide"));
   CHECK_NOTHROW(WorkingMesh(wedge, at(2e-11)));
 }
 

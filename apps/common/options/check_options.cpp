@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "common/options/check_outputs.hpp"
+#include "common/options/file_extension.hpp"
+#include "common/options/option_text.hpp"
+#include "common/options/parse_number.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 
@@ -34,15 +38,42 @@ void check_build(const Options& options) {
   }
 }
 
+/// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
+std::string describe_stray(const std::string& word, bool follows, const OutputFormats& formats) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(word, ignored)) {
+    return fmt::format("is a directory; did you mean --output-dir {}?", word);
+  }
+  if (parse_number<double>(word)) return fmt::format("is no file; did you mean -n {}?", word);
+  const auto& known = formats.extensions;
+  const bool output = std::find(known.begin(), known.end(), file_extension(word)) != known.end();
+  return follows && output ? fmt::format("is no file; did you mean -o {}?", word)
+                           : "is no file; options have dashes in front";
+}
+
+bool may_be_read(const std::string& path) {
+  std::error_code ignored;
+  return path == "-" || (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored));
+}
+
+/// Refuses several inputs without a folder for their outputs. A word that is no file is no input either.
+void refuse_several(const std::vector<std::string>& paths, const OutputFormats& formats) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (may_be_read(paths[i])) continue;
+    const std::string word = printable(paths[i]);
+    refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, formats)));
+  }
+  const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
+  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
+                     paths.front(), others));
+}
+
 /// Several inputs need a folder for their outputs, in which standard input has no name.
-void check_inputs(const Options& options) {
+void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   const OutputOptions& output = options.output;
   const bool piped = std::find(paths.begin(), paths.end(), "-") != paths.end();
-  if (output.folder.empty() && paths.size() > 1) {
-    refuse(fmt::format("{} inputs, {} and others: name a folder for their outputs with --output-dir", paths.size(),
-                       paths.front()));
-  }
+  if (output.folder.empty() && paths.size() > 1) refuse_several(paths, formats);
   if (!output.folder.empty() && piped) {
     refuse("--output-dir: standard input has no name for its outputs; write them with -o");
   }
@@ -63,7 +94,7 @@ void check_options(const Options& options, const OutputFormats& formats) {
   if (options.input.path == "-" && options.generators.file == "-") {
     refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
   }
-  check_inputs(options);
+  check_inputs(options, formats);
   check_generator_source(options.generators);
   check_chord_tolerance(options.compute);
   check_build(options);

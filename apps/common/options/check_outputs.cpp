@@ -123,10 +123,28 @@ void check_names(const std::vector<Options>& runs) {
     for (const std::string& file : run.output.files) {
       const auto [other, is_new] = input_of.emplace(file, run.input.path);
       if (is_new) continue;
+      if (one_name(other->second) == one_name(run.input.path)) {
+        refuse(fmt::format("INPUT {}: is there twice; keep one", run.input.path));
+      }
       refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart", other->second,
                          run.input.path, file));
     }
   }
+}
+
+[[noreturn]] void refuse_folder(const std::string& folder, const std::string& reason) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("--output-dir {}: {}", folder, reason));
+}
+
+/// Makes one folder, not those above it: a misspelt path is not to be made.
+void make_folder(const std::string& folder) {
+  std::error_code failed;
+  const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
+  if (!fs::is_directory(above, failed)) {
+    refuse_folder(folder, fmt::format("there is no directory {}; create it first", above.string()));
+  }
+  fs::create_directory(folder, failed);
+  if (failed) refuse_folder(folder, failed.message() + "; name another one");
 }
 
 /// The folder is made last, once nothing else is wrong: what is not there holds nothing that could be lost.
@@ -134,12 +152,9 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   const std::string& folder = options.output.folder;
   const std::vector<Options> runs = plan_runs(options);
   check_names(runs);
-  std::error_code failed;
-  if (!fs::exists(folder, failed)) {
-    fs::create_directory(folder, failed);
-    if (!failed) return;
-    throw Error(ErrorCode::unwritable_output, fmt::format("--output-dir {}: {}", folder, failed.message()));
-  }
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return make_folder(folder);
+  if (!fs::is_directory(folder, ignored)) refuse_folder(folder, "is a file; name a folder");
   Targets targets(options);
   for (const Options& run : runs) {
     for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);

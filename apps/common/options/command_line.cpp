@@ -116,13 +116,18 @@ struct CommandLine::Parser {
         unexpected.push_back(printable(word));
         continue;
       }
-      const auto meant = suggest_name(word, names);
-      unknown.push_back(meant ? fmt::format("{} (did you mean {}?)", printable(word), *meant) : printable(word));
+      unknown.push_back(printable(word) + hint_at(suggest_name(word, names)));
     }
     if (!unknown.empty()) {
       refuse_line(fmt::format("unknown option{}: {}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", ")));
     }
     if (!unexpected.empty()) refuse_line(fmt::format("unexpected: {}", fmt::join(unexpected, ", ")));
+  }
+
+  static std::string hint_at(const std::optional<std::string>& meant) {
+    if (!meant) return "";
+    if (meant->front() != '-') return fmt::format(" ({} stands for itself, without an option)", *meant);
+    return fmt::format(" (did you mean {}?)", *meant);
   }
 
   [[noreturn]] void refuse_line(const std::string& message) const {

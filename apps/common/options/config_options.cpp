@@ -47,6 +47,8 @@ std::string expected(const DeclaredOption& option) {
       return option.is_list ? "an array of whole numbers, as [3, 17], or a string, as \"3,17\"" : "a whole number";
     case ValueKind::number:
       return "a number";
+    case ValueKind::size:
+      return "a string such as \"2G\", or a number of bytes";
     case ValueKind::flag:
       return "true or false";
     case ValueKind::text:
@@ -61,6 +63,8 @@ bool fits(Type type, const DeclaredOption& option) {
       return type == Type::whole || (option.is_list && type == Type::text);
     case ValueKind::number:
       return type == Type::whole || type == Type::number;
+    case ValueKind::size:
+      return type == Type::whole || type == Type::number || type == Type::text;
     case ValueKind::flag:
       return type == Type::flag;
     case ValueKind::text:

@@ -9,7 +9,7 @@
 namespace gvd::app {
 
 /// What a value has to be in a TOML file.
-enum class ValueKind { text, whole, number, flag };
+enum class ValueKind { text, whole, number, size, flag };
 
 /// An option as --help shows it, and what it goes together with. Other options are named as a user would type them:
 /// "--radius", or with one of their values "--method gbgvd".

@@ -29,7 +29,8 @@ struct Range {
 inline constexpr Range<double> kPositive{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
                                          "a finite number above 0"};
 inline constexpr Range<double> kNotNegative{0, std::numeric_limits<double>::max(), "a finite number from 0 on"};
-inline constexpr Range<std::int32_t> kCount{1, std::numeric_limits<std::int32_t>::max(), "a whole number from 1 on"};
+inline constexpr Range<std::int32_t> kCount{1, std::numeric_limits<std::int32_t>::max(),
+                                            "a whole number from 1 to 2147483647"};
 inline constexpr Range<std::uint64_t> kAnyWhole{0, std::numeric_limits<std::uint64_t>::max(),
                                                 "a whole number from 0 to 2^64 - 1"};
 

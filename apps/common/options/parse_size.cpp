@@ -1,31 +1,55 @@
 #include "common/options/parse_size.hpp"
 
-#include <cmath>
-#include <string>
+#include <fmt/format.h>
 
-#include "common/options/parse_number.hpp"
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <system_error>
 
 namespace gvd::app {
+namespace {
 
-std::optional<std::int64_t> parse_size(std::string_view text) {
+/// Beyond there is no such memory, and rounding begins.
+constexpr double kMost = 0x1p60;
+
+/// The number that `text` spells; infinity or 0 where a double can't hold it. Nothing where it spells none.
+std::optional<double> parse_any_number(const std::string& text) {
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (end != last || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc{}) return value;
+  return text.find("e-") == text.npos ? std::numeric_limits<double>::infinity() : 0;
+}
+
+/// Takes the unit off the end of `text`, which is in small letters. Returns its factor, or nothing for a wrong one.
+std::optional<double> take_unit(std::string& text) {
   constexpr std::string_view kUnits = "kmgt";
+  if (text.ends_with('b')) text.pop_back();
+  const bool binary = text.ends_with('i');
+  if (binary) text.pop_back();
+  const std::size_t unit = text.empty() ? kUnits.npos : kUnits.find(text.back());
+  if (unit == kUnits.npos) return binary ? std::nullopt : std::optional(1.0);
+  text.pop_back();
+  return std::ldexp(1.0, 10 * (static_cast<int>(unit) + 1));
+}
+
+}  // namespace
+
+ParsedSize parse_size(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  double factor = 1;
-  if (lower.ends_with('b')) lower.pop_back();
-  const bool binary = lower.ends_with('i');
-  if (binary) lower.pop_back();
-  const std::size_t unit = lower.empty() ? kUnits.npos : kUnits.find(lower.back());
-  if (unit != kUnits.npos) {
-    factor = std::ldexp(1.0, 10 * (static_cast<int>(unit) + 1));
-    lower.pop_back();
-  } else if (binary) {
-    return std::nullopt;
+  const std::optional<double> factor = take_unit(lower);
+  const std::optional<double> number = parse_any_number(lower);
+  if (!factor || !number || std::isnan(*number) || lower.find("inf") != lower.npos) {
+    return {0, fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text)};
   }
-  const auto number = parse_number_in(lower, kPositive);
-  const double bytes = number.value_or(0) * factor;
-  // Beyond 2^60 there is no such memory, and rounding begins.
-  return bytes >= 1 && bytes <= 0x1p60 ? std::optional(static_cast<std::int64_t>(bytes)) : std::nullopt;
+  const double bytes = *number * *factor;
+  if (bytes < 1) return {0, fmt::format("'{}' is less than a byte; write a size such as 500M or 2G", text)};
+  if (bytes > kMost) return {0, fmt::format("'{}' is too large; write at most 1048576T", text)};
+  return {static_cast<std::int64_t>(bytes), ""};
 }
 
 }  // namespace gvd::app

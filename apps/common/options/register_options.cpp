@@ -46,11 +46,18 @@ std::string trim(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+bool contains(const std::vector<std::string>& texts, const std::string& text) {
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+/// The option that chooses the formats of what is written.
+const char* format_option(const OutputOptions& output) {
+  return !output.folder.empty() || contains(output.files, "-") ? "--output-format" : "-o";
+}
+
 /// Whether a file or standard output gets one of the formats.
 bool writes_any(const OutputOptions& output, const std::vector<std::string>& formats) {
-  const auto wanted = [&](const std::string& format) {
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-  };
+  const auto wanted = [&](const std::string& format) { return contains(formats, format); };
   if (!output.folder.empty()) return std::any_of(output.formats.begin(), output.formats.end(), wanted);
   return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
     return wanted(file == "-" ? stdout_format(output) : file_extension(file));
@@ -171,13 +178,15 @@ void register_compute(CommandLine& line, ComputeOptions& compute) {
   add_number(
       line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},
       compute.threads, kThreads);
-  line.add_value(
-      {"--max-memory", "SIZE", "End the run where it would hold more memory than this: 500M, 2G", kComputing},
-      [&compute](const std::string& text) -> std::optional<std::string> {
-        compute.max_memory = parse_size(text);
-        if (compute.max_memory) return std::nullopt;
-        return fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text);
-      });
+  OptionText max_memory{"--max-memory", "SIZE", "End the run where it would hold more memory than this: 500M, 2G",
+                        kComputing};
+  max_memory.kind = ValueKind::size;
+  line.add_value(max_memory, [&compute](const std::string& text) -> std::optional<std::string> {
+    const ParsedSize size = parse_size(text);
+    if (!size.wrong.empty()) return size.wrong;
+    compute.max_memory = size.bytes;
+    return std::nullopt;
+  });
   line.add_flag({"--verify", "", "Measure the diagram's error against exact distances after the run", kComputing},
                 compute.verify);
 }
@@ -198,7 +207,7 @@ void register_targets(CommandLine& line, OutputOptions& output, const std::vecto
             kOutput,
             {},
             {"--output", "--report", "--diagram", "--view"}},
-           output.folder);
+           output.folder, "folder");
   output.formats = {formats.front()};
   line.add_value({"--output-format",
                   join(formats, "|"),
@@ -207,10 +216,13 @@ void register_targets(CommandLine& line, OutputOptions& output, const std::vecto
                   kOutput,
                   {"--output -", "--output-dir"}},
                  [&output, formats](const std::string& text) -> std::optional<std::string> {
-                   output.formats = split_names(text);
-                   for (const std::string& format : output.formats) {
-                     if (std::find(formats.begin(), formats.end(), format) != formats.end()) continue;
-                     return fmt::format("'{}' is none of {}", format, join(formats, "|"));
+                   output.formats.clear();
+                   for (const std::string& format : split_names(text)) {
+                     if (!contains(formats, format)) {
+                       return fmt::format("'{}' is none of {}", format, join(formats, "|"));
+                     }
+                     if (contains(output.formats, format)) return fmt::format("{} is there twice; keep one", format);
+                     output.formats.push_back(format);
                    }
                    return std::nullopt;
                  });
@@ -223,7 +235,8 @@ void register_format_options(CommandLine& line, OutputOptions& output) {
   no_curves.depends_on = targets;
   no_curves.idle = [&output]() -> std::optional<std::string> {
     if (writes_any(output, {"obj", "vtp", "glb"})) return std::nullopt;
-    return "only .obj, .vtp and .glb hold curves; write one of them with -o or leave --no-curves out";
+    return fmt::format("only .obj, .vtp and .glb hold curves; write one of them with {} or leave --no-curves out",
+                       format_option(output));
   };
   line.add_flag(no_curves, output.no_curves);
   OptionText ascii_ply{"--ascii-ply", "", "Write .ply as text, not binary: meshio reads face labels in text only",
@@ -231,7 +244,7 @@ void register_format_options(CommandLine& line, OutputOptions& output) {
   ascii_ply.depends_on = targets;
   ascii_ply.idle = [&output]() -> std::optional<std::string> {
     if (writes_any(output, {"ply"})) return std::nullopt;
-    return "no .ply is written; write one with -o or leave --ascii-ply out";
+    return fmt::format("no .ply is written; write one with {} or leave --ascii-ply out", format_option(output));
   };
   line.add_flag(ascii_ply, output.ascii_ply);
 }

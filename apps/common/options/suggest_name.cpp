@@ -5,13 +5,15 @@
 namespace gvd::app {
 namespace {
 
-/// A shorter beginning fits too many names.
-constexpr std::size_t kLeastBeginning = 3;
+/// A shorter beginning fits too many options. Of what is no option, and written in capitals, there is one at most.
+std::size_t least_beginning(const std::string& name) { return name.front() >= 'A' && name.front() <= 'Z' ? 1 : 3; }
 
-/// "--sampling=random" as "sampling".
+/// "--Sampling=random" as "sampling".
 std::string bare_name(const std::string& text) {
   const std::size_t first = text.find_first_not_of('-');
-  return first == text.npos ? "" : text.substr(first, text.find('=') - first);
+  std::string bare = first == text.npos ? "" : text.substr(first, text.find('=') - first);
+  for (char& c : bare) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return bare;
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
@@ -48,10 +50,10 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
       least = edits;
       nearest = name;
     }
-    const bool begins = typed.size() >= kLeastBeginning && bare.starts_with(typed);
+    const bool begins = typed.size() >= least_beginning(name) && bare.starts_with(typed);
     if (begins && (!longer || name.size() < longer->size())) longer = name;
   }
-  return longer ? longer : nearest;
+  return longer && least > 0 ? longer : nearest;
 }
 
 }  // namespace gvd::app

@@ -56,10 +56,11 @@ inline void add_text(CommandLine& line, const OptionText& option, std::string& t
   });
 }
 
-/// Adds an option that names a file, which an empty text does not.
-inline void add_file(CommandLine& line, const OptionText& option, std::string& target) {
-  line.add_value(option, [&target](const std::string& text) {
-    if (text.empty()) return std::optional<std::string>("the name is empty; name a file");
+/// Adds an option that names a file, which an empty text does not. `kind`: what is named, for messages.
+inline void add_file(CommandLine& line, const OptionText& option, std::string& target,
+                     const std::string& kind = "file") {
+  line.add_value(option, [&target, kind](const std::string& text) {
+    if (text.empty()) return std::optional<std::string>("the name is empty; name a " + kind);
     target = text;
     return std::optional<std::string>();
   });

@@ -11,9 +11,10 @@ struct Advice {
   std::string_view of_command;
 };
 
-constexpr std::array<Advice, 7> kAdvice{{
+constexpr std::array<Advice, 8> kAdvice{{
     {"name the format", "name the format with --input-format obj, ply, off or stl"},
     {"allow its repair", "allow its repair with --on-defect repair"},
+    {"give the list as CSV", "give the list as CSV with --generators-format csv"},
     {"raise max_snap", "raise --max-snap"},
     {"set merge_coincident", "add --merge-coincident"},
     {"set refine", "leave --no-refine out"},

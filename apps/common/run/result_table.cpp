@@ -16,6 +16,12 @@ struct Column {
 
 std::string figure(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
 
+/// Code points of UTF-8: what a terminal shows of most texts.
+std::size_t displayed_width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 std::vector<Column> choose_columns(const std::vector<RunResult>& results) {
   const auto any = [&](auto member) {
     return std::any_of(results.begin(), results.end(),
@@ -44,10 +50,11 @@ std::vector<std::string> format_results(const std::vector<RunResult>& results) {
     std::vector<std::string> cells{column.title};
     for (const RunResult& result : results) cells.push_back(column.text(result));
     std::size_t width = 0;
-    for (const std::string& cell : cells) width = std::max(width, cell.size());
+    for (const std::string& cell : cells) width = std::max(width, displayed_width(cell));
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (!lines[i].empty()) lines[i] += "  ";
-      lines[i] += column.right ? fmt::format("{:>{}}", cells[i], width) : fmt::format("{:<{}}", cells[i], width);
+      const std::string blanks(width - displayed_width(cells[i]), ' ');
+      lines[i] += column.right ? blanks + cells[i] : cells[i] + blanks;
     }
   }
   return lines;

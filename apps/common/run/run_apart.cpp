@@ -51,7 +51,7 @@ RunEnd unpack(const ChildEnd& child) {
 int run_here(const std::string& command, const Options& options, const std::function<void(Run&)>& body,
              std::string& answer) {
   const std::string& input = options.input.path;
-  report_termination(fmt::format("{}: error: {}", command, input));
+  report_termination(command, input);
   Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.quiet, options.verbose);
   Run run(command, options, console);
   const Outcome outcome = run_guarded([&] {

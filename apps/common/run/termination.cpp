@@ -18,15 +18,14 @@ namespace gvd::app {
 namespace {
 
 /// Kept outside of the heap, which may have no room left. A path of Linux has at most 4096 bytes.
-std::array<char, 5000> g_name{};
+std::array<char, 5000> g_command{}, g_input{};
 std::atomic_flag g_ending;
 constinit thread_local bool t_ending = false;
 
 /// For where the message has no memory either.
 [[noreturn]] void end_with_fixed_text() {
   constexpr std::string_view kText = ": error: out of memory, even for a message; simplify the mesh\n";
-  const std::string_view name(g_name.data());
-  for (const std::string_view text : {name, kText}) {
+  for (const std::string_view text : {std::string_view(g_command.data()), kText}) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
   }
   std::_Exit(kNoResult);
@@ -39,20 +38,27 @@ constinit thread_local bool t_ending = false;
   lift_heap_limit_here();
   try {
     const Outcome outcome = describe_failure(std::current_exception());
-    Console console(g_name.data(), detect_console_style(), false, false);
+    Console console(g_command.data(), detect_console_style(), false, false);
     console.clear_line();
-    if (!outcome.message.empty()) console.error(outcome.message);
+    const std::string place = g_input[0] == '\0' ? "" : fmt::format("{}: ", g_input.data());
+    if (!outcome.message.empty()) console.error(place + outcome.message);
     std::_Exit(outcome.exit_code);
   } catch (...) {
     end_with_fixed_text();
   }
 }
 
+template <std::size_t kSize>
+void keep(const std::string& text, std::array<char, kSize>& kept) {
+  kept.fill('\0');
+  std::copy_n(text.begin(), std::min(text.size(), kSize - 1), kept.begin());
+}
+
 }  // namespace
 
-void report_termination(const std::string& name) {
-  g_name.fill('\0');
-  std::copy_n(name.begin(), std::min(name.size(), g_name.size() - 1), g_name.begin());
+void report_termination(const std::string& command, const std::string& input) {
+  keep(command, g_command);
+  keep(input, g_input);
   std::set_terminate(end_with_message);
 }
 

@@ -83,10 +83,10 @@ void WorkingMesh::claim(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
   GeneratorId& known = vertex_generator_[v];
   if (known.valid()) {
+    const auto [first, second] = std::minmax({known.value(), g.value()});
     throw Error(ErrorCode::precondition,
-                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", known.value(),
-                            g.value()),
-                g.value());
+                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", first, second),
+                second);
   }
   known = g;
   generator_vertex_[g] = v;

@@ -10,7 +10,7 @@ namespace {
 using Fields = std::vector<std::string_view>;
 const std::string kName = "list";
 
-GeneratorEntry parse_entry(const Fields& fields) { return detail::parse_entries({{fields, 7}}, kName).front(); }
+GeneratorEntry parse_entry(const Fields& fields) { return detail::parse_entries({{fields, 7}}, kName, ' ').front(); }
 
 std::string refused_entry(const Fields& fields) {
   return refusal([&] { parse_entry(fields); }, ErrorCode::unreadable_input);
@@ -64,13 +64,23 @@ TEST_CASE("three different indices are not taken for a position, unless the list
   const detail::ListRow vertex{{"17"}, 1}, indices{{"1", "2", "3"}, 2}, position{{"1", "2.5", "3"}, 3};
   CHECK_THAT(refusal(
                  [&] {
-                   detail::parse_entries({vertex, indices}, kName);
+                   detail::parse_entries({vertex, indices}, kName, ' ');
                  },
                  ErrorCode::unreadable_input),
              Contains("list:2: "));
-  const auto entries = detail::parse_entries({vertex, indices, position}, kName);
+  const auto entries = detail::parse_entries({vertex, indices, position}, kName, ' ');
   CHECK(entries[0].kind == GeneratorEntry::Kind::vertex);
   CHECK(entries[1].values == std::array{1.0, 2.0, 3.0});
+}
+
+TEST_CASE("a refusal writes entries with the separator of the list") {
+  using Catch::Matchers::Contains;
+  const auto refused = [](const Fields& fields) {
+    return refusal([&] { detail::parse_entries({{fields, 7}}, kName, ','); }, ErrorCode::unreadable_input);
+  };
+  CHECK_THAT(refused({"3", "17", "99"}),
+             Contains("'3,17,99' could be a position or three vertices; write 'p,3,17,99'"));
+  CHECK_THAT(refused({"1", "2"}), Contains("'F,b0,b1,b2' or a position 'x,y,z' or 'p,x,y,z'"));
 }
 
 TEST_CASE("a refused entry says what was expected") {

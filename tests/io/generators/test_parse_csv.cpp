@@ -24,7 +24,7 @@ TEST_CASE("a csv list has the same fields, or named columns") {
 TEST_CASE("a csv list without a header takes three numbers for a position, but no list of vertices on one line") {
   CHECK(parse("0,0,0\n", GeneratorFormat::csv).entries[0].kind == Kind::position);
   CHECK_THAT(refusal([] { parse("3,17,99\n", GeneratorFormat::csv); }, ErrorCode::unreadable_input),
-             Catch::Matchers::Contains("list:1: '3 17 99' could be"));
+             Catch::Matchers::Contains("list:1: '3,17,99' could be"));
 }
 
 }  // namespace gvd::test

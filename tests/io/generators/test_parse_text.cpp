@@ -29,4 +29,9 @@ TEST_CASE("a text list of points needs no p") {
   }
 }
 
+TEST_CASE("a comma in a text list is told as such") {
+  CHECK_THAT(refusal([] { parse("17\n1,2.5,3 # a point\n", GeneratorFormat::text); }, ErrorCode::unreadable_input),
+             Catch::Matchers::Contains("list:2: has a comma; part the fields by blanks, or give the list as CSV"));
+}
+
 }  // namespace gvd::test

@@ -30,6 +30,32 @@ bool could_be_vertices(const std::vector<std::string_view>& fields) {
   return indices[0] != indices[1] && indices[1] != indices[2] && indices[2] != indices[0];
 }
 
+/// "p x y z" with the separator of the list.
+std::string spell(std::string fields, char separator) {
+  std::replace(fields.begin(), fields.end(), ' ', separator);
+  return fields;
+}
+
+GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const ListLocation& location, char separator) {
+  GeneratorEntry entry;
+  entry.line = location.line;
+  if (fields.size() == 1) {
+    entry.index = parse_index(fields[0], "vertex", location);
+  } else if (fields.size() == 4) {
+    entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
+    if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_index(fields[0], "face", location);
+    entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
+  } else if (fields.size() == 3) {
+    entry.kind = GeneratorEntry::Kind::position;
+    entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
+  } else {
+    location.refuse(fmt::format("{}; write a vertex 'V', a face with coordinates '{}' or a position '{}' or '{}'",
+                                counted(std::ssize(fields), "field", "fields"), spell("F b0 b1 b2", separator),
+                                spell("x y z", separator), spell("p x y z", separator)));
+  }
+  return entry;
+}
+
 }  // namespace
 
 std::vector<std::string_view> split_blanks(std::string_view text) {
@@ -60,44 +86,21 @@ std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields
   return values;
 }
 
-namespace {
-
-GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const ListLocation& location) {
-  GeneratorEntry entry;
-  entry.line = location.line;
-  if (fields.size() == 1) {
-    entry.index = parse_index(fields[0], "vertex", location);
-  } else if (fields.size() == 4) {
-    entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
-    if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_index(fields[0], "face", location);
-    entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
-  } else if (fields.size() == 3) {
-    entry.kind = GeneratorEntry::Kind::position;
-    entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
-  } else {
-    location.refuse(
-        fmt::format("{}; write a vertex 'V', a face with coordinates 'F b0 b1 b2' or a position 'x y z' or 'p x y z'",
-                    counted(std::ssize(fields), "field", "fields")));
-  }
-  return entry;
-}
-
-}  // namespace
-
-std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name) {
+std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name, char separator) {
   std::vector<GeneratorEntry> entries;
   const ListRow* doubtful = nullptr;
   bool plain = false;
   for (const ListRow& row : rows) {
-    entries.push_back(parse_entry(row.fields, {name, row.number}));
+    entries.push_back(parse_entry(row.fields, {name, row.number}, separator));
     if (row.fields.size() != 3) continue;
     if (!could_be_vertices(row.fields)) plain = true;
     if (doubtful == nullptr) doubtful = &row;
   }
   if (doubtful != nullptr && !plain) {
-    const std::string text = fmt::format("{}", fmt::join(doubtful->fields, " "));
-    ListLocation{name, doubtful->number}.refuse(fmt::format(
-        "'{}' could be a position or three vertices; write 'p {}' for a position, or one vertex a line", text, text));
+    const std::string text = fmt::format("{}", fmt::join(doubtful->fields, std::string_view(&separator, 1)));
+    ListLocation{name, doubtful->number}.refuse(
+        fmt::format("'{0}' could be a position or three vertices; write 'p{1}{0}' for a position, or one vertex a line",
+                    text, separator));
   }
   return entries;
 }

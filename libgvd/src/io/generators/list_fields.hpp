@@ -50,7 +50,8 @@ struct ListRow {
 /// The entries of a list whose rows are `V`, `F b0 b1 b2`, `p x y z` or `x y z`.
 /// Three numbers are a position. The whole list decides: if every row of three holds different indices, they could be
 /// vertices as well, and the list is refused rather than guessed at.
-/// `name` is the list's, for messages. Throws Error{unreadable_input} with name and line. Cost: O(fields).
-std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name);
+/// `name` is the list's, and `separator` stands between its fields: for messages.
+/// Throws Error{unreadable_input} with name and line. Cost: O(fields).
+std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name, char separator);
 
 }  // namespace gvd::detail

@@ -85,7 +85,7 @@ GeneratorEntry read_row(const Columns& columns, const Fields& fields, const List
 std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::string& name) {
   std::vector<ListRow> rows;
   for (const auto& [text, number] : split_lines(content)) rows.push_back({split_commas(text), number});
-  if (rows.empty() || !is_header(rows.front().fields)) return parse_entries(rows, name);
+  if (rows.empty() || !is_header(rows.front().fields)) return parse_entries(rows, name, ',');
   const Columns columns = read_header(rows.front().fields, {name, rows.front().number});
   std::vector<GeneratorEntry> entries;
   for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -26,6 +26,21 @@ TEST_CASE("generators come from exactly one option") {
   CHECK_THAT(refusal({"a.obj", "--vertices", "1", "--generators", "g.txt"}), Contains("--generators and --vertices"));
 }
 
+TEST_CASE("a stray word is told as such, with what it may have been meant for") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "a.obj", other = scratch / "b.obj", more = scratch / "c.obj";
+  for (const std::string& file : {mesh, other, more}) test::write_text(file, "v 0 0 0\n");
+  const auto with = [&](const std::string& word) { return refusal({mesh, word, "-n", "3"}); };
+  CHECK(with("24") == "unexpected: '24' is no file; did you mean -n 24?");
+  CHECK(with(scratch / "x.ply") ==
+        "unexpected: '" + scratch / "x.ply" + "' is no file; did you mean -o " + scratch / "x.ply" + "?");
+  CHECK(with("cut") == "unexpected: 'cut' is no file; options have dashes in front");
+  CHECK_THAT(with(scratch / ""), Contains("is a directory; did you mean --output-dir "));
+  CHECK(refusal({mesh, other, "-n", "3"}) ==
+        "2 inputs, " + mesh + " and " + other + ": name a folder for their outputs with --output-dir");
+  CHECK_THAT(refusal({mesh, other, more, "-n", "3"}), Contains("3 inputs, " + mesh + " and 2 others: "));
+}
+
 TEST_CASE("standard input needs a format") {
   CHECK_THAT(refusal({"-", "-n", "3"}), Contains("--input-format"));
   CHECK_NOTHROW(check_options(parse_options({"-", "-n", "3", "--input-format", "off"}), kOutputFormats));

@@ -99,3 +99,40 @@ TEST_CASE("the file of options is not replaced") {
   CHECK_THAT(refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
              Contains("this is the file that is read"));
 }
+
+TEST_CASE("a folder of outputs that is none, or can't be made, is refused with what to do") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "a.obj";
+  test::write_text(mesh, "v 0 0 0\n");
+  const auto into = [&](const std::string& folder) {
+    return refusal({mesh, "-n", "3", "--output-dir", folder}, ErrorCode::unwritable_output);
+  };
+  CHECK(into(mesh) == "--output-dir " + mesh + ": is a file; name a folder");
+  for (const char* nested : {"x/y", "x/y/", "x/y//"}) {
+    CHECK_THAT(into(scratch / nested), Contains(": there is no directory " + scratch / "x; create it first"));
+  }
+  CHECK(refusal({mesh, "-n", "3", "--output-dir", ""}) ==
+        "--output-dir: the name is empty; name a folder (see gvd-test --help)");
+  CHECK_NOTHROW(check_outputs(parse_options({mesh, "-n", "3", "--output-dir", scratch / "new/"}), kOutputFormats));
+  CHECK(std::filesystem::is_directory(scratch / "new"));
+}
+
+TEST_CASE("what is named twice is told as such") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "a.obj", out = scratch / "out";
+  test::write_text(mesh, "v 0 0 0\n");
+  CHECK_THAT(refusal({mesh, "-n", "3", "--output-dir", out, "--output-format", "ply,obj,ply"}),
+             Contains("--output-format: ply is there twice; keep one"));
+  CHECK(refusal({mesh, scratch / "./a.obj", "-n", "3", "--output-dir", out}) ==
+        "INPUT " + scratch / "./a.obj: is there twice; keep one");
+}
+
+TEST_CASE("an option of a format that is not written names the option that chooses it") {
+  const auto with = [](std::vector<std::string> outputs) {
+    outputs.insert(outputs.begin(), {"a.obj", "-n", "3"});
+    return refusal(outputs);
+  };
+  CHECK_THAT(with({"--output-dir", "out", "--no-curves"}), Contains("write one of them with --output-format or"));
+  CHECK_THAT(with({"-o", "-", "--output-format", "obj", "--ascii-ply"}), Contains("write one with --output-format or"));
+  CHECK_THAT(with({"-o", "a.obj", "--ascii-ply"}), Contains("write one with -o or"));
+}

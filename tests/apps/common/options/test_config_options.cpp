@@ -15,6 +15,7 @@ const std::deque<DeclaredOption> kDeclared{
     {{"--vertices", "", "", "", {}, {}, ValueKind::whole}, true, {}},
     {{"--input-format", "", ""}, false, {}},
     {{"--cut", "", "", "", {}, {}, ValueKind::flag}, false, {}},
+    {{"--max-memory", "", "", "", {}, {}, ValueKind::size}, false, {}},
 };
 
 std::vector<GivenOption> find(const std::string& toml) {
@@ -40,10 +41,12 @@ TEST_CASE("each option takes values of its type only") {
   CHECK(find("vertices = '3,17'").at(0).values == std::vector<std::string>{"3,17"});
   CHECK(find("vertices = 3").at(0).values == std::vector<std::string>{"3"});
   CHECK(find("vertices = [3, 17]").at(0).values == std::vector<std::string>{"3", "17"});
+  CHECK(find("max-memory = '2G'").at(0).values == std::vector<std::string>{"2G"});
+  CHECK(find("max-memory = 1000000000").at(0).values == std::vector<std::string>{"1000000000"});
   CHECK(find("cut = false").at(0).values == std::vector<std::string>{"false"});
-  for (const char* wrong :
-       {"n = 3.0", "n = '3'", "n = [3]", "n = true", "radius = '1'", "vertices = 1.5", "vertices = []",
-        "vertices = [[1]]", "input = 3", "input = ['a']", "cut = 1", "cut = 'true'", "cut.a = 1"}) {
+  for (const char* wrong : {"n = 3.0", "n = '3'", "n = [3]", "n = true", "radius = '1'", "vertices = 1.5",
+                            "vertices = []", "vertices = [[1]]", "input = 3", "input = ['a']", "cut = 1",
+                            "cut = 'true'", "cut.a = 1", "max-memory = true"}) {
     CAPTURE(wrong);
     CHECK_THROWS_WITH(find(wrong), Contains("f:1:") && Contains(": expected ") && Contains(", found a"));
   }

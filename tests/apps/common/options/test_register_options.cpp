@@ -105,6 +105,8 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "b.obj"});
   CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
   CHECK(with("vertices = [1, 2]\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
+  CHECK(with("max-memory = 1000000000\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
+  CHECK(with("max-memory = 1e9\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
   const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});

@@ -28,6 +28,22 @@ TEST_CASE("the beginning of an option stands for the shortest that begins so") {
   CHECK(suggest_name("--output-f", kNames) == "--output-format");
 }
 
+TEST_CASE("capitals do not count, and the same name goes before a longer one") {
+  CHECK(suggest_name("--OUTPUT", kNames) == "--output");
+  CHECK(suggest_name("--Samplign", kNames) == "--sampling");
+  CHECK(suggest_name("-N", kNames) == "-n");
+}
+
+TEST_CASE("the name of what is no option is known from its first letter on") {
+  std::vector<std::string> names = kNames;
+  names.insert(names.end(), {"INPUT", "--input-format"});
+  for (const char* wrong : {"-i", "--in", "--input", "--Input", "--input=a.obj"}) {
+    CAPTURE(wrong);
+    CHECK(suggest_name(wrong, names) == "INPUT");
+  }
+  CHECK(suggest_name("--input-f", names) == "--input-format");
+}
+
 TEST_CASE("what is like no option gets no suggestion") {
   for (const char* wrong : {"--nonsense", "--x", "-x", "-", "--", "--=3", "--qq"}) {
     CAPTURE(wrong);

@@ -52,8 +52,8 @@ TEST_CASE("a wrong value is refused with what is expected, and the target stays"
     CHECK(!fixture.length);
     CHECK(fixture.colour == Colour::red);
   };
-  refused("--count", "0", "is not a whole number from 1 on");
-  refused("--count", "1.5", "is not a whole number from 1 on");
+  refused("--count", "0", "is not a whole number from 1 to 2147483647");
+  refused("--count", "1.5", "is not a whole number from 1 to 2147483647");
   refused("--length", "nan", "is not a finite number above 0");
   refused("--length", "inf", "is not a finite number above 0");
   refused("--length", "1,5", "is not a finite number above 0");

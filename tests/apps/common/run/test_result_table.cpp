@@ -13,3 +13,9 @@ TEST_CASE("results stand in columns, with a column for each figure that a run ha
   const std::vector<std::string> plain = format_results({{"a", "done", {1, 0.5, std::nullopt}, 0}});
   CHECK(plain.front() == "input  result  regions    E    time");
 }
+
+TEST_CASE("columns are as wide as the letters in them, whatever bytes these take") {
+  const auto lines = format_results({{"\u00fc.off", "done", {1, {}, {}}, 0}, {"ab.off", "done", {1, {}, {}}, 0}});
+  CHECK(lines[1] == "\u00fc.off   done          1  0.00 s");
+  CHECK(lines[2] == "ab.off  done          1  0.00 s");
+}

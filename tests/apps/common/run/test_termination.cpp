@@ -23,12 +23,12 @@ struct Ended {
 };
 
 /// Runs `work`, which is to call std::terminate, in a process of its own.
-Ended terminate_in(const std::function<void()>& work) {
+Ended terminate_in(const std::function<void()>& work, const std::string& input = "") {
   const ScratchFolder scratch;
   const std::string err = scratch / "err";
   const ChildEnd end = run_in_child([&](std::string&) {
     if (std::freopen(err.c_str(), "w", stderr) == nullptr) return 1;
-    report_termination("gvd-test");
+    report_termination("gvd-test", input);
     work();
     return 0;
   });
@@ -61,6 +61,11 @@ TEST_CASE("std::terminate without an exception, and in another thread, has its l
   const Ended thread = terminate_in([] { std::thread([] { throw std::bad_alloc(); }).join(); });
   CHECK(thread.end.exit_code == 5);
   CHECK_THAT(thread.err, Contains("gvd-test: error: out of memory"));
+}
+
+TEST_CASE("of several inputs the line names the one") {
+  CHECK(terminate_in([] { std::terminate(); }, "a.obj").err ==
+        "gvd-test: error: a.obj: unexpected: ended without an exception; please report it\n");
 }
 
 TEST_CASE("a request that was refused is in the line") {
