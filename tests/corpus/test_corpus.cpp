@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "gvd/error.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
+#include "support/environment.hpp"
 #include "support/generators.hpp"
 #include "support/random.hpp"
 
@@ -107,11 +107,6 @@ void run_symmetric(const Mesh& mesh, int step) {
   }
 }
 
-unsigned number_from(const char* variable, unsigned otherwise) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
-}
-
 }  // namespace
 
 TEST_CASE("every mesh of the corpus is read, or refused with one line that names the line") {
@@ -168,5 +163,6 @@ TEST_CASE("diagrams are complete where symmetries make ties") {
 
 // By hand: make test-runs, with RUNS_FIRST and RUNS_COUNT.
 TEST_CASE("the Euler count holds over thousands of seeded runs", "[.by-hand]") {
-  run_corpus(number_from("GVD_RUNS_FIRST", 1), number_from("GVD_RUNS_COUNT", 20), 1 << 30);
+  run_corpus(test::number_from_environment("GVD_RUNS_FIRST", 1), test::number_from_environment("GVD_RUNS_COUNT", 20),
+             1 << 30);
 }

@@ -18,6 +18,7 @@
 #include "gvd/remesh.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
+#include "support/environment.hpp"
 #include "support/same_diagram.hpp"
 
 using namespace gvd;
@@ -245,11 +246,6 @@ int run_seeds(unsigned first, unsigned count, bool verbose) {
   return failed;
 }
 
-unsigned number_from(const char* variable, unsigned otherwise) {
-  const char* text = std::getenv(variable);
-  return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
-}
-
 }  // namespace
 
 TEST_CASE("random soups with random generators end in sound results, or in an error that says why") {
@@ -258,5 +254,6 @@ TEST_CASE("random soups with random generators end in sound results, or in an er
 
 // By hand: make soups, with SOUPS_FIRST, SOUPS_COUNT and SOUPS_ALL=1.
 TEST_CASE("more random soups", "[.by-hand]") {
-  REQUIRE(run_seeds(number_from("GVD_FUZZ_FIRST", 1000), number_from("GVD_FUZZ_COUNT", 10000), true) == 0);
+  REQUIRE(run_seeds(test::number_from_environment("GVD_FUZZ_FIRST", 1000),
+                    test::number_from_environment("GVD_FUZZ_COUNT", 10000), true) == 0);
 }

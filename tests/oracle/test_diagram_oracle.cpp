@@ -40,12 +40,6 @@ double distance_to_branch(const Diagram& diagram, const Vec2& p, const std::vect
   return least;
 }
 
-std::vector<SurfacePoint> vertex_points(const test::Reference& reference) {
-  std::vector<SurfacePoint> points;
-  for (const VertexId v : reference.generators) points.push_back(vertex_point(reference.mesh, v));
-  return points;
-}
-
 double wrong_share(const test::DistanceFields& fields, const Diagram& diagram) {
   return double(test::find_wrong_labels(fields, diagram.vertex_label).size()) / double(diagram.vertex_label.size());
 }
@@ -177,7 +171,7 @@ TEST_CASE("few labels differ from those of the reference distances") {
     const test::Reference reference = test::read_reference(*shared / "reference", name);
     for (const Front front : test::kFronts) {
       INFO(name << ", " << test::name(front));
-      CHECK(wrong_share(reference.distances, compute_sound(reference.mesh, vertex_points(reference), front)) <=
+      CHECK(wrong_share(reference.distances, compute_sound(reference.mesh, reference.generator_points(), front)) <=
             (front == Front::circle ? 0.01 : 0.05));
     }
   }
@@ -188,9 +182,9 @@ TEST_CASE("E on spot with 30 generators: the paper's figure with planar fronts, 
   if (!shared) return;
   const test::Reference spot = test::read_reference(*shared / "reference", "spot.m30");
   const double circle =
-      verify_diagram(spot.mesh, compute_sound(spot.mesh, vertex_points(spot), Front::circle)).error_integral;
+      verify_diagram(spot.mesh, compute_sound(spot.mesh, spot.generator_points(), Front::circle)).error_integral;
   const double planar =
-      verify_diagram(spot.mesh, compute_sound(spot.mesh, vertex_points(spot), Front::planar)).error_integral;
+      verify_diagram(spot.mesh, compute_sound(spot.mesh, spot.generator_points(), Front::planar)).error_integral;
   INFO("circle " << circle << ", planar " << planar);  // 0.040 and 0.174 when this was written
   CHECK(circle <= 0.06);
   CHECK(planar <= 0.205);

@@ -23,12 +23,6 @@ namespace {
 
 constexpr double kRelative = 1e-12;
 
-std::vector<SurfacePoint> vertex_points(const test::Reference& reference) {
-  std::vector<SurfacePoint> points;
-  for (const VertexId v : reference.generators) points.push_back(vertex_point(reference.mesh, v));
-  return points;
-}
-
 std::vector<double> nearest_distances(const test::Reference& reference) {
   std::vector<double> nearest = reference.distances.front();
   for (const auto& row : reference.distances) {
@@ -73,7 +67,7 @@ TEST_CASE("an exact diagram has the reference's nearest distance at every vertex
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    const Diagram diagram = test::compute_sound_exact(reference.mesh, vertex_points(reference));
+    const Diagram diagram = test::compute_sound_exact(reference.mesh, reference.generator_points());
     const auto nearest = nearest_distances(reference);
     CHECK(worst_of(diagram.vertex_distance.raw(), nearest) <= kRelative);
     std::vector<double> of_label;
@@ -91,7 +85,7 @@ TEST_CASE("on the reference meshes the bisectors are off by less than 1e-5 of th
   for (const std::string& name : test::list_references(*shared / "reference")) {
     INFO(name);
     const test::Reference reference = test::read_reference(*shared / "reference", name);
-    const Diagram diagram = test::compute_sound_exact(reference.mesh, vertex_points(reference));
+    const Diagram diagram = test::compute_sound_exact(reference.mesh, reference.generator_points());
     CHECK(verify_diagram(reference.mesh, diagram).error_mean < 1e-5 * mean(nearest_distances(reference)));
   }
 }

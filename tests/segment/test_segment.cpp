@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <map>
 #include <random>
 
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
+#include "region_topology.hpp"
 #include "segment/restricted_voronoi.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -26,38 +26,16 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
   return points;
 }
 
-/// The number of edge-connected components the faces of each label.
-std::map<GeneratorId, int> count_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
-  std::map<GeneratorId, int> components;
-  IdVector<FaceId, char> seen(label.size(), 0);
-  for (int i = 0; i < mesh.face_count(); ++i) {
-    if (seen[FaceId(i)] || !label[FaceId(i)].valid()) continue;
-    ++components[label[FaceId(i)]];
-    seen[FaceId(i)] = 1;
-    for (std::vector<FaceId> stack{FaceId(i)}; !stack.empty();) {
-      const FaceId f = stack.back();
-      stack.pop_back();
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, corner));
-        if (!twin.valid() || seen[Mesh::face(twin)] || label[Mesh::face(twin)] != label[f]) continue;
-        seen[Mesh::face(twin)] = 1;
-        stack.push_back(Mesh::face(twin));
-      }
-    }
-  }
-  return components;
-}
-
 void require_guarantees(const Mesh& mesh, const Diagram& diagram, const Segmentation& result) {
   REQUIRE(result.face_label.size() == static_cast<std::size_t>(mesh.face_count()));
   REQUIRE(std::all_of(result.face_label.begin(), result.face_label.end(), [](GeneratorId g) { return g.valid(); }));
-  const auto components = count_components(mesh, result.face_label);
-  for (const auto& [label, count] : components) {
+  const auto regions = test::find_topology(mesh, result.face_label);
+  for (const auto& [label, region] : regions) {
     CAPTURE(label.value());
-    REQUIRE(count == 1);
+    REQUIRE(region.components == 1);
   }
-  REQUIRE(components.size() + result.without_face.size() == diagram.generators.size());
-  for (const GeneratorId g : result.without_face) REQUIRE(components.count(g) == 0);
+  REQUIRE(regions.size() + result.without_face.size() == diagram.generators.size());
+  for (const GeneratorId g : result.without_face) REQUIRE(regions.count(g) == 0);
 }
 
 /// A square of two faces, (0,0) (1,0) (1,1) and (0,0) (1,1) (0,1).

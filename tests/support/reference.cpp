@@ -43,4 +43,10 @@ Reference read_reference(const std::filesystem::path& folder, const std::string&
   return reference;
 }
 
+std::vector<SurfacePoint> Reference::generator_points() const {
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : generators) points.push_back(vertex_point(mesh, v));
+  return points;
+}
+
 }  // namespace gvd::test

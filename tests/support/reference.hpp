@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd::test {
 
@@ -14,6 +15,8 @@ struct Reference {
   Mesh mesh;
   std::vector<VertexId> generators;
   std::vector<std::vector<double>> distances;  ///< [generator][vertex], mesh units, exact
+
+  std::vector<SurfacePoint> generator_points() const;
 };
 
 /// The names of all references in `folder`, ascending: every NAME for which NAME.dist.f64 is there.

@@ -29,7 +29,7 @@ struct ViewScene {
   std::vector<Vec3> generators;                ///< the given ones, in the order of their ids
   std::vector<Vec3> added_generators;          ///< added by a command; drawn in a colour of their own
   std::vector<Vec3> branch_points;
-  IdVector<GeneratorId, Cell> cells;  ///< for the figures of the regions, and to give neighbours different colours
+  IdVector<GeneratorId, Cell> cells;          ///< for the figures of regions and, where faces are cut, their colours
   IdVector<GeneratorId, double> cell_energy;  ///< integral of the squared distance per cell, mesh units to the fourth
   std::vector<ViewFigure> figures;            ///< in the order of the table
   bool wireframe = false;                     ///< draw the edges of the mesh at the start
