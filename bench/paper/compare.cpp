@@ -4,6 +4,7 @@
 //
 // The generators are random vertices, seeded. Times are processor times of one thread, the medians of the runs:
 //   E          the integral of the difference of the exact distances along the bisectors (section 5.2)
+//   turn       radians by which the bisectors turn, for each unit of their length (figure 10)
 //   wrong      vertices with another label than a nearest generator
 //   islands    components of cells without their generator, and their share of the area
 //   forced     faces closed without a rule of the method, or at its cap
@@ -52,16 +53,17 @@ Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std
 }
 
 void print_header() {
-  std::cout << fmt::format("{:<14} {:>10} {:>8} {:>10} {:>14} {:>7} {:>5} {:>10} {:>10}\n", "method", "E", "length",
-                           "wrong", "islands", "forced", "open", "GDF ms", "VD ms");
+  std::cout << fmt::format("{:<14} {:>10} {:>8} {:>6} {:>10} {:>14} {:>7} {:>5} {:>10} {:>10}\n", "method", "E",
+                           "length", "turn", "wrong", "islands", "forced", "open", "GDF ms", "VD ms");
 }
 
 void print_row(const std::string& name, const Comparison& result, const Judgement& judgement, double area) {
   const Faults& faults = result.faults;
   const std::string islands = fmt::format("{} ({:.2f} %)", faults.islands, 100 * faults.island_area / area);
   const double share = static_cast<double>(judgement.wrong_labels) / static_cast<double>(judgement.labelled);
-  std::cout << fmt::format("{:<14} {:>10.3g} {:>8.2f} {:>8.2f} % {:>14} {:>7} {:>5} {:>10.1f} {:>10.1f}\n", name,
-                           judgement.error.error_integral, judgement.error.length, 100 * share, islands,
+  const double turn = judgement.turning_angle / judgement.error.length;
+  std::cout << fmt::format("{:<14} {:>10.3g} {:>8.2f} {:>6.2f} {:>8.2f} % {:>14} {:>7} {:>5} {:>10.1f} {:>10.1f}\n",
+                           name, judgement.error.error_integral, judgement.error.length, turn, 100 * share, islands,
                            faults.forced_faces, faults.open_ends, result.field_ms, result.diagram_ms)
             << std::flush;
 }

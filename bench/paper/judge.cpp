@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "path_submesh.hpp"
+#include "turning.hpp"
 
 namespace gvd::paper {
 namespace {
@@ -77,6 +78,7 @@ Judgement Judge::judge(const Diagram& diagram) const {
   const auto exact = [&](const std::vector<DistanceQuery>& queries) { return compute_field_distances(mesh_, queries); };
   Judgement result;
   result.error = compute_error_measure(mesh_, diagram, exact);
+  result.turning_angle = sum_turning_angles(mesh_, diagram);
   result.wrong_labels = count_wrong_labels(diagram);
   for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v)
     result.labelled += nearest_.label(VertexId(v)).valid() ? 1 : 0;

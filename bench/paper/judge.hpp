@@ -11,6 +11,7 @@ namespace gvd::paper {
 /// What exact distances say of a diagram: the same for all comparators and all methods of the library.
 struct Judgement {
   ErrorMeasure error;             ///< E and its companions
+  double turning_angle = 0;       ///< by `sum_turning_angles`, radians
   std::int64_t wrong_labels = 0;  ///< vertices with another label than a nearest generator, or without any
   std::int64_t labelled = 0;      ///< vertices that a generator reaches
 };
