@@ -124,11 +124,12 @@ void run_remesh(app::Run& run, const Settings& settings) {
 
 int main(int argc, char** argv) {
   Settings settings;
-  app::Command command({"gvd-remesh",
+  app::CommandInfo info{"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"},
-                        false});
+                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
+  info.materials = false;  // the coarse mesh has no labels
+  app::Command command(info);
   register_options(command.line(), settings);
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }
