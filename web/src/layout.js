@@ -27,7 +27,7 @@ export function arrange_panels() {
   // On a narrow phone the buttons have two rows: cards are above them.
   const measure = () => document.documentElement.style.setProperty('--covered', `${covered().bottom}px`);
   new ResizeObserver(measure).observe(document.querySelector('aside'));
-  phone.addEventListener('change', () => phone.matches && open_first_panels());
+  phone.addEventListener('change', open_first_panels);
   for (const box of panels()) {
     box.addEventListener('toggle', () => {
       if (!phone.matches || !box.open) return;

@@ -287,6 +287,10 @@ const tests = {
     await settle(page);
     const size = await page.locator('#canvas').evaluate(({ width, height }) => [width, height]);
     assert.deepEqual(size, [500, 800]);
+    assert.equal(await page.locator('#toggles').isVisible(), false);
+    await page.setViewportSize({ width: 1000, height: 700 });
+    await settle(page);
+    assert.ok(await page.locator('#toggles').isVisible());
     await close(page);
   },
 
