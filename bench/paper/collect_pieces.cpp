@@ -12,6 +12,18 @@
 namespace gvd::paper {
 namespace {
 
+/// Moves corners onto the sides and vertices of their face that they are next to. Where a bisector runs through a
+/// vertex or along an edge, rounding leaves slivers there, which would tear it.
+void snap_corners(Pieces& pieces) {
+  for (FacePiece& piece : pieces) {
+    for (Bary& corner : piece.corners) {
+      double sum = 0;
+      for (double& b : corner) sum += b = b > kLeastContact ? b : 0;
+      for (double& b : corner) b /= sum;
+    }
+  }
+}
+
 /// A vertex takes the label of the first piece that has it as a corner.
 void label_vertices(const Mesh& mesh, const Pieces& pieces, Diagram& diagram) {
   diagram.vertex_label.assign(static_cast<std::size_t>(mesh.vertex_count()), GeneratorId());
@@ -98,6 +110,7 @@ void store_pieces(const Mesh& mesh, Pieces pieces, Diagram& diagram) {
 
 void collect_pieces(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Pieces pieces,
                     Comparison& comparison) {
+  snap_corners(pieces);
   const std::vector<Contact> contacts = find_contacts(mesh, pieces);
   const CellParts parts = find_cell_parts(mesh, generators, pieces, contacts);
   comparison.diagram.generators = generators;

@@ -90,3 +90,15 @@ TEST_CASE(
     CHECK(compute_window_voronoi(mesh, test::random_generators(mesh, 12, seed)).faults.islands == 0);
   }
 }
+
+TEST_CASE("a bisector along edges and through vertices is one polyline, up to the boundary") {
+  const Mesh mesh = test::make_grid(8, 4);
+  const auto vertex_at = [&](int x, int y) { return vertex_point(mesh, VertexId(y * 9 + x)); };
+  const Comparison along = compute_window_voronoi(mesh, {vertex_at(2, 2), vertex_at(6, 2)});
+  CHECK(along.faults.open_ends == 0);
+  REQUIRE(along.diagram.bisectors.size() == 1);
+  CHECK(along.diagram.length == Approx(4));
+  const Comparison across = compute_window_voronoi(mesh, {vertex_at(2, 1), vertex_at(1, 2), vertex_at(6, 3)});
+  CHECK(across.faults.open_ends == 0);
+  CHECK(across.diagram.bisectors.size() == 3);
+}
