@@ -39,12 +39,17 @@ void check_build(const Options& options) {
 }
 
 /// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
-std::string describe_stray(const std::string& word, bool follows, const OutputFormats& formats) {
+std::string describe_stray(const std::string& word, bool follows, const Options& options,
+                           const OutputFormats& formats) {
   std::error_code ignored;
+  if (word.starts_with('-')) return "is no file; options go before --";
   if (std::filesystem::is_directory(word, ignored)) {
     return fmt::format("is a directory; did you mean --output-dir {}?", word);
   }
-  if (parse_number<double>(word)) return fmt::format("is no file; did you mean -n {}?", word);
+  if (parse_number<std::int64_t>(word)) {
+    if (options.generators.vertices) return "is no file; --vertices has commas and no blanks: 3,17,99";
+    if (!options.generators.count) return fmt::format("is no file; did you mean -n {}?", word);
+  }
   const auto& known = formats.extensions;
   const bool output = std::find(known.begin(), known.end(), file_extension(word)) != known.end();
   return follows && output ? fmt::format("is no file; did you mean -o {}?", word)
@@ -57,11 +62,12 @@ bool may_be_read(const std::string& path) {
 }
 
 /// Refuses several inputs without a folder for their outputs. A word that is no file is no input either.
-void refuse_several(const std::vector<std::string>& paths, const OutputFormats& formats) {
+[[noreturn]] void refuse_several(const Options& options, const OutputFormats& formats) {
+  const std::vector<std::string>& paths = options.input.paths;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (may_be_read(paths[i])) continue;
     const std::string word = printable(paths[i]);
-    refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, formats)));
+    refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
   }
   const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
   refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
@@ -73,7 +79,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   const OutputOptions& output = options.output;
   const bool piped = std::find(paths.begin(), paths.end(), "-") != paths.end();
-  if (output.folder.empty() && paths.size() > 1) refuse_several(paths, formats);
+  if (output.folder.empty() && paths.size() > 1) refuse_several(options, formats);
   if (!output.folder.empty() && piped) {
     refuse("--output-dir: standard input has no name for its outputs; write them with -o");
   }

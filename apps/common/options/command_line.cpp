@@ -73,9 +73,10 @@ struct CommandLine::Parser {
     std::vector<GivenOption> given;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (entries[i].option->count() == 0) continue;
+      const std::string name = split_names(declared[i].text.names).front();
+      check_equals_sign(name, entries[i].values);
       const bool flag = declared[i].text.kind == ValueKind::flag;
-      given.push_back({&declared[i], split_names(declared[i].text.names).front(), "",
-                       flag ? std::vector{flag_text(entries[i].flag)} : entries[i].values});
+      given.push_back({&declared[i], name, "", flag ? std::vector{flag_text(entries[i].flag)} : entries[i].values});
     }
     return given;
   }
@@ -124,9 +125,34 @@ struct CommandLine::Parser {
     if (!unexpected.empty()) refuse_line(fmt::format("unexpected: {}", fmt::join(unexpected, ", ")));
   }
 
+  /// "=" parts a name with two dashes from its value, but "-n=3" is the value "=3".
+  void check_equals_sign(const std::string& name, const std::vector<std::string>& values) const {
+    if (name.starts_with("--") || name.front() != '-') return;
+    for (const std::string& value : values) {
+      if (!value.starts_with('=')) continue;
+      refuse_line(
+          fmt::format("{}: '{}' begins with =; write {} {}", name, printable(value), name, printable(value.substr(1))));
+    }
+  }
+
+  /// What CLI11 found wrong, in our words.
+  std::string describe(const CLI::Error& error) const {
+    const std::string message = error.what(), name = message.substr(0, message.find(':'));
+    constexpr std::string_view kConvert = "Could not convert: ";
+    if (message.starts_with(kConvert)) return message.substr(kConvert.size()) + ": expected true or false";
+    if (message.find(": At Most 1 ") != message.npos) return name + ": is there several times; keep one";
+    if (!message.ends_with(" missing")) return message;
+    const auto has_name = [&](const OptionText& option) {
+      const std::vector<std::string> names = split_names(option.names);
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const auto option = std::find_if(shown.begin(), shown.end(), has_name);
+    return fmt::format("{}: its value is missing; write {} {}", name, name, option == shown.end() ? "" : option->type);
+  }
+
   static std::string hint_at(const std::optional<std::string>& meant) {
     if (!meant) return "";
-    if (meant->front() != '-') return fmt::format(" ({} stands for itself, without an option)", *meant);
+    if (meant->front() != '-') return fmt::format(" ({} needs no option in front)", *meant);
     return fmt::format(" (did you mean {}?)", *meant);
   }
 
@@ -212,7 +238,7 @@ std::optional<std::string> CommandLine::parse(int argc, const char* const* argv)
   } catch (const CLI::Success&) {
     return parser_->help();
   } catch (const CLI::Error& error) {
-    throw Error(ErrorCode::invalid_option, error.what() + parser_->hint());
+    parser_->refuse_line(parser_->describe(error));
   }
 }
 

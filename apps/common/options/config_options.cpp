@@ -35,6 +35,9 @@ const DeclaredOption& find_option(const ConfigEntry& entry, const std::deque<Dec
     if (has_key(option, entry.key)) return option;
     for (const std::string& name : split_names(option.text.names)) keys.push_back(key_of(name));
   }
+  if (!entry.is_array && entry.values.front().type_name == "a table") {
+    refuse(entry.place, entry.key, "is a table; write its keys without one");
+  }
   if (const auto meant = suggest_name(entry.key, keys)) {
     refuse(entry.place, entry.key, fmt::format("is no option; did you mean {}?", *meant));
   }

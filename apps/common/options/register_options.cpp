@@ -214,7 +214,7 @@ void register_targets(CommandLine& line, OutputOptions& output, const std::vecto
                   "What -o - or --output-dir writes (default: " + formats.front() +
                       "); for --output-dir also several, with commas",
                   kOutput,
-                  {"--output -", "--output-dir"}},
+                  {"-o -", "--output-dir"}},
                  [&output, formats](const std::string& text) -> std::optional<std::string> {
                    output.formats.clear();
                    for (const std::string& format : split_names(text)) {

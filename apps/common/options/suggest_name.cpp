@@ -1,6 +1,7 @@
 #include "common/options/suggest_name.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace gvd::app {
 namespace {
@@ -14,6 +15,17 @@ std::string bare_name(const std::string& text) {
   std::string bare = first == text.npos ? "" : text.substr(first, text.find('=') - first);
   for (char& c : bare) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return bare;
+}
+
+/// Whether `typed` has the beginnings of words of `name`, in their order and with its first one, with or without the
+/// dashes between them: "outdir" or "out-d" for "output-dir".
+bool abbreviates(std::string_view typed, std::string_view name) {
+  if (typed.empty()) return true;
+  if (!name.empty() && typed.front() == name.front() && abbreviates(typed.substr(1), name.substr(1))) return true;
+  const std::size_t dash = name.find('-');
+  if (dash == name.npos || dash + 1 == name.size()) return false;
+  const std::string_view next = name.substr(dash + 1), rest = typed.substr(typed.front() == '-' ? 1 : 0);
+  return !rest.empty() && rest.front() == next.front() && abbreviates(rest.substr(1), next.substr(1));
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
@@ -50,7 +62,8 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
       least = edits;
       nearest = name;
     }
-    const bool begins = typed.size() >= least_beginning(name) && bare.starts_with(typed);
+    const bool begins = typed.size() >= least_beginning(name) && typed.size() <= bare.size() &&
+                        typed.front() == bare.front() && abbreviates(typed, bare);
     if (begins && (!longer || name.size() < longer->size())) longer = name;
   }
   return longer && least > 0 ? longer : nearest;

@@ -36,6 +36,15 @@ std::string spell(std::string fields, char separator) {
   return fields;
 }
 
+/// The first of four fields, which is not `p`.
+std::int64_t parse_face(std::string_view field, const ListLocation& location, char separator) {
+  if (!parse_field<double>(field)) {
+    location.refuse(fmt::format("{} is no index of a face; write '{}' or, for a position, '{}'", quoted(field),
+                                spell("F b0 b1 b2", separator), spell("p x y z", separator)));
+  }
+  return parse_index(field, "face", location);
+}
+
 GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const ListLocation& location, char separator) {
   GeneratorEntry entry;
   entry.line = location.line;
@@ -43,7 +52,7 @@ GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const Li
     entry.index = parse_index(fields[0], "vertex", location);
   } else if (fields.size() == 4) {
     entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
-    if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_index(fields[0], "face", location);
+    if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_face(fields[0], location, separator);
     entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
   } else if (fields.size() == 3) {
     entry.kind = GeneratorEntry::Kind::position;

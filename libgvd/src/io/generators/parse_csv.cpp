@@ -53,7 +53,8 @@ Columns read_header(const Fields& names, const ListLocation& location) {
   if (!whole(columns.bary)) columns.face = -1;
   if (!whole(columns.position)) columns.position = {-1, -1, -1};
   if (columns.vertex < 0 && columns.face < 0 && columns.position[0] < 0) {
-    location.refuse("the header names no generators; it needs the columns vertex, or face,b0,b1,b2, or x,y,z");
+    location.refuse(
+        "the header names no generators; it needs the columns vertex, or face,b0,b1,b2, or x,y,z, with commas between");
   }
   return columns;
 }

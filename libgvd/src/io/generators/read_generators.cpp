@@ -20,7 +20,9 @@ std::string read_whole(const std::filesystem::path& path) {
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ErrorCode::unreadable_input, path.string() + ": " + std::strerror(errno));
+  if (!file)
+    throw Error(ErrorCode::unreadable_input,
+                path.string() + ": " + std::strerror(errno) + "; name a list of generators");
   std::string content = read_to_end(file);
   if (file.bad()) throw Error(ErrorCode::unreadable_input, path.string() + ": could not be read to its end");
   return content;

@@ -31,7 +31,11 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
   const std::string mesh = scratch / "a.obj", other = scratch / "b.obj", more = scratch / "c.obj";
   for (const std::string& file : {mesh, other, more}) test::write_text(file, "v 0 0 0\n");
   const auto with = [&](const std::string& word) { return refusal({mesh, word, "-n", "3"}); };
-  CHECK(with("24") == "unexpected: '24' is no file; did you mean -n 24?");
+  CHECK(refusal({mesh, "24"}) == "unexpected: '24' is no file; did you mean -n 24?");
+  CHECK(with("24") == "unexpected: '24' is no file; options have dashes in front");
+  CHECK(refusal({mesh, "--vertices", "1", "2"}) ==
+        "unexpected: '2' is no file; --vertices has commas and no blanks: 3,17,99");
+  CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is no file; options go before --");
   CHECK(with(scratch / "x.ply") ==
         "unexpected: '" + scratch / "x.ply" + "' is no file; did you mean -o " + scratch / "x.ply" + "?");
   CHECK(with("cut") == "unexpected: 'cut' is no file; options have dashes in front");

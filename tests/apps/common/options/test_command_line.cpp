@@ -67,6 +67,22 @@ TEST_CASE("a usage error names the option, what is wrong with it, and where the 
   CHECK_THAT(Fixture().refusal({"in", "--config", "/nonexistent.toml"}), Contains("/nonexistent.toml"));
 }
 
+TEST_CASE("a value that is missing, there twice or behind a stray = is told as such") {
+  CHECK(Fixture().refusal({"in", "--even"}) == "--even: its value is missing; write --even N (see gvd-test --help)");
+  CHECK(Fixture().refusal({"in", "--even", "2", "--even", "4"}) ==
+        "--even: is there several times; keep one (see gvd-test --help)");
+  CHECK(Fixture().refusal({"in", "-f=a"}) == "-f: '=a' begins with =; write -f a (see gvd-test --help)");
+  CHECK_THAT(Fixture().refusal({"in", "--flag=maybe"}), StartsWith("--flag = maybe: expected true or false"));
+  Fixture fixture;
+  CHECK(!parse_line(fixture.line, {"in", "--file=a"}));
+  CHECK(fixture.files == std::vector<std::string>{"a"});
+}
+
+TEST_CASE("the name of a positional argument that is given as an option needs none") {
+  CHECK(Fixture().refusal({"--input", "in"}) ==
+        "unknown option: --input (INPUT needs no option in front) (see gvd-test --help)");
+}
+
 TEST_CASE("unknown options are named in the order typed, each with the one that it may stand for") {
   CHECK(Fixture().refusal({"in", "--evne", "2"}) ==
         "unknown option: --evne (did you mean --even?) (see gvd-test --help)");

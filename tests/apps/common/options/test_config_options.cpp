@@ -52,6 +52,10 @@ TEST_CASE("each option takes values of its type only") {
   }
 }
 
+TEST_CASE("a table is no option") {
+  CHECK_THROWS_WITH(find("[options]\nn = 3"), Contains("f:1:2: options: is a table; write its keys without one"));
+}
+
 TEST_CASE("two keys of one option are refused") {
   CHECK_THROWS_WITH(find("count = 3\nradius = 1\nn = 3"), Contains("f:3:1: n: is the same option as count above"));
 }

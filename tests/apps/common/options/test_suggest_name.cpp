@@ -28,6 +28,13 @@ TEST_CASE("the beginning of an option stands for the shortest that begins so") {
   CHECK(suggest_name("--output-f", kNames) == "--output-format");
 }
 
+TEST_CASE("beginnings of an option's words stand for it, with dashes between them or not") {
+  CHECK(suggest_name("--out-f", kNames) == "--output-format");
+  CHECK(suggest_name("--outform", kNames) == "--output-format");
+  CHECK(suggest_name("--outputformat", kNames) == "--output-format");
+  CHECK(!suggest_name("--format", kNames));
+}
+
 TEST_CASE("capitals do not count, and the same name goes before a longer one") {
   CHECK(suggest_name("--OUTPUT", kNames) == "--output");
   CHECK(suggest_name("--Samplign", kNames) == "--sampling");
