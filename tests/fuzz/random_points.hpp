@@ -25,7 +25,7 @@ bool are_close(const Mesh& mesh, const std::vector<SurfacePoint>& points, double
 // What is known to fail between close generators, with the scale at which it begins: docs/developer/exact.md, "Close
 // generators". Fractions as `are_close` takes them.
 
-/// For closer generators, label intervals on edges can be shorter than the shortest one that is kept, and rounding of
+/// For closer generators, label intervals on edges can be shorter than the shortest one that is kept. Rounding of
 /// positions turns triangles between them by a hundredth. So cells are cut off, and vertices get other labels.
 /// Distances of vertices are right nevertheless.
 inline constexpr double kClose = 1e-11;

@@ -13,7 +13,7 @@ namespace gvd {
 /// Chooses the labels of many free faces at once, by dynamic programming on a forest.
 ///
 /// The free faces, joined where they share a side, are a graph: nearly a path along each bisector. A forest is grown in
-/// it breadth-first. A face with two neighbours in the forest stays outside and keeps its label, so that faces of the
+/// it breadth-first. A face with two neighbours in the forest stays outside and keeps its label. So faces of the
 /// forest share sides with their parent and their children only. The labels of least cost are exact for the forest.
 class BorderForest {
  public:

@@ -8,8 +8,8 @@ namespace gvd::io {
 
 /// Per cell, the integral of the squared distance to its generator, in mesh units to the fourth.
 ///
-/// In each face the squared distance is a quadratic function of the barycentric coordinates, given by the distances of
-/// the corners and the lengths of the edges: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. That is exact where straight
+/// In each face the squared distance is a quadratic function of the barycentric coordinates. The distances of the
+/// corners and the lengths of the edges give it: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. That is exact where straight
 /// lines from one generator reach all three corners. Elsewhere, as in cut faces, whose corners may have another
 /// generator, it is an approximation for pictures; `compute_cell_moments` of gvd/lloyd.hpp is the exact one.
 /// A face with a corner that no generator reaches counts nothing.

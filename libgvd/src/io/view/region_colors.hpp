@@ -37,9 +37,10 @@ std::vector<std::pair<GeneratorId, GeneratorId>> find_adjacent_regions(const Vie
 ///
 /// Each label in turn takes, of the usual colours that no neighbour has yet, the one that the fewest labels have; of
 /// the others where there is none. In the order (smallest-last, Matula and Beck 1983) each label has at most d
-/// neighbours before it, d being the degeneracy of the graph. Connected regions on a surface of genus g have
-/// d <= (5 + sqrt(1 + 48 g)) / 2, and d <= 5 for g = 0 (Heawood 1890). So the usual colours suffice up to genus 1, and
-/// the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest neighbours.
+/// neighbours before it, d being the degeneracy of the graph. It is at most 5 for connected regions on a surface of
+/// genus 0, and at most (5 + sqrt(1 + 48 g)) / 2 for genus g > 0 (Heawood 1890). So the usual colours suffice up to
+/// genus 1, and the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest
+/// neighbours.
 /// Cost: O(n log n) for n labels and pairs.
 std::vector<Rgb> choose_region_colors(std::size_t count,
                                       const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
