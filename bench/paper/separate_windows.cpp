@@ -15,6 +15,9 @@ namespace {
 /// Vertices are nearer to another generator only if its distance is less by this fraction; rounding decides nothing.
 constexpr double kEqual = 2e-14;
 
+/// Lengths are enlarged by this fraction: on symmetric meshes a generator wins in a single point of an edge.
+constexpr double kSlack = 1e-9;
+
 void check_memory(std::size_t generators, std::size_t windows) {
   const double bytes = static_cast<double>(generators) * static_cast<double>(windows * (sizeof(Window) + 4));
   if (bytes <= SeparateWindows::kMostMemory) return;
@@ -53,7 +56,7 @@ void SeparateWindows::take_nearest() {
 /// Whether the generator can be the nearest one in a point within `longest` of v: two distances change by that much
 /// each.
 bool SeparateWindows::can_win(const WindowField& field, VertexId v, double longest) const {
-  return field.distance[v] <= distance_[v] + 2 * longest;
+  return field.distance[v] <= distance_[v] * (1 + kSlack) + 2 * longest * (1 + kSlack);
 }
 
 bool SeparateWindows::can_win(const WindowField& field, EdgeId e) const {

@@ -102,3 +102,16 @@ TEST_CASE("a bisector along edges and through vertices is one polyline, up to th
   CHECK(across.faults.open_ends == 0);
   CHECK(across.diagram.bisectors.size() == 3);
 }
+
+TEST_CASE("unpruned windows cross an edge at its end too, where two generators tie up to rounding") {
+  const Mesh unit = test::make_grid(8, 4);  // the bisector runs through vertices, and a generator is a step away
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < unit.face_count(); ++f) faces.push_back(unit.vertices(FaceId(f)));
+  std::vector<Vec3> positions = unit.positions();
+  for (Vec3& p : positions) p.x() += p.x() == 5 ? 4e-15 : 0;
+  const Mesh mesh(positions, faces);
+  const auto vertex_at = [&](int x, int y) { return vertex_point(mesh, VertexId(y * 9 + x)); };
+  const Comparison found = compute_window_voronoi(mesh, {vertex_at(5, 2), vertex_at(3, 2)}, {true});
+  CHECK(found.diagram.length == Approx(4));
+  CHECK(found.diagram.cells[GeneratorId(0)].area == Approx(16));
+}
