@@ -29,6 +29,7 @@ Ended terminate_in(const std::function<void()>& work, const std::string& input =
   const std::string err = scratch / "err";
   const ChildEnd end = run_in_child([&](std::string&) {
     if (std::freopen(err.c_str(), "w", stderr) == nullptr) return 1;
+    limit_memory({});
     report_termination("gvd-test", input);
     work();
     return 0;
