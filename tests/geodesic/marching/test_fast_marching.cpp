@@ -57,6 +57,19 @@ TEST_CASE("a single triangle: distances along its edges") {
   }
 }
 
+TEST_CASE("planar fronts: a generator inside a face is exactly as far from the corners across its edges") {
+  const Mesh mesh = test::make_grid(6, 6);
+  const FaceId inside(2 * (3 * 6 + 3));
+  const SurfacePoint generator = make_surface_point(inside, {0.3, 0.3, 0.4});
+  const WorkingMesh working(mesh, {generator});
+  const FastMarchingResult marched = march(working, Front::planar, {});
+  for (int corner = 0; corner < 3; ++corner) {
+    const VertexId v = mesh.opposite(mesh.twin(Mesh::halfedge(inside, corner)));
+    const double straight = (mesh.position(v) - position(mesh, generator)).norm();
+    CHECK(std::abs(distance(marched, v, GeneratorId(0)) - straight) < kOffset);
+  }
+}
+
 TEST_CASE("circle fronts are exact on a flat grid, from a vertex, an edge and a face") {
   const Mesh mesh = test::make_grid(20, 13);
   for (const SurfacePoint& generator :

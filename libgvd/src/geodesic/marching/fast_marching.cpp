@@ -31,13 +31,14 @@ constexpr std::array<std::size_t, 3> kNext{1, 2, 0}, kPrevious{2, 0, 1};
 class Marcher {
  public:
   Marcher(const WorkingMesh& working, Front front, const Progress& progress)
-      : mesh_(working.mesh()),
+      : working_(working),
+        mesh_(working.mesh()),
         front_(front),
         progress_(progress),
         table_(mesh_.vertex_count(), mesh_.face_count()),
         queue_(kBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), working.generator_vertices().size())) {
-    place_generators(working);
+    place_generators();
   }
 
   FastMarchingResult run() {
@@ -59,12 +60,12 @@ class Marcher {
   }
 
   /// Gives every generator its distances on the faces round its vertex, along their edges.
-  void place_generators(const WorkingMesh& working) {
-    for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
+  void place_generators() {
+    for (std::size_t i = 0; i < working_.generator_vertices().size(); ++i) {
       const GeneratorId g(static_cast<std::int64_t>(i));
       const double offset = offset_.of(g);
-      table_.add(working.vertex(g), g, offset, HalfedgeId());
-      for_each_outgoing(mesh_, working.vertex(g), [&](HalfedgeId h) {
+      table_.add(working_.vertex(g), g, offset, HalfedgeId());
+      for_each_outgoing(mesh_, working_.vertex(g), [&](HalfedgeId h) {
         set_nearer(mesh_.to(h), g, offset + mesh_.length(h));
         set_nearer(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
         add_entry(Mesh::face(h), g);
@@ -148,13 +149,14 @@ class Marcher {
     const VertexId d = mesh_.vertices(face)[kPrevious[i]];
     const std::int32_t neighbour = table_.find(face, g);
     std::int32_t index_d = neighbour >= 0 ? table_.entry(neighbour).corner[kPrevious[i]] : table_.find(d, g);
+    const Front front = front_over(g, index_a, index_b);
     bool improved = false;
     // By the triangle inequality no point of the edge is nearer than this, and no corner beyond the edge.
     const double least = 0.5 * (distance_a + distance_b - mesh_.shape(face).length[i]);
     if (index_d < 0) {
-      index_d = table_.add(d, g, update(face, i, distance_a, distance_b), h);
+      index_d = table_.add(d, g, update(face, i, distance_a, distance_b, front), h);
     } else if (table_.distance(index_d).distance > least) {
-      improved = improve(table_.distance(index_d), update(face, i, distance_a, distance_b), h);
+      improved = improve(table_.distance(index_d), update(face, i, distance_a, distance_b, front), h);
     }
     if (neighbour < 0) {
       std::array<std::int32_t, 3> corner{};
@@ -175,12 +177,19 @@ class Marcher {
     return true;
   }
 
+  /// The front that carries generator g over an edge, from the distances at these indices. A generator inside a face
+  /// has three neighbours only, and a planar front is worst next to its source. Over the edges of its face a circle is
+  /// exact, so that it has six exact distances around it, as a generator at a vertex has.
+  Front front_over(GeneratorId g, std::int32_t index_a, std::int32_t index_b) const {
+    const bool next_to_source = !table_.distance(index_a).via.valid() && !table_.distance(index_b).via.valid();
+    return next_to_source && working_.vertex(g).value() >= working_.input().vertex_count() ? Front::circle : front_;
+  }
+
   /// Distance at the corner opposite side i of a face.
-  double update(FaceId f, std::size_t i, double distance_a, double distance_b) const {
+  double update(FaceId f, std::size_t i, double distance_a, double distance_b, Front front) const {
     const FaceShape& s = mesh_.shape(f);
     const auto t = make_update_triangle(s.length[i], s.length[kPrevious[i]], s.length[kNext[i]], s.twice_area);
-    return front_ == Front::circle ? update_circle(t, distance_a, distance_b)
-                                   : update_planar(t, distance_a, distance_b);
+    return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
   }
 
   /// Queues the faces round the vertex that h leaves, because its distance improved.
@@ -196,6 +205,7 @@ class Marcher {
     report_progress(progress_, steps::kDistances, std::min(0.99, share));
   }
 
+  const WorkingMesh& working_;
   const Mesh& mesh_;
   Front front_;
   const Progress& progress_;
