@@ -14,6 +14,7 @@ namespace gvd {
 enum class Sampling {
   farthest,         ///< `count` points, each as far as possible from all before it
   random,           ///< `count` points, independent and uniform by area
+  vertices,         ///< `count` different vertices, independent of area and distances
   poisson,          ///< `count` points, random but evenly spaced (blue noise)
   covering_radius,  ///< farthest points until no point of the surface is farther than `radius` from the nearest one
 };
@@ -32,7 +33,8 @@ struct SamplingOptions {
 /// farthest and covering_radius choose vertices. They first split long edges of a copy of the mesh at their midpoints.
 /// So points on edges and in faces can be chosen, too. farthest splits edges longer than twice the even spacing
 /// of `count` points, and more if there are fewer than `count` vertices; covering_radius splits edges longer than
-/// radius / 4. The seed chooses the first point of each component. random and poisson choose points inside faces.
+/// radius / 4. The seed chooses the first point of each component. random and poisson choose points inside faces,
+/// vertices chooses vertices of `mesh`, each with the same probability.
 ///
 /// Properties: (1) exactly `count` points, no two of them coincident; (2) the same options give the same points;
 /// (3) farthest: the components get one point each in the order of their first face. Then every point is the vertex
@@ -44,10 +46,11 @@ struct SamplingOptions {
 ///
 /// Throws Error{invalid_option} if count < 1 or the radius is not a finite number > 0; Error{interrupted} if the
 /// progress callback cancels; Error{precondition} if the mesh does not allow such points: random and poisson need a
-/// finite area > 0; `count` points must be distinct within rounding; splitting may add at most kMaxSamplingVertices
-/// vertices. For a covering this means a radius of at least some 0.0015 times the square root of the area.
+/// finite area > 0; vertices needs `count` vertices; `count` points must be distinct within rounding; splitting may add
+/// at most kMaxSamplingVertices vertices. For a covering this means a radius of at least some 0.0015 times the square
+/// root of the area.
 ///
-/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); poisson a local
+/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); vertices O(n); poisson a local
 /// march from each of 5 count candidates, O(n log n) in all. Memory: O(n).
 ///
 /// Source: farthest: Eldar et al., The farthest point strategy for progressive image sampling, 1997, with geodesic

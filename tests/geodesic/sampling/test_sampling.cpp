@@ -1,6 +1,7 @@
 // What gvd/sampling.hpp promises of all samplings, and of random and Poisson points.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <numbers>
 #include <random>
 #include <string>
@@ -84,6 +85,28 @@ TEST_CASE("random points are uniform by area") {
   // Six standard deviations: sqrt(20000 / 4 * 3 / 4) = 61 points; 1 / sqrt(12 * 20000) = 0.002 for the height.
   for (const int column : columns) CHECK(std::abs(column - 5000) < 370);
   CHECK(std::abs(mean.y() - 0.5) < 0.0125);
+}
+
+TEST_CASE("sampled vertices are different ones, all of them if asked for, and each as likely as any other") {
+  const Mesh mesh = test::make_grid(5, 3);
+  std::vector<int> drawn(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  constexpr int kDraws = 4000, kCount = 6;
+  for (int seed = 0; seed < kDraws; ++seed) {
+    std::set<int> ids;
+    for (const SurfacePoint& p : sample(mesh, Sampling::vertices, kCount, static_cast<std::uint64_t>(seed))) {
+      REQUIRE(p.kind() == SurfacePoint::Kind::vertex);
+      const auto corner = static_cast<std::size_t>(std::max_element(p.bary.begin(), p.bary.end()) - p.bary.begin());
+      ids.insert(mesh.vertices(p.face)[corner].value());
+    }
+    REQUIRE(ids.size() == kCount);
+    for (const int id : ids) ++drawn[static_cast<std::size_t>(id)];
+  }
+  const double expected = double(kDraws) * kCount / mesh.vertex_count();
+  // Five standard deviations of a binomial distribution.
+  for (const int count : drawn) CHECK(std::abs(count - expected) < 5 * std::sqrt(expected));
+  CHECK(sample(mesh, Sampling::vertices, mesh.vertex_count(), 1).size() ==
+        static_cast<std::size_t>(mesh.vertex_count()));
+  CHECK_THROWS_AS(sample(mesh, Sampling::vertices, mesh.vertex_count() + 1, 1), Error);
 }
 
 TEST_CASE("poisson points keep a spacing that random points do not have") {

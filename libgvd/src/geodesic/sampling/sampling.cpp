@@ -7,6 +7,7 @@
 #include "geodesic/sampling/sampling_farthest.hpp"
 #include "geodesic/sampling/sampling_poisson.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
+#include "geodesic/sampling/sampling_vertices.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -41,6 +42,8 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
       return sample_farthest(mesh, options);
     case Sampling::random:
       return sample_random(mesh, options.count, options.seed);
+    case Sampling::vertices:
+      return sample_vertices(mesh, options.count, options.seed);
     case Sampling::poisson:
       return sample_poisson(mesh, options);
     case Sampling::covering_radius:

@@ -20,6 +20,8 @@ class SeededRandom {
   explicit SeededRandom(std::uint64_t seed) : engine_(seed) {}
   /// In [0, 1), a multiple of 2^-53.
   double real() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  /// In [0, n), for n > 0; uniform up to a relative 2^-64 n.
+  std::size_t below(std::size_t n) { return engine_() % n; }
 
  private:
   std::mt19937_64 engine_;
