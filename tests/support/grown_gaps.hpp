@@ -21,7 +21,7 @@ struct GrownGaps {
   GrownGaps(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Front front = Front::circle)
       : stages(mesh, generators, front), gaps(find_gaps(stages.mesh(), stages.table())) {
     for (const Gap& gap : gaps) {
-      grown.push_back(grow_gap(stages.input(), stages.rough, gap));
+      grown.push_back(grow_gap(stages.input(), stages.rough, gap).grown);
       closed += grown.back().has_value() ? 1 : 0;
     }
   }

@@ -138,11 +138,11 @@ TEST_CASE("growth takes gaps of up to 200 faces and leaves larger ones to assemb
     for (int f = 2 * (j * kWide + 10); f < 2 * (j * kWide + 20); ++f) gap.faces.emplace_back(f);
   }
   REQUIRE(gap.faces.size() == 200);
-  const auto grown = grow_gap(stages.input(), stages.rough, gap);
+  const auto grown = grow_gap(stages.input(), stages.rough, gap).grown;
   REQUIRE(grown);
   CHECK(test::count_nodes(*grown, GapNode::Kind::rim) == 3);
   CHECK(test::count_nodes(*grown, GapNode::Kind::branch) == 1);
   CHECK(test::count_nodes(*grown, GapNode::Kind::crossing) > 10);
   gap.faces.emplace_back(2 * (19 * kWide + 10));  // one more, which no bisector crosses
-  CHECK_FALSE(grow_gap(stages.input(), stages.rough, gap));
+  CHECK_FALSE(grow_gap(stages.input(), stages.rough, gap).grown);
 }

@@ -42,7 +42,7 @@ TEST_CASE("crossings inside the gap are replaced, and those on its rim keep thei
                                  [&](const Crossing& other) { return other.edge == c.edge && other.t == c.t; });
     node.rim = CrossingId(it - items.begin());
   }
-  install_grown_gaps(x.mesh, {{&x.gap, x.grown}}, traced);
+  install_grown_gaps(x.mesh, {{x.gap, x.grown, {0}}}, traced);
   CHECK(traced.crossings.size() == 6);
   REQUIRE(traced.crossings.count(inner) == 2);
   CHECK(std::is_sorted(
@@ -65,7 +65,7 @@ TEST_CASE("branch points are appended with their distances, and arcs end at them
   const TwoBranches x;
   TracedDiagram traced = before(x);
   traced.faces.branches.push_back({FaceId(0), {1, 0, 0}, 5});  // of another gap
-  install_grown_gaps(x.mesh, {{&x.gap, x.grown}}, traced);
+  install_grown_gaps(x.mesh, {{x.gap, x.grown, {0}}}, traced);
   REQUIRE(traced.faces.branches.size() == 3);
   CHECK(traced.faces.branches[BranchPointId(1)].face == x.f);
   CHECK(traced.faces.branches[BranchPointId(1)].distance == 1);
@@ -79,7 +79,7 @@ TEST_CASE("vertices that growth moved get their new labels") {
   x.cross({{x.middle, x.right}, {x.middle, x.at(3, 2)}, {x.middle, x.at(3, 3)}, {x.middle, x.up}});
   REQUIRE(x.check());
   TracedDiagram traced = before(x);
-  install_grown_gaps(x.mesh, {{&x.gap, x.grown}}, traced);
+  install_grown_gaps(x.mesh, {{x.gap, x.grown, {0}}}, traced);
   CHECK(traced.moved == std::vector<VertexId>{VertexId(x.middle)});
   CHECK(traced.labels.label[VertexId(x.middle)] == GeneratorId(0));
 }

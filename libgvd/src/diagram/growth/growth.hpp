@@ -7,6 +7,7 @@
 
 #include "diagram/graph/crossings.hpp"
 #include "diagram/growth/gaps.hpp"
+#include "diagram/growth/growth_event.hpp"
 #include "diagram/growth/growth_input.hpp"
 
 namespace gvd {
@@ -36,18 +37,37 @@ struct GrownGap {
   std::vector<std::pair<VertexId, GeneratorId>> labels;  ///< of vertices that growth gave to another cell, ascending
 };
 
+/// How bisectors grow through a gap.
+struct GrowthRules {
+  /// Where the images of an end's generators come from when the end enters a face.
+  enum class Images {
+    rotated,   ///< from the face before, around the edge
+    unfolded,  ///< from the distances at the face's corners; rotated where the tables have none
+  };
+  Images images = Images::rotated;
+  EventOrder order = EventOrder::by_kind;
+  /// Whether an intersection has to be equally far from its three generators, and farther from all others (section 3).
+  bool require_equidistance = false;
+};
+
+/// What came of growing through a gap.
+struct GrowthOutcome {
+  std::optional<GrownGap> grown;  ///< none if growth failed
+  FaceId entered;                 ///< the face outside the gap that an end wants to enter; invalid if there is none
+};
+
 /// Grows the bisectors that cross the gap's rim through its faces, until every end is resolved.
 ///
 /// There are two kinds of event. Ends that intersect inside a face are merged to one at a branch point. An end that
-/// leaves its face crosses the edge, and the images of its generators are rotated around that edge into the plane of
-/// the next face. The event of least predicted distance comes first, where an end's predicted distance is the mean of
-/// those to its two images.
+/// leaves its face crosses the edge, and continues in the next face with the images of its generators there. The event
+/// of least predicted distance comes first, where an end's predicted distance is the mean of those to its images.
 ///
-/// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event;
-/// intersections come before exits, since distance is not monotone along a bisector; generators are unfolded once, in
-/// the face outside the gap; the result is checked as a whole (`check_growth`), and no end is ever drawn back.
-/// Returns nothing if an end stays unresolved, the check fails, or the gap has more than 200 faces; `assemble_faces`
-/// closes such a gap. Cost: O(k^3) for k ends, those of later faces included; k is bounded by the faces of the gap.
-std::optional<GrownGap> grow_gap(const GrowthInput& input, const Crossings& crossings, const Gap& gap);
+/// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event; the
+/// result is checked as a whole (`check_growth`), and no end is ever drawn back; with the default rules intersections
+/// come before exits, since distance is not monotone along a bisector, and images are rotated from face to face.
+/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than 200 faces.
+/// Cost: O(k^2) for k ends, those of later faces included; k is bounded by the faces of the gap.
+GrowthOutcome grow_gap(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
+                       const GrowthRules& rules = {});
 
 }  // namespace gvd

@@ -29,4 +29,15 @@ std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f, Gener
   return d;
 }
 
+std::optional<std::array<double, 3>> table_distances(const GrowthInput& input, FaceId f, GeneratorId g) {
+  std::array<double, 3> d{};
+  const auto& corners = input.mesh().vertices(f);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t entry = input.table.find(corners[i], g);
+    if (entry < 0) return std::nullopt;
+    d[i] = input.table.distance(entry).distance;
+  }
+  return d;
+}
+
 }  // namespace gvd

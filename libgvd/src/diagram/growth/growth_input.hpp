@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "diagram/graph/nearest_labels.hpp"
 #include "geodesic/field/generator_table.hpp"
@@ -22,5 +23,8 @@ struct GrowthInput {
 /// Distances of generator g at the corners of f, mesh units. Where the tables have none, the distance along an edge
 /// from another corner of f; infinity where no corner has one.
 std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f, GeneratorId g);
+
+/// The same, where the tables have all three; else nothing.
+std::optional<std::array<double, 3>> table_distances(const GrowthInput& input, FaceId f, GeneratorId g);
 
 }  // namespace gvd

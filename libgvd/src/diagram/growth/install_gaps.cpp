@@ -50,10 +50,10 @@ class GapInstaller {
   std::vector<char> edges_inside() const {
     std::vector<char> inside(static_cast<std::size_t>(mesh_.edge_count()), 0);
     for (const ClosedGap& c : closed_) {
-      for (const FaceId f : c.gap->faces) {
+      for (const FaceId f : c.gap.faces) {
         for (int corner = 0; corner < 3; ++corner) {
           const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh_.twin(h);
-          if (!twin.valid() || c.gap->contains(Mesh::face(twin))) inside[mesh_.edge(h).index()] = 1;
+          if (!twin.valid() || c.gap.contains(Mesh::face(twin))) inside[mesh_.edge(h).index()] = 1;
         }
       }
     }

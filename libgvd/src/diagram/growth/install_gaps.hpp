@@ -3,15 +3,9 @@
 #include <vector>
 
 #include "diagram/graph/traced_diagram.hpp"
-#include "diagram/growth/growth.hpp"
+#include "diagram/growth/grow_gaps.hpp"
 
 namespace gvd {
-
-/// A gap and the bisectors that grew in it.
-struct ClosedGap {
-  const Gap* gap;
-  GrownGap grown;
-};
 
 /// Replaces the crossings inside the grown gaps by those that grew, appends their arcs and branch points to
 /// `traced.faces`, and gives the vertices that growth moved their new labels. Cost: O(n + k log k) for k crossings.

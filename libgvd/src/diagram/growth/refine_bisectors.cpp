@@ -10,14 +10,6 @@ namespace {
 /// Progress is reported once in so many faces.
 constexpr std::size_t kProgressStride = 1 << 12;
 
-/// Parameter t of the point a + t (b - a) that is equally far from p and q; -1 if there is none or every point is.
-double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
-  const Vec2 normal = q - p;
-  const double along = normal.dot(b - a);
-  const double to_middle = normal.dot(0.5 * (p + q) - a);
-  return along == 0 ? -1 : to_middle / along;
-}
-
 }  // namespace
 
 std::vector<CrossingEstimate> refine_bisectors(const GrowthInput& input, const Crossings& crossings,

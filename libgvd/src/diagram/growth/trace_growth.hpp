@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagram/graph/traced_diagram.hpp"
-#include "diagram/growth/gaps.hpp"
+#include "diagram/growth/grow_gaps.hpp"
 #include "diagram/growth/growth_input.hpp"
 #include "gvd/progress.hpp"
 
@@ -26,16 +26,13 @@ class GrowthTracer {
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
   /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
-  void close_faces(TracedDiagram& traced);
-  /// From now on, assembles the gaps that have one of these edges, ascending.
+  void close_faces(TracedDiagram& traced) const;
+  /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
   void disable_growth(const std::vector<EdgeId>& edges);
 
  private:
   GrowthInput input(const NearestLabels& labels) const { return {working_, table_, labels, front_}; }
   void refine(TracedDiagram& traced) const;
-  void grow(TracedDiagram& traced);
-  void assemble_rest(TracedDiagram& traced) const;
-  bool has_edge(const Gap& gap, const std::vector<EdgeId>& edges) const;
 
   const WorkingMesh& working_;
   const Mesh& mesh_;
@@ -43,7 +40,7 @@ class GrowthTracer {
   Front front_;
   const Progress& progress_;
   std::vector<Gap> gaps_;
-  std::vector<char> may_grow_;  // per gap: growth has neither failed nor been disabled there
+  GapGrowthPlan plan_;
 };
 
 }  // namespace gvd

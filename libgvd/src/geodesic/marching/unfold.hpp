@@ -32,4 +32,13 @@ inline Vec2 unfold_generator(const std::array<Vec2, 3>& corner, const std::array
   return unfold_source(corner[side], corner[(side + 1) % 3], distance[side], distance[(side + 1) % 3]);
 }
 
+/// Parameter t of the point a + t (b - a) that is equally far from p and q; -1 if there is none or every point is.
+/// Cost: O(1).
+inline double equidistant_parameter(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  const Vec2 normal = q - p;
+  const double along = normal.dot(b - a);
+  const double to_middle = normal.dot(0.5 * (p + q) - a);
+  return along == 0 ? -1 : to_middle / along;
+}
+
 }  // namespace gvd
