@@ -30,6 +30,7 @@ FLOORS = [
     ["libgvd/src/diagram/graph"],
     ["libgvd/src/diagram/assembly"],
     ["libgvd/src/diagram/envelope", "libgvd/src/diagram/growth"],
+    ["libgvd/src/diagram/paper"],
     ["libgvd/src/diagram"],
     ["libgvd/src/diagram/evaluation"],
     ["libgvd/src/io/generators", "libgvd/src/io/writers"],

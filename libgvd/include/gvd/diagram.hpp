@@ -23,20 +23,23 @@ enum class Solver {
 /// The algorithm that turns distances into bisectors.
 enum class Tracer {
   envelope,  ///< the lower envelope of the distances, on edges and in faces: as exact as they are
-  growth,    ///< the paper's refinement by unfolding, and growth (sections 4.2 and 4.3)
+  growth,    ///< the paper's refinement by unfolding, and growth (sections 4.2 and 4.3), improved
+  paper,     ///< sections 4.2 and 4.3 as the paper has them; to compare
 };
 
-/// Any solver works with any tracer; two of the combinations have a name.
+/// Any solver works with any tracer; three of the combinations have a name.
 struct Method {
   Solver solver;
   Tracer tracer;
 
   bool operator==(const Method&) const = default;
   static const Method exact;  ///< windows and envelope: the diagram of the exact polyhedral metric
-  static const Method gbgvd;  ///< fast marching and growth: the paper's method
+  static const Method gbgvd;  ///< fast marching and growth: the paper's method, improved
+  static const Method paper;  ///< the paper's method step by step; Front::planar belongs to it
 };
 inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
+inline constexpr Method Method::paper{Solver::fast_marching, Tracer::paper};
 
 /// Least chord tolerance, in mean edge lengths. Distances have a relative error of some 1e-13, and a point can be 10 to
 /// 100 times as far from the bisector as its two distances differ: below this limit rounding decides.
@@ -91,10 +94,19 @@ struct FacePiece {
   std::vector<std::array<double, 3>> corners;
 };
 
+/// The faces of the input by the nearest generators of their corners (sections 3 and 4.4 of the paper). Faces that no
+/// generator reaches are in none of the three.
+struct FaceClassCounts {
+  std::int64_t trivial = 0;    ///< n1: one generator
+  std::int64_t ordinary = 0;   ///< n2: two
+  std::int64_t branching = 0;  ///< n3: three
+};
+
 /// Counts of a run. Those of what it could not do are normally zero.
 struct DiagramReport {
   std::int64_t propagation_events = 0;  ///< faces taken from fast marching's queue, or windows propagated across a face
   std::int64_t table_entries = 0;       ///< (face, generator) pairs in the generator tables; 0 without tables
+  FaceClassCounts face_classes;
   std::int64_t relabelled_vertices = 0;  ///< vertices with another label than the nearest generator, to connect cells
   std::int64_t gaps = 0;                 ///< connected sets of faces with three or more generators
   std::int64_t gaps_grown = 0;           ///< of these, closed by growth

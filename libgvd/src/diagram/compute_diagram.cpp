@@ -6,8 +6,10 @@
 #include "base/parallel_chunks.hpp"
 #include "diagram/collect_cells.hpp"
 #include "diagram/connected_tracer.hpp"
+#include "diagram/count_face_classes.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/growth/trace_growth.hpp"
+#include "diagram/paper/trace_paper.hpp"
 #include "diagram/trace_bisectors.hpp"
 #include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/fast_marching.hpp"
@@ -42,9 +44,15 @@ double tolerance(const Mesh& mesh, const DiagramOptions& options) {
   return options.chord_tolerance * mesh.mean_edge_length();
 }
 
-TracedDiagram trace_by_growth(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options) {
+/// Traces by one of the two tracers that read the tables of the faces.
+TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options) {
+  NearestLabels labels = compute_nearest_labels(working, table);
+  if (options.method.tracer == Tracer::paper) {
+    PaperTracer tracer(working, table, options.front, options.progress);
+    return trace_connected(working, std::move(labels), steps_of(tracer), options.progress);
+  }
   GrowthTracer tracer(working, table, options.front, options.progress);
-  return trace_connected(working, compute_nearest_labels(working, table), steps_of(tracer), options.progress);
+  return trace_connected(working, std::move(labels), steps_of(tracer), options.progress);
 }
 
 /// What solver and tracer leave to the steps that all methods share.
@@ -58,8 +66,8 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
   const FastMarchingResult marched = march(working, options.front, options.progress);
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
-  if (options.method.tracer == Tracer::growth) {
-    return {trace_by_growth(working, marched.table, options), marched.offset};
+  if (options.method.tracer != Tracer::envelope) {
+    return {trace_tables(working, marched.table, options), marched.offset};
   }
   const MarchedDistances distances(working.mesh(), marched.table);
   const EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
@@ -75,10 +83,10 @@ Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, 
   propagation.threads = options.threads;
   const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
   report.propagation_events = field.carried;
-  if (options.method.tracer == Tracer::growth) {
+  if (options.method.tracer != Tracer::envelope) {
     const GeneratorTable table = make_generator_table(mesh, field, options.progress);
     report.table_entries = static_cast<std::int64_t>(table.entry_count());
-    return {trace_by_growth(working, table, options), {}};
+    return {trace_tables(working, table, options), {}};
   }
   const WindowDistances distances(mesh, field);
   const EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
@@ -112,6 +120,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
   take_counts(traced.diagram.counts, diagram.report);
   report_progress(options.progress, steps::kCells, 0);
   take_vertex_labels(working, traced.diagram, traced.offset, diagram);
+  diagram.report.face_classes = count_face_classes(mesh, diagram.vertex_label);
   trace_bisectors(working, traced.diagram, parallel, diagram);
   collect_cells(working, traced.diagram, parallel, diagram);
   return diagram;
