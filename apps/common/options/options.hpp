@@ -21,7 +21,7 @@ struct InputOptions {
 };
 
 /// How `-n` and `--radius` choose generators.
-enum class SamplingKind { farthest, random, poisson };
+enum class SamplingKind { farthest, random, vertices, poisson };
 
 /// Where the generators come from: exactly one of count, file, vertices and radius is set.
 struct GeneratorOptions {
@@ -38,7 +38,7 @@ struct GeneratorOptions {
 
 struct ComputeOptions {
   Method method = Method::exact;
-  std::optional<Front> front;             ///< for gbgvd only
+  std::optional<Front> front;             ///< for gbgvd and paper; nothing: circles for gbgvd, planar for paper
   std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; for exact only
   std::int32_t threads = 0;               ///< 0: all cores; the results are the same for any number
   bool verify = false;

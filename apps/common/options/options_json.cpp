@@ -11,12 +11,19 @@ const char* name_of(SamplingKind kind) {
   switch (kind) {
     case SamplingKind::random:
       return "random";
+    case SamplingKind::vertices:
+      return "vertices";
     case SamplingKind::poisson:
       return "poisson";
     case SamplingKind::farthest:
       break;
   }
   return "farthest";
+}
+
+const char* name_of(const Method& method) {
+  if (method == Method::exact) return "exact";
+  return method == Method::paper ? "paper" : "gbgvd";
 }
 
 const char* name_of(GeneratorFormat format) {
@@ -59,7 +66,7 @@ void add_generators(Json& json, const GeneratorOptions& generators) {
 void add_compute(Json& json, const ComputeOptions& compute) {
   const DiagramOptions diagram = make_diagram_options(compute);
   const bool exact = compute.method == Method::exact;
-  json["method"] = exact ? "exact" : "gbgvd";
+  json["method"] = name_of(compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
   json["front"] = exact ? Json() : Json(diagram.front == Front::planar ? "planar" : "circle");
   json["threads"] = compute.threads;

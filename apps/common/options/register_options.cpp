@@ -89,10 +89,11 @@ void register_input(CommandLine& line, InputOptions& input) {
 void register_sampling(CommandLine& line, GeneratorOptions& generators) {
   add_number(line, {"-n,--count", "", "Choose N generators", kGenerators, {}, sources_but("-n")}, generators.count,
              kCount);
-  add_choice(
-      line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, {"-n"}}, generators.sampling,
-      Choices<SamplingKind>{
-          {"farthest", SamplingKind::farthest}, {"random", SamplingKind::random}, {"poisson", SamplingKind::poisson}});
+  add_choice(line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, {"-n"}}, generators.sampling,
+             Choices<SamplingKind>{{"farthest", SamplingKind::farthest},
+                                   {"random", SamplingKind::random},
+                                   {"vertices", SamplingKind::vertices},
+                                   {"poisson", SamplingKind::poisson}});
   add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators, {"-n", "--radius"}}, generators.seed,
              kAnyWhole);
   add_number(line,
@@ -154,10 +155,13 @@ void register_list_rules(CommandLine& line, GeneratorOptions& generators) {
 }
 
 void register_compute(CommandLine& line, ComputeOptions& compute) {
-  add_choice(line,
-             {"--method", "",
-              "How the diagram is built: of exact distances (default), or growth-based by fast marching", kComputing},
-             compute.method, Choices<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}});
+  add_choice(
+      line,
+      {"--method", "",
+       "How the diagram is built: of exact distances (default), growth-based by fast marching, or by the paper's steps "
+       "as written",
+       kComputing},
+      compute.method, Choices<Method>{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}});
   add_number(line,
              {"--chord-tolerance",
               "",
@@ -166,14 +170,14 @@ void register_compute(CommandLine& line, ComputeOptions& compute) {
                           DiagramOptions{}.chord_tolerance, kLeastChordTolerance),
               kComputing,
               {},
-              {"--method gbgvd"}},
+              {"--method gbgvd", "--method paper"}},
              compute.chord_tolerance, kPositive);
   add_choice(line,
              {"--front",
               "",
-              "Front of --method gbgvd: the paper's planar one, or circles (default)",
+              "Front of fast marching: planar (default of --method paper), or circles (of --method gbgvd)",
               kComputing,
-              {"--method gbgvd"}},
+              {"--method gbgvd", "--method paper"}},
              compute.front, Choices<Front>{{"planar", Front::planar}, {"circle", Front::circle}});
   add_number(
       line, {"--threads", "", "Threads to use (default: all cores); the result is the same for any number", kComputing},

@@ -2,14 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
+#include "common/run/step_times.hpp"
 #include "gvd/counted.hpp"
 
 namespace gvd::app {
 
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+namespace {
+
+/// Computes the diagram, and reports the time of each of its steps as "diagram: step".
+Diagram compute_timed(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   DiagramOptions options = make_diagram_options(run.options().compute);
-  options.progress = run.progress();
-  Diagram diagram = run.timed("diagram", [&] { return compute_diagram(mesh, generators, options); });
+  StepTimes times(run);
+  std::string current;
+  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
+    if (step != current) {
+      current = step;
+      times.start(fmt::format("diagram: {}", step));
+    }
+    return show(step, fraction);
+  };
+  return compute_diagram(mesh, generators, options);
+}
+
+}  // namespace
+
+Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, mesh, generators); });
   report_diagram(run, diagram);
   return diagram;
 }

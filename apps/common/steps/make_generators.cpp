@@ -46,6 +46,20 @@ ResolvedGenerators resolve(Run& run, const CheckedMesh& input) {
   return resolved;
 }
 
+Sampling sampling_of(SamplingKind kind) {
+  switch (kind) {
+    case SamplingKind::random:
+      return Sampling::random;
+    case SamplingKind::vertices:
+      return Sampling::vertices;
+    case SamplingKind::poisson:
+      return Sampling::poisson;
+    case SamplingKind::farthest:
+      break;
+  }
+  return Sampling::farthest;
+}
+
 ResolvedGenerators sample(Run& run, const Mesh& mesh) {
   const GeneratorOptions& asked = run.options().generators;
   SamplingOptions options;
@@ -54,10 +68,7 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh) {
   options.progress = run.progress();
   if (asked.count) options.count = *asked.count;
   if (asked.radius) options.radius = *asked.radius;
-  options.kind = asked.radius                              ? Sampling::covering_radius
-                 : asked.sampling == SamplingKind::random  ? Sampling::random
-                 : asked.sampling == SamplingKind::poisson ? Sampling::poisson
-                                                           : Sampling::farthest;
+  options.kind = asked.radius ? Sampling::covering_radius : sampling_of(asked.sampling);
   ResolvedGenerators sampled;
   sampled.points = sample_generators(mesh, options);
   sampled.snap_distance.resize(sampled.points.size());

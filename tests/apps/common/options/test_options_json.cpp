@@ -31,6 +31,18 @@ TEST_CASE("options that are given have their values") {
   CHECK(json["threads"] == 2);
   CHECK(json["view"] == "v.html");
   CHECK(json["up"] == "-z");
-  CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "poisson"}))["sampling"] == "poisson");
+  for (const std::string name : {"farthest", "random", "vertices", "poisson"}) {
+    CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", name}))["sampling"] == name);
+  }
+  const auto front_of = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"a.obj", "-n", "3"};
+    words.insert(words.end(), more.begin(), more.end());
+    return to_json(parse_options(words))["front"];
+  };
+  CHECK(front_of({"--method", "paper"}) == "planar");
+  CHECK(front_of({"--method", "paper", "--front", "circle"}) == "circle");
+  CHECK(front_of({"--method", "gbgvd"}) == "circle");
+  CHECK(front_of({}).is_null());
+  CHECK(to_json(parse_options({"a.obj", "-n", "3", "--method", "paper"}))["method"] == "paper");
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "random"}))["sampling"] == "random");
 }

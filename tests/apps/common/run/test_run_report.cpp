@@ -91,8 +91,10 @@ TEST_CASE("a report has the contract's keys in its order") {
                             "timings_ms", "peak_memory_bytes", "results"});
   CHECK(keys(json["input"]) == Names{"vertices", "faces", "components", "boundary_loops", "euler_characteristic",
                                      "area", "bbox_diagonal", "defects"});
-  CHECK(keys(json["diagram"]) == Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "unresolved_ends",
-                                       "relabelled_vertices", "straightened_faces", "straightened_error", "verify"});
+  CHECK(keys(json["diagram"]) == Names{"branch_points", "bisectors", "length", "cells", "disc_cells", "trivial_faces",
+                                       "ordinary_faces", "branching_faces", "gaps", "gaps_grown", "gaps_assembled",
+                                       "unresolved_ends", "relabelled_vertices", "straightened_faces",
+                                       "straightened_error", "verify"});
   CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length"});
   CHECK(keys(json["options"]).front() == "input");
   CHECK(keys(json["options"]).back() == "step");

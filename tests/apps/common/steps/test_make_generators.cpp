@@ -34,7 +34,8 @@ struct Made {
 }  // namespace
 
 TEST_CASE("a number of generators gives exactly as many, by every kind of sampling, and reports them") {
-  for (const SamplingKind kind : {SamplingKind::farthest, SamplingKind::random, SamplingKind::poisson}) {
+  for (const SamplingKind kind :
+       {SamplingKind::farthest, SamplingKind::random, SamplingKind::vertices, SamplingKind::poisson}) {
     GeneratorOptions options;
     options.count = 12;
     options.sampling = kind;
