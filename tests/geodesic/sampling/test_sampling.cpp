@@ -1,9 +1,9 @@
 // What gvd/sampling.hpp promises of all samplings, and of random and Poisson points.
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
