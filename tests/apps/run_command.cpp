@@ -37,6 +37,20 @@ class Arguments {
   std::vector<char*> pointers_;
 };
 
+/// Whether a process runs `program` with a handler for SIGINT, by /proc; true where there is none.
+bool handles_interrupt(pid_t process, const std::filesystem::path& program) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  std::ifstream status(folder + "/status");
+  if (!status) return true;
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(folder + "/exe", program, ignored)) return false;
+  for (std::string word; status >> word;) {
+    unsigned long long caught = 0;
+    if (word == "SigCgt:" && status >> std::hex >> caught) return ((caught >> (SIGINT - 1)) & 1) != 0;
+  }
+  return true;
+}
+
 /// Reads the output of the child until it ends.
 CommandResult collect(pid_t child, int stream) {
   CommandResult result;
@@ -87,7 +101,11 @@ CommandResult run_interrupted(const std::string& name, const std::vector<std::st
   }
   close(input[0]);
   close(errors[1]);
-  // Time to start and to wait for input. It can't end before the signal: its input stays open.
+  // Time to start, which a busy machine makes long, and to wait for input. It can't end before the signal: its input
+  // stays open.
+  for (int i = 0; i < 100 && !handles_interrupt(child, binary(name)); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   kill(child, signal);
   const CommandResult result = collect(child, errors[0]);

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
 
@@ -32,9 +34,8 @@ TEST_CASE("a child process that a signal ends gives the signal") {
 
 TEST_CASE("a signal that asks this process to end is passed on to its child") {
   install_signal_handlers();
-  std::raise(SIGINT);
   const ChildEnd end = run_in_child([](std::string& answer) {
-    install_signal_handlers();
+    ::kill(::getppid(), SIGINT);
     while (!interrupt_requested()) {
     }
     answer = "asked";
