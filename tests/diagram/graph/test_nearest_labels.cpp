@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -132,6 +133,23 @@ TEST_CASE("an island is listed as unsupported, and takes the label of a neighbou
     CHECK(result.label[VertexId(9)] == GeneratorId(1));
     CHECK(result.label[VertexId(6)] == GeneratorId(0));
   }
+}
+
+TEST_CASE("a vertex whose only support takes another label is listed as unsupported") {
+  Strip strip;
+  strip.table = GeneratorTable(strip.mesh.vertex_count(), strip.mesh.face_count());
+  for (int v = 0; v < 10; ++v) strip.reach(v, 0, v == 0 ? 0 : v == 6 ? 0.5 : 0.35);
+  strip.reach(4, 1, 0);
+  strip.reach(5, 1, 0.2);
+  strip.reach(6, 1, 0.45);
+  NearestLabels labels = compute_nearest_labels(strip.working, strip.table);
+  REQUIRE(labels.label[VertexId(6)] == GeneratorId(1));
+  const auto listed = [&] { return std::count(labels.unsupported.begin(), labels.unsupported.end(), VertexId(6)); };
+  REQUIRE(listed() == 0);
+  relabel_from_neighbours(strip.working, {VertexId(5)}, labels);
+  CHECK(labels.label[VertexId(5)] == GeneratorId(0));
+  CHECK(labels.label[VertexId(6)] == GeneratorId(1));
+  CHECK(listed() == 1);
 }
 
 TEST_CASE("a vertex that the march of its new generator did not reach gets the distance along the edge") {

@@ -143,6 +143,14 @@ void relabel_from_neighbours(const WorkingMesh& working, const std::vector<Verte
   Labeller labeller(working, labels);
   for (const VertexId v : vertices) labeller.clear(v);
   labeller.label_from_neighbours(vertices);
+  // They may have been what supported their neighbours.
+  const auto examine = [&](VertexId v) {
+    if (labels.label[v].valid() && !labeller.is_supported(v)) labels.unsupported.push_back(v);
+  };
+  for (const VertexId v : vertices) {
+    examine(v);
+    for_each_neighbour(working.mesh(), v, [&](VertexId u, HalfedgeId) { examine(u); });
+  }
 }
 
 std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels) {

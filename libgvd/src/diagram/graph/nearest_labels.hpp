@@ -28,7 +28,8 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
                           const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel);
 
 /// Gives these vertices labels of neighbours that keep their own, so that a chain of edges connects each to its new
-/// cell. Distances become those along the edges. Cost: O(k log k) for k vertices.
+/// cell. Distances become those along the edges. Neighbours that lose their support are appended to `unsupported`.
+/// Cost: O(k log k) for k vertices.
 void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels);
 
 /// Relabels every vertex that no chain of edges with decreasing distance connects to its generator. Afterwards the
