@@ -32,14 +32,14 @@ bool accept_branch(const GrowthInput& input, const GrowingEnd& first, const Grow
       std::max({(plane[1] - plane[0]).norm(), (plane[2] - plane[1]).norm(), (plane[0] - plane[2]).norm()});
   const double tolerance = kEquidistance * longest;
   const auto d = distances_at(first, second, point);
-  const auto [least, most] = std::minmax_element(d.begin(), d.end());
-  if (*most - *least > tolerance) return false;
+  const double least = *std::min_element(d.begin(), d.end());
+  if (*std::max_element(d.begin(), d.end()) - least > tolerance) return false;
   bool is_nearest = true;
   input.table.for_each(first.face, [&](const TableEntry& entry) {
     const GeneratorId g = entry.generator;
     if (g == first.left || g == first.right || g == second.right) return;
     const Vec2 image = unfold_generator(plane, input.table.corner_distances(entry));
-    is_nearest = is_nearest && (point - image).norm() > *least - tolerance;
+    is_nearest = is_nearest && (point - image).norm() > least - tolerance;
   });
   return is_nearest;
 }
