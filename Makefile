@@ -21,10 +21,12 @@ FUZZ_SECONDS ?= 60
 SOUPS_FIRST ?= 1000
 SOUPS_COUNT ?= 10000
 BATTERY_SEEDS ?= 1:21
+PAPER_RUNS  ?= 3
+PAPER_MODELS ?= $(wildcard $(addprefix $(or $(GVD_SHARED),../shared)/,models reference))
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures test fuzz soups battery test-runs build bench why-exact sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures test fuzz soups battery test-runs build bench why-exact paper sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -37,6 +39,7 @@ help:
 	@echo "make build     build the library and the three commands"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make why-exact compare labels by Euclidean, edge and heat distances with the exact ones"
+	@echo "make paper     measure section 5 of the paper: PAPER_RUNS runs ($(PAPER_RUNS)), meshes of PAPER_MODELS ($(PAPER_MODELS))"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make sanitize-threads  run the tests of threads under the thread sanitizer"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
@@ -105,6 +108,15 @@ why-exact:
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-why-exact
 	@$(BUILD)/bin/gvd-why-exact $(WHY_FLAGS)
+
+# Models that PAPER_MODELS has not are replaced by data/figure.obj.
+paper:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper
+	@mkdir -p $(BUILD)/paper
+	@$(BUILD)/bin/gvd-paper --runs $(PAPER_RUNS) $(addprefix --models=,$(PAPER_MODELS)) -o $(BUILD)/paper/paper.json
+	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
 # Not here: tests labelled `slow`, and `install`, which builds against an installed library without sanitizers.
 sanitize:

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Runs gvd-paper on small meshes and make_paper.py on what it measured.
+
+    check_paper.py GVD_PAPER FOLDER
+
+Fails unless every table has rows, and unless make_paper.py refuses a missing table and a number that is not finite.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+SCRIPT = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "make_paper.py"
+ROWS = {"1": 6, "2": 7, "3": 9, "4": 7, "5": 5, "fig10": 2}
+HEADINGS = ["Table 1", "Table 2", "Table 3", "Table 4", "Table 5", "Figure 10"]
+
+
+def render(document, folder):
+    """Whether make_paper.py accepts the document."""
+    measured = folder / "measured.json"
+    measured.write_text(json.dumps(document))
+    command = [sys.executable, str(SCRIPT), str(measured), str(folder)]
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT).returncode == 0
+
+
+def require(condition, message):
+    if not condition:
+        sys.exit(f"check_paper.py: {message}")
+
+
+def check_refusals(document, folder):
+    for key in ROWS:
+        rest = {name: rows for name, rows in document["tables"].items() if name != key}
+        require(not render({**document, "tables": rest}, folder), f"the pages are made without table {key}")
+    broken = json.loads(json.dumps(document))
+    broken["tables"]["5"][0]["methods"][0]["e"]["mean"] = None
+    require(not render(broken, folder), "the pages are made with an E that is not finite")
+
+
+def main(program, folder):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run([program, "--runs", "1", "--scale", "0.05", "-o", str(folder / "paper.json")], check=True)
+    document = json.loads((folder / "paper.json").read_text())
+    found = {key: len(rows) for key, rows in document["tables"].items()}
+    require(found == ROWS, f"rows of the tables are {found}, expected {ROWS}")
+    check_refusals(document, folder)
+    require(render(document, folder), "make_paper.py refuses a whole document")
+    for name in ("paper.md", "paper.html"):
+        text = (folder / name).read_text()
+        for heading in HEADINGS:
+            require(heading in text, f"{name} has no {heading}")
+        require("nan" not in text and "inf " not in text, f"{name} has a number that is not finite")
+    require((folder / "paper.html").read_text().count("<svg") == 2, "tables 1 and 2 have no plots")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

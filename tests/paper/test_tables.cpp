@@ -1,0 +1,69 @@
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "tables.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+namespace {
+
+nlohmann::json measure_table(const std::string& key, double scale, int* reported = nullptr) {
+  const auto count = [&](const std::string&) {
+    if (reported != nullptr) ++*reported;
+  };
+  const Evaluation evaluation{Models({}, scale), 1, count};
+  for (const Table& table : list_tables()) {
+    if (table.key == key) return table.measure(evaluation);
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("there are tables 1 to 5 and figure 10") {
+  std::vector<std::string> keys;
+  for (const Table& table : list_tables()) keys.push_back(table.key);
+  CHECK(keys == std::vector<std::string>{"1", "2", "3", "4", "5", "fig10"});
+}
+
+TEST_CASE("a row says which mesh it is of, and each method has finite figures") {
+  int reported = 0;
+  const nlohmann::json rows = measure_table("5", 0.05, &reported);
+  REQUIRE(rows.size() == 5);
+  CHECK(reported == 5);
+  CHECK(rows[0]["mesh"] == "icosphere");
+  CHECK(rows[0]["faces"] == 1280);
+  CHECK(rows[1]["model"] == "Spot");
+  CHECK(rows[1]["mesh"] == "figure.obj, resampled");
+  CHECK(rows[4]["mesh"] == "plate.stl");
+  for (const nlohmann::json& row : rows) {
+    REQUIRE(row["methods"].size() >= 5);
+    for (const nlohmann::json& method : row["methods"]) {
+      CAPTURE(row["model"], method["method"]);
+      CHECK(std::isfinite(method["e"]["mean"].get<double>()));
+      CHECK(method["total_ms"].get<double>() > 0);
+    }
+  }
+}
+
+TEST_CASE("table 3 has a bad, a middling and a good mesh of each model") {
+  const nlohmann::json rows = measure_table("3", 0.2);
+  REQUIRE(rows.size() == 9);
+  for (std::size_t i = 0; i < rows.size(); i += 3) {
+    CHECK(rows[i]["quality"] == "low");
+    CHECK(rows[i + 2]["quality"] == "high");
+    CHECK(rows[i]["q_average"] < rows[i + 1]["q_average"]);
+    CHECK(rows[i]["percent_below_30"] > rows[i + 2]["percent_below_30"]);
+  }
+}
+
+TEST_CASE("table 2 has more and more generators on one mesh") {
+  const nlohmann::json rows = measure_table("2", 0.05);
+  REQUIRE(rows.size() == 7);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    CHECK(rows[i]["m"] >= rows[i - 1]["m"]);
+    CHECK(rows[i]["faces"] == rows[0]["faces"]);
+    CHECK(rows[i]["methods"][0]["memory_kb"].get<double>() > 0);
+  }
+}
