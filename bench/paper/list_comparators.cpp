@@ -30,6 +30,7 @@ Comparator window_voronoi(const std::string& name, bool unpruned) {
 std::vector<Comparator> list_comparators(const ComparatorOptions& options) {
   std::vector<Comparator> all{library_method("exact", Method::exact), library_method("gbgvd circle", Method::gbgvd),
                               library_method("gbgvd planar", Method::gbgvd, Front::planar),
+                              library_method("paper's steps", Method::paper, Front::planar),
                               window_voronoi("windows [27]", false)};
   if (options.unpruned_windows) all.push_back(window_voronoi("unpruned [27]", true));
   all.push_back({"diffusion [8]", [diffusion = options.diffusion](const Mesh& mesh, const Points& generators) {

@@ -13,9 +13,9 @@ struct ComparatorOptions {
   bool unpruned_windows = true;
 };
 
-/// The library's methods first: exact, growth with circle fronts, growth with planar fronts. Then the comparators:
-/// exact windows with straight segments [27], the same unpruned, diffusion [8], RVD [29], LRVD [28]. All use one
-/// thread.
+/// The library's methods first: exact, growth with circle fronts, growth with planar fronts, the paper's steps as
+/// written. Then the comparators: exact windows with straight segments [27], the same unpruned, diffusion [8], RVD
+/// [29], LRVD [28]. All use one thread.
 std::vector<Comparator> list_comparators(const ComparatorOptions& options = {});
 
 }  // namespace gvd::paper

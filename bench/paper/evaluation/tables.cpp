@@ -44,7 +44,7 @@ std::vector<Comparator> pick_methods(const std::vector<std::string>& names) {
   return picked;
 }
 
-const std::vector<std::string> kOurs{"gbgvd planar", "gbgvd circle", "exact"};
+const std::vector<std::string> kOurs{"paper's steps", "gbgvd planar", "gbgvd circle", "exact"};
 
 std::vector<Comparator> ours_and(const std::vector<std::string>& others) {
   std::vector<std::string> names = kOurs;
