@@ -108,7 +108,7 @@ def table_2(rows):
 
 SCALE_NOTE = (
     "E is in square units of the mesh, and the paper does not tell the size of its meshes: compare E between methods on one"
-    " mesh. Only on Spot does our planar E have the size of the paper's."
+    " mesh. On Spot and Bunny E of the paper's steps is a little less than what the paper prints, elsewhere the scales differ."
 )
 
 
