@@ -50,6 +50,8 @@ def main(program, folder):
         text = (folder / name).read_text()
         for heading in HEADINGS:
             require(heading in text, f"{name} has no {heading}")
+        for size in ("150000 faces", "m = 500"):
+            require(size in text, f"{name} lacks the paper's numbers for {size}")
         require("nan" not in text and "inf " not in text, f"{name} has a number that is not finite")
     require((folder / "paper.html").read_text().count("<svg") == 2, "tables 1 and 2 have no plots")
 
