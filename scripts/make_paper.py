@@ -218,7 +218,7 @@ def to_markdown(sections, introduction):
 def introduce(runs):
     return (f"Generators are random vertices, drawn by seed, another one in each run. Runs: {runs}. Times are medians, E is"
             " the mean with the standard deviation. A row names the mesh that stands for the paper's model."
-            " `paper` is the printed number, `paper's steps` our --method paper: its steps as written.")
+            " The method \"paper\" is the printed number, \"paper's steps\" our --method paper: its steps as written.")
 
 
 def scale_of(values):
