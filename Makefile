@@ -113,9 +113,10 @@ why-exact:
 paper:
 	@$(install_deps) build
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
-	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper gvd-segment
 	@mkdir -p $(BUILD)/paper
 	@$(BUILD)/bin/gvd-paper --runs $(PAPER_RUNS) $(addprefix --models=,$(PAPER_MODELS)) -o $(BUILD)/paper/paper.json
+	@scripts/make_gallery.sh $(BUILD)/bin $(BUILD)/paper $(PAPER_MODELS)
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
 # Not here: tests labelled `slow`, and `install`, which builds against an installed library without sanitizers.

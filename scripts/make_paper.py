@@ -16,6 +16,7 @@ import paper_numbers as paper
 
 STEPS, PLANAR, CIRCLE, EXACT = "paper's steps", "gbgvd planar", "gbgvd circle", "exact"
 WINDOWS, UNPRUNED = "windows [27]", "unpruned [27]"
+GALLERY = ["lucy", "kitten", "bunny", "bear", "spot", "elephant", "fandisk", "rocker_arm", "figure"]
 COLOURS = {"paper": "#777777", STEPS: "#8e44ad", PLANAR: "#c0392b", CIRCLE: "#e08e0b", EXACT: "#1f6fb2", WINDOWS: "#2e8b57"}
 
 
@@ -52,6 +53,9 @@ class Section:
 
     def tabulate(self, head, rows):
         self.blocks.append(("table", (head, rows)))
+
+    def show(self, names):
+        self.blocks.append(("pictures", names))
 
     def plot(self, caption, x_label, series):
         self.blocks.append(("plot", (caption, x_label, series)))
@@ -198,7 +202,23 @@ def figure_10(rows):
     return section
 
 
+def gallery(folder):
+    """Figures 1 and 9, by the pictures of scripts/make_gallery.sh in the folder; nothing without them."""
+    names = [name for name in GALLERY if (folder / "pictures" / f"{name}.webp").exists()]
+    if not names:
+        return []
+    section = Section("Figures 1 and 9: Lucy and a gallery")
+    section.show(names)
+    section.say("Diagrams of gvd-segment --method gbgvd with generators at random vertices. The figure's mesh is made by this"
+                " repository.")
+    return [section]
+
+
 SECTIONS = {"1": table_1, "2": table_2, "3": table_3, "4": table_4, "5": table_5, "fig10": figure_10}
+
+
+def picture(name):
+    return f'<img src="pictures/{name}.webp" width="250" alt="{name.replace("_", " ")} with its cells and bisectors">'
 
 
 def to_markdown(sections, introduction):
@@ -212,6 +232,8 @@ def to_markdown(sections, introduction):
                 head, rows = content
                 lines += ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
                 lines += ["| " + " | ".join(row) + " |" for row in rows] + [""]
+            elif kind == "pictures":
+                lines += [picture(name) for name in content] + [""]
     return "\n".join(lines)
 
 
@@ -271,6 +293,8 @@ def to_html(sections, introduction):
                 parts.append(f"<p>{html.escape(content)}</p>")
             elif kind == "plot":
                 parts.append(f"<figure>{to_svg(*content)}<figcaption>{html.escape(content[0])}</figcaption></figure>")
+            elif kind == "pictures":
+                parts += [f"<a href='pages/{name}.html'>{picture(name)}</a>" for name in content]
             else:
                 head, rows = content
                 cells = ["".join(f"<th>{html.escape(cell)}</th>" for cell in head)]
@@ -301,6 +325,7 @@ def main(measured, folder, note=""):
     sections = [make(tables[key]) for key, make in SECTIONS.items()]
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    sections += gallery(folder)
     text = f"{introduce(document['runs'])} {note}".strip()
     (folder / "paper.html").write_text(to_html(sections, text))
     (folder / "paper.md").write_text(to_markdown(sections, text))

@@ -37,6 +37,19 @@ def check_refusals(document, folder):
     require(not render(broken, folder), "the pages are made with an E that is not finite")
 
 
+def check_gallery(document, folder):
+    """The section with the pictures is there exactly where the folder has one."""
+    require("Figures 1 and 9" not in (folder / "paper.md").read_text(), "a gallery without a picture")
+    (folder / "pictures").mkdir(exist_ok=True)
+    (folder / "pictures" / "lucy.webp").write_bytes(b"")
+    require(render(document, folder), "the pages are not made with a picture")
+    for page in ("paper.md", "paper.html"):
+        text = (folder / page).read_text()
+        require("Figures 1 and 9" in text and "pictures/lucy.webp" in text, f"no gallery in {page}")
+        require("pictures/kitten.webp" not in text, f"a picture in {page} that is not there")
+    (folder / "pictures" / "lucy.webp").unlink()
+
+
 def main(program, folder):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -54,6 +67,7 @@ def main(program, folder):
             require(size in text, f"{name} lacks the paper's numbers for {size}")
         require("nan" not in text and "inf " not in text, f"{name} has a number that is not finite")
     require((folder / "paper.html").read_text().count("<svg") == 2, "tables 1 and 2 have no plots")
+    check_gallery(document, folder)
 
 
 if __name__ == "__main__":

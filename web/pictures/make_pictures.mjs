@@ -1,10 +1,10 @@
-// Takes the pictures of the documents from pages of the viewer: node make_pictures.mjs PAGE_FOLDER PICTURE_FOLDER.
+// Takes pictures of pages of the viewer: node make_pictures.mjs PAGE_FOLDER PICTURE_FOLDER [LIST]. LIST is a module like
+// pictures.mjs, which has the pictures of the documents; those whose page is not there are left out of another list.
 // CHROMIUM names another browser than /usr/bin/chromium. The same browser makes the same bytes.
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
-import { kPictures, kWidth } from './pictures.mjs';
 
 const kLargest = 120000;  // bytes of one picture
 const kQuality = 0.86;    // of the WebP encoder
@@ -12,8 +12,12 @@ const kBare = 'header, aside, #notes, #hint { display: none !important } canvas:
 const kArrows = { left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown' };
 
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const [page_folder, picture_folder] = process.argv.slice(2);
-if (!picture_folder) throw new Error('usage: node make_pictures.mjs PAGE_FOLDER PICTURE_FOLDER');
+const [page_folder, picture_folder, list] = process.argv.slice(2);
+if (!picture_folder) throw new Error('usage: node make_pictures.mjs PAGE_FOLDER PICTURE_FOLDER [LIST]');
+const { kPictures, kWidth } = await import(
+  list ? pathToFileURL(resolve(list)).href : new URL('pictures.mjs', import.meta.url).href
+);
+const has_page = ({ page }) => !list || existsSync(join(page_folder, `${page}.html`));
 if (!existsSync(executablePath)) throw new Error(`no browser at ${executablePath} (set CHROMIUM)`);
 
 const browser = await chromium.launch({
@@ -98,7 +102,7 @@ async function encode_webp(png) {
 }
 
 mkdirSync(picture_folder, { recursive: true });
-for (const picture of kPictures) {
+for (const picture of kPictures.filter(has_page)) {
   const png = await screenshot(picture);
   if (process.env.KEEP_PNG) writeFileSync(join(process.env.KEEP_PNG, `${picture.name}.png`), png);
   const file = join(picture_folder, `${picture.name}.webp`);
