@@ -3,7 +3,8 @@
 //   gvd-compare [MESH...] [-m 30] [--seed 0] [--runs 1] [--time-factor 1] [--no-unpruned]
 //
 // The generators are random vertices, seeded. Times are processor times of one thread, the medians of the runs:
-//   E          the integral of the difference of the exact distances along the bisectors (section 5.2)
+//   E          the integral of the difference of the exact distances along the bisectors (section 5.2);
+//              infinite where a cell lies on a component that its generator can't reach
 //   turn       radians by which the bisectors turn, for each unit of their length (figure 10)
 //   wrong      vertices with another label than a nearest generator
 //   islands    components of cells without their generator, and their share of the area

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "common/run/exit_code.hpp"
 #include "common/run/interrupt.hpp"
 #include "gvd/error.hpp"
 
@@ -29,10 +30,11 @@ constexpr int kMilliseconds = 100;
 }
 
 /// No exception leaves it: the child would go on as its parent.
-[[noreturn]] void run_child(const std::function<int(std::string&)>& work, int pipe) noexcept {
+[[noreturn]] void run_child(const std::function<int(std::string&)>& work, int pipe, pid_t parent) noexcept {
 #ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody waits for the results of a call that was killed
 #endif
+  if (::getppid() != parent) std::_Exit(kInterrupted);  // it was killed before the line above
   std::string answer;
   const int exit_code = work(answer);
   for (std::size_t sent = 0; sent < answer.size();) {
@@ -66,10 +68,12 @@ std::string collect_answer(pid_t child, int pipe) {
 ChildEnd run_in_child(const std::function<int(std::string& answer)>& work) {
   std::array<int, 2> pipe{};
   if (::pipe(pipe.data()) != 0) refuse();
+  std::signal(SIGCHLD, SIG_DFL);  // where a caller ignores it, a child's end can't be waited for
+  const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(pipe[0]);
-    run_child(work, pipe[1]);
+    run_child(work, pipe[1], parent);
   }
   ::close(pipe[1]);
   if (child < 0) {

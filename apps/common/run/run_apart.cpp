@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/run/child_process.hpp"
+#include "common/run/heap_count.hpp"
+#include "common/run/interrupt.hpp"
 #include "common/run/outcome.hpp"
 #include "common/run/termination.hpp"
 
@@ -18,7 +20,8 @@ using Json = nlohmann::json;
 /// Errors of the input begin with its name already.
 void print_error(const std::string& command, const std::string& input, const std::string& message) {
   if (message.empty()) return;
-  const std::string named = message.starts_with(input) ? message : fmt::format("{}: {}", input, message);
+  const bool has_name = message.starts_with(input + ":") || message.starts_with(input + ",");
+  const std::string named = has_name ? message : fmt::format("{}: {}", input, message);
   Console(command, {}, false, false).error(named);
 }
 
@@ -60,6 +63,7 @@ int run_here(const std::string& command, const Options& options, const std::func
   });
   console.clear_bar();
   print_error(command, input, outcome.message);
+  lift_heap_limit_here();  // what is done is reported
   answer = pack(run.figures(), outcome.summary);
   return outcome.exit_code;
 }
@@ -79,6 +83,9 @@ RunEnd run_apart(const std::string& command, const Options& options, const std::
   print_error(command, options.input.path, start.message);
   if (start.exit_code != kDone) return {start.exit_code, "not started", {}};
   if (child.signal == 0) return unpack(child);
+  // A signal to the whole process group reaches the child twice; the second one ends it at once.
+  const bool asked_to_end = child.signal == SIGTERM || child.signal == SIGINT;
+  if (asked_to_end && interrupt_requested()) return {kInterrupted, "interrupted", {}};
   print_error(command, options.input.path, describe_signal(child.signal));
   return {kNoResult, child.signal == SIGKILL ? "killed" : "crashed", {}};
 }

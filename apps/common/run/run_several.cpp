@@ -23,6 +23,8 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
     if (exit_code == kDone) exit_code = end.exit_code;
     if (interrupt_requested()) break;
   }
+  // The last run may have been done when the signal came.
+  if (exit_code == kDone && results.size() < runs.size()) exit_code = kInterrupted;
   Console console(command, {}, runs.front().quiet, false);
   for (const std::string& line : format_results(results)) console.note(line);
   return exit_code;

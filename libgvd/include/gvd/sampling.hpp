@@ -50,8 +50,8 @@ struct SamplingOptions {
 /// at most kMaxSamplingVertices vertices. For a covering this means a radius of at least some 0.0015 times the square
 /// root of the area.
 ///
-/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); vertices O(n); poisson a local
-/// march from each of 5 count candidates, O(n log n) in all. Memory: O(n).
+/// Cost: farthest O(n log n log count), for n the larger of faces and count; random O(n + count log n); vertices O(n);
+/// poisson a local march from each of 5 count candidates, O(n log n) in all. Memory: O(n).
 ///
 /// Source: farthest: Eldar et al., The farthest point strategy for progressive image sampling, 1997, with geodesic
 /// distances as in Peyre and Cohen, Geodesic remeshing using front propagation, 2006. poisson: Yuksel, Sample

@@ -15,7 +15,8 @@ namespace gvd {
 ///
 /// Properties: (1) the target is unchanged until `commit` returns; (2) without a commit (after an error, an exception or
 /// a cancelled run) the temporary file is removed; (3) the first failed write throws, out of its own `<<` or `write`;
-/// (4) on Linux, where the file system has files without a name, a killed process leaves no temporary file either.
+/// (4) on Linux, where the file system has files without a name, a process that is killed while it writes leaves no
+/// temporary file either.
 /// Data is not forced to the disk: (1) covers an interrupted run, not a power cut. A symbolic link is followed. An
 /// existing file keeps its permissions. A device or a pipe can't be replaced and is written directly.
 class AtomicFile {

@@ -15,9 +15,6 @@ namespace {
 /// Events that are allowed for each face of the gap. A sound growth has a few in each face; more mean a loop.
 constexpr std::size_t kStepsPerFace = 4;
 
-/// Larger gaps contain whole cells; the images of their generators become too inaccurate on the way through.
-constexpr std::size_t kMaxGapFaces = 200;
-
 class GapGrowth {
  public:
   GapGrowth(const GrowthInput& input, const Crossings& crossings, const Gap& gap, const GrowthRules& rules)
@@ -99,7 +96,7 @@ class GapGrowth {
     const GrowingEnd &a = ends_[first], &b = ends_[second];
     if (a.left != b.right || a.right != b.left) return;
     const Vec2 way = b.start - a.start;
-    if (way.dot(a.direction()) <= 0 || way.dot(b.direction()) >= 0) return;
+    if (!(way.dot(a.direction()) > 0 && way.dot(b.direction()) < 0)) return;  // also without a direction
     events_.push({GrowthEvent::Kind::joining, way.norm(), first, second});
   }
 

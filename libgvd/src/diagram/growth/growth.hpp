@@ -37,6 +37,10 @@ struct GrownGap {
   std::vector<std::pair<VertexId, GeneratorId>> labels;  ///< of vertices that growth gave to another cell, ascending
 };
 
+/// Growth takes gaps of so many faces at most. Larger ones contain whole cells; the images of their generators become
+/// too inaccurate on the way through.
+inline constexpr std::size_t kMaxGapFaces = 200;
+
 /// How bisectors grow through a gap.
 struct GrowthRules {
   /// Where the images of an end's generators come from when the end enters a face.
@@ -65,7 +69,7 @@ struct GrowthOutcome {
 /// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event; the
 /// result is checked as a whole (`check_growth`), and no end is ever drawn back; with the default rules intersections
 /// come before exits, since distance is not monotone along a bisector, and images are rotated from face to face.
-/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than 200 faces.
+/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than kMaxGapFaces.
 /// Cost: O(k^2) for k ends, those of later faces included; k is bounded by the faces of the gap.
 GrowthOutcome grow_gap(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
                        const GrowthRules& rules = {});

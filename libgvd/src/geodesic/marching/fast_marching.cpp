@@ -178,8 +178,8 @@ class Marcher {
   }
 
   /// The front that carries generator g over an edge, from the distances at these indices. A generator inside a face
-  /// has three neighbours only, and a planar front is worst next to its source. Over the edges of its face a circle is
-  /// exact, so that it has six exact distances around it, as a generator at a vertex has.
+  /// has three neighbours only (four on an edge), and a planar front is worst next to its source. Over the edges of its
+  /// face a circle is exact, so that it has six exact distances around it, as a generator at a vertex has.
   Front front_over(GeneratorId g, std::int32_t index_a, std::int32_t index_b) const {
     const bool next_to_source = !table_.distance(index_a).via.valid() && !table_.distance(index_b).via.valid();
     return next_to_source && working_.vertex(g).value() >= working_.input().vertex_count() ? Front::circle : front_;

@@ -23,6 +23,13 @@ TEST_CASE("a child process gives its exit code and its answer, and keeps what it
   CHECK(changed == 0);
 }
 
+TEST_CASE("a child's exit code is known where the caller ignores the end of children") {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const ChildEnd end = run_in_child([](std::string&) { return 3; });
+  std::signal(SIGCHLD, before);
+  CHECK(end.exit_code == 3);
+}
+
 TEST_CASE("a child process that a signal ends gives the signal") {
   const ChildEnd end = run_in_child([](std::string&) {
     std::raise(SIGKILL);

@@ -80,3 +80,17 @@ TEST_CASE("an interruption ends all runs") {
   CHECK(gvd::test::read_text(scratch / "b").empty());
   install_signal_handlers();
 }
+
+TEST_CASE("runs that an interruption leaves out are not done, even if the last one was") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  const int code = run_several("gvd-test", quiet_runs({"a", "b"}), [&](Run& run) {
+    gvd::test::write_text(scratch / run.options().input.path, "seen");
+    ::kill(::getppid(), SIGINT);
+    while (!interrupt_requested()) {
+    }
+  });
+  CHECK(code == 130);
+  CHECK(gvd::test::read_text(scratch / "b").empty());
+  install_signal_handlers();
+}
