@@ -60,12 +60,24 @@ std::int64_t peak_resident_bytes() {
 
 }  // namespace gvd::bench
 
+// The forms that return nothing instead of throwing call the others in the standard library, but not in that of
+// sanitizers.
 void* operator new(std::size_t size) { return gvd::bench::counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* block = std::malloc(size == 0 ? 1 : size);
+  return block == nullptr ? nullptr : gvd::bench::counted(block);
+}
+void* operator new[](std::size_t size) { return operator new(size); }
+void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept { return operator new(size, nothrow); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto bytes = static_cast<std::size_t>(alignment);
   return gvd::bench::counted(std::aligned_alloc(bytes, gvd::bench::padded(size == 0 ? 1 : size, bytes)));
 }
 void operator delete(void* block) noexcept { gvd::bench::release(block); }
 void operator delete(void* block, std::size_t) noexcept { gvd::bench::release(block); }
+void operator delete(void* block, const std::nothrow_t&) noexcept { gvd::bench::release(block); }
+void operator delete[](void* block) noexcept { gvd::bench::release(block); }
+void operator delete[](void* block, std::size_t) noexcept { gvd::bench::release(block); }
+void operator delete[](void* block, const std::nothrow_t&) noexcept { gvd::bench::release(block); }
 void operator delete(void* block, std::align_val_t) noexcept { gvd::bench::release(block); }
 void operator delete(void* block, std::size_t, std::align_val_t) noexcept { gvd::bench::release(block); }
