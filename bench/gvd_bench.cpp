@@ -24,6 +24,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "heap_meter.hpp"
+#include "median.hpp"
 #include "refine_flat.hpp"
 #include "step_clock.hpp"
 #ifdef GVD_HAS_PEERS
@@ -61,12 +62,6 @@ struct Row {
   double wall_one = 0;   ///< milliseconds of wall-clock time, one thread
   double wall_many = 0;  ///< and as many as are asked for
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double milliseconds(const std::function<void()>& work) {
   const double start = cpu_milliseconds();

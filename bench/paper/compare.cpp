@@ -3,8 +3,8 @@
 //   gvd-compare [MESH...] [-m 30] [--seed 0] [--runs 1] [--time-factor 1] [--no-unpruned]
 //
 // The generators are random vertices, seeded. Times are processor times of one thread, the medians of the runs:
-//   E          the integral of the difference of the exact distances along the bisectors (section 5.2);
-//              infinite where a cell lies on a component that its generator can't reach
+//   E          the integral of the difference of the exact distances along the bisectors (section 5.2).
+//              Infinite where a cell lies on a component that its generator can't reach.
 //   turn       radians by which the bisectors turn, for each unit of their length (figure 10)
 //   wrong      vertices with another label than a nearest generator
 //   islands    components of cells without their generator, and their share of the area
@@ -21,6 +21,7 @@
 #include "draw_vertices.hpp"
 #include "judge.hpp"
 #include "list_comparators.hpp"
+#include "median.hpp"
 
 namespace gvd::paper {
 namespace {
@@ -33,11 +34,6 @@ struct Settings {
   ComparatorOptions comparators;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// The result of the last run, with the medians of the times.
 Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                        int runs) {
@@ -48,8 +44,8 @@ Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std
     field.push_back(result.field_ms);
     diagram.push_back(result.diagram_ms);
   }
-  result.field_ms = median(field);
-  result.diagram_ms = median(diagram);
+  result.field_ms = bench::median(field);
+  result.diagram_ms = bench::median(diagram);
   return result;
 }
 

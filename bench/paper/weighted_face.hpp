@@ -20,11 +20,11 @@ struct BoundaryRun {
 
 /// Cuts a face by the additively weighted Voronoi diagram of the sources that reach it, with straight segments.
 ///
-/// Two crossings are joined by a segment. Where runs of three generators follow each other, the one in the middle ends
-/// in a point that is equally far from all three, and no nearer to any other one. The straight paths back from that
-/// point must leave the face through these three runs. The same again with the runs that are left. A run between two of
-/// one generator is closed by a segment, first where paths to one of the two enter through the other. Where no rule
-/// applies the ends meet in the mean of the crossings, and the face counts as forced.
+/// Two crossings are joined by a segment. Runs of three generators can follow each other. Then the one in the middle
+/// ends in a point that is equally far from all three. No other generator is nearer to that point. The straight paths
+/// back from that point must leave the face through these three runs. The same again with the runs that are left. A run
+/// between two of one generator is closed by a segment, first where paths to one of the two enter through the other.
+/// Where no rule applies the ends meet in the mean of the crossings, and the face counts as forced.
 class WeightedFace {
  public:
   /// `sources`: all that reach the face, as `DistanceField::collect` gives them. Lengths in mesh units. Both must

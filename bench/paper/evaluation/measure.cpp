@@ -8,6 +8,7 @@
 #include "draw_vertices.hpp"
 #include "heap_meter.hpp"
 #include "judge.hpp"
+#include "median.hpp"
 
 namespace gvd::paper {
 namespace {
@@ -36,11 +37,6 @@ void add_sample(const Comparison& result, const Judge* judge, Samples& samples) 
   samples.turn.push_back(found.error.length > 0 ? found.turning_angle / found.error.length : 0);
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 double count_kilobytes(const Experiment& experiment, const Comparator& method) {
   const auto generators = draw_generators(experiment.mesh, experiment.generators, 0);
   const bench::HeapMeter meter;
@@ -51,8 +47,8 @@ double count_kilobytes(const Experiment& experiment, const Comparator& method) {
 Measurement condense(const std::string& method, const Samples& samples) {
   Measurement result;
   result.method = method;
-  result.field_ms = median(samples.field_ms);
-  result.diagram_ms = median(samples.diagram_ms);
+  result.field_ms = bench::median(samples.field_ms);
+  result.diagram_ms = bench::median(samples.diagram_ms);
   result.error = summarize(samples.error);
   result.turn_per_length = summarize(samples.turn).mean;
   result.islands = summarize(samples.islands).mean;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "gvd/quality.hpp"
 #include "list_comparators.hpp"
@@ -39,7 +40,9 @@ std::vector<Comparator> pick_methods(const std::vector<std::string>& names) {
   std::vector<Comparator> picked;
   const std::vector<Comparator> all = list_comparators();
   for (const std::string& name : names) {
-    picked.push_back(*std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; }));
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; });
+    if (found == all.end()) throw std::logic_error("no method is named " + name);
+    picked.push_back(*found);
   }
   return picked;
 }

@@ -37,8 +37,8 @@ std::vector<std::pair<GeneratorId, GeneratorId>> find_adjacent_regions(const Vie
 ///
 /// Each label in turn takes, of the usual colours that no neighbour has yet, the one that the fewest labels have; of
 /// the others where there is none. In the order (smallest-last, Matula and Beck 1983) each label has at most d
-/// neighbours before it, d being the degeneracy of the graph. It is at most 5 for connected regions on a surface of
-/// genus 0, and at most (5 + sqrt(1 + 48 g)) / 2 for genus g > 0 (Heawood 1890). So the usual colours suffice up to
+/// neighbours before it, d being the degeneracy of the graph. For connected regions d is at most 5 on a surface of
+/// genus 0. For genus g > 0 it is at most (5 + sqrt(1 + 48 g)) / 2 (Heawood 1890). So the usual colours suffice up to
 /// genus 1, and the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest
 /// neighbours.
 /// Cost: O(n log n) for n labels and pairs.
