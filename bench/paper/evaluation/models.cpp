@@ -27,7 +27,7 @@ FoundMesh Models::find(const Wanted& wanted) const {
   const std::string file = std::filesystem::path(path).filename().string();
   Mesh mesh = bench::read_named_mesh(path).mesh;
   const int faces = static_cast<int>(scale_ * (wanted.faces == 0 ? mesh.face_count() : wanted.faces));
-  const bool is_near = 10 * std::abs(mesh.face_count() - faces) <= faces;
+  const bool is_near = std::abs(mesh.face_count() - faces) <= kFacesTolerance * faces;
   if (is_near || compute_mesh_summary(mesh).boundary_loops > 0) return {file, std::move(mesh)};
   return {fmt::format("{}, resampled", file), resample(mesh, faces)};
 }

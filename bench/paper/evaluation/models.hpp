@@ -25,8 +25,8 @@ class Models {
   /// `scale` multiplies the paper's numbers of faces, > 0: less than 1 for tests.
   Models(std::vector<std::string> folders, double scale) : folders_(std::move(folders)), scale_(scale) {}
 
-  /// The first file of `wanted` that a folder has, resampled if its number of faces differs by more than a tenth.
-  /// Meshes with a boundary are never resampled. Throws Error if a file is no mesh.
+  /// The first file of `wanted` that a folder has, resampled if its number of faces differs by more than
+  /// kFacesTolerance. Meshes with a boundary are never resampled. Throws Error if a file is no mesh.
   FoundMesh find(const Wanted& wanted) const;
 
  private:
