@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gvd/counted.hpp"
@@ -25,9 +26,16 @@ const char* describe(LloydStop stop) {
   return "";
 }
 
+/// The name of an acceleration as on the command line.
+const std::string& name_of(Acceleration acceleration) {
+  const auto has_value = [acceleration](const auto& choice) { return choice.second == acceleration; };
+  return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
+}
+
 /// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
   Json energies = Json::array({result.initial_energy});
+  Json steps = Json::array();
   Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();
   for (const LloydIteration& i : result.iterations) {
     energies.push_back(i.energy);
@@ -35,8 +43,10 @@ void add_iterations(Json& results, const LloydResult& result) {
     mean.push_back(i.mean_move);
     scales.push_back(i.scale);
     held.push_back(i.held);
+    steps.push_back(i.by == Acceleration::none ? "lloyd" : name_of(i.by));
   }
   results["energies"] = std::move(energies);
+  results["steps"] = std::move(steps);
   results["largest_moves"] = std::move(largest);
   results["mean_moves"] = std::move(mean);
   results["step_scales"] = std::move(scales);
@@ -59,8 +69,15 @@ const char* name_of(LloydStop stop) {
   return "";
 }
 
+const Choices<Acceleration>& acceleration_names() {
+  static const Choices<Acceleration> names{
+      {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
+  return names;
+}
+
 void report_lloyd_options(Run& run, const LloydOptions& options) {
   Json& reported = run.report().options();
+  reported["accelerate"] = name_of(options.acceleration);
   reported["iterations"] = options.max_iterations;
   reported["tolerance"] = options.energy_tolerance;
   reported["move_tolerance"] = options.move_tolerance;

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "common/options/typed_options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 
 // What gvd-lloyd notes and reports: the report's `results` and `generators`, and its own options.
 namespace gvd::app {
+
+/// The values of --accelerate, which the report gives for each iteration too.
+const Choices<Acceleration>& acceleration_names();
 
 void report_lloyd_options(Run& run, const LloydOptions& options);
 

@@ -35,6 +35,11 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
   const auto text = [](const char* name, const std::string& description) {
     return app::OptionText{name, "", description, "Relaxation"};
   };
+  app::OptionText acceleration =
+      text("--accelerate",
+           "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's "
+           "mixing of the last steps, or by Lloyd's method alone");
+  app::add_choice(line, acceleration, options.acceleration, app::acceleration_names());
   app::add_number(
       line, text("--iterations", fmt::format("Largest number of iterations (default: {})", options.max_iterations)),
       options.max_iterations, kIterations);
@@ -51,8 +56,9 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
                   options.move_tolerance, app::kNotNegative);
   app::add_number(
       line,
-      text("--step", fmt::format("Fraction of the way to its centroid that a generator moves, below 2 (default: {})",
-                                 options.step)),
+      text("--step",
+           fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
+                       options.step)),
       options.step, kStep);
 }
 

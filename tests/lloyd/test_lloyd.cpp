@@ -124,6 +124,43 @@ TEST_CASE("lloyd: energies fall, and generators stay on the surface, apart, and 
   }
 }
 
+TEST_CASE("lloyd: each acceleration lowers the energy, names its steps, and gives the same bytes twice") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const Acceleration acceleration : {Acceleration::none, Acceleration::lbfgs, Acceleration::anderson}) {
+      CAPTURE(name, static_cast<int>(acceleration));
+      LloydOptions options;
+      options.acceleration = acceleration;
+      options.max_iterations = 10;
+      const auto start = test::random_generators(mesh, 12, 4);
+      const LloydResult first = relax_generators(mesh, start, options), again = relax_generators(mesh, start, options);
+      require_falling(first);
+      CHECK(first.generators == again.generators);
+      CHECK(first.final_energy == again.final_energy);
+      for (const LloydIteration& i : first.iterations) {
+        REQUIRE((i.by == acceleration || i.by == Acceleration::none));
+      }
+    }
+  }
+}
+
+TEST_CASE("lloyd: L-BFGS takes less than half of the iterations of Lloyd's method to its energy") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    const Mesh mesh = test::make_bumpy_sphere(3, seed);
+    SamplingOptions sampling;
+    sampling.count = 40;
+    const auto start = sample_generators(mesh, sampling);
+    LloydOptions options;
+    options.acceleration = Acceleration::none;
+    options.max_iterations = 40;
+    options.energy_tolerance = 0;
+    const double reached = relax_generators(mesh, start, options).final_energy;
+    options.acceleration = Acceleration::lbfgs;
+    options.max_iterations = 20;
+    CHECK(relax_generators(mesh, start, options).final_energy <= reached);
+  }
+}
+
 TEST_CASE("lloyd: both fronts, and the same bytes twice") {
   const Mesh mesh = test::make_bumpy_sphere(3, 7);
   const auto start = test::random_generators(mesh, 20, 5);

@@ -1,32 +1,27 @@
-// Lloyd's method on a surface, with backtracking: a step is taken only if it lowers the energy.
+// The relaxation: accelerated steps, or Lloyd's where they fail. A step is taken only if it lowers the energy.
 #include "gvd/lloyd.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "cell_faces.hpp"
+#include "accelerator.hpp"
 #include "cell_integrals.hpp"
+#include "generator_moves.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
-#include "gvd/geodesic_tracing.hpp"
-#include "keep_apart.hpp"
-#include "mesh/coincidence.hpp"
+#include "line_search.hpp"
+#include "own_scales.hpp"
+#include "relaxation_state.hpp"
 
 namespace gvd {
 namespace {
 
-/// The largest number of halvings of one generator's own step, and of all steps together: down to a thousandth each.
-constexpr int kOwnHalvings = 10;
+/// The largest number of halvings of all steps together: down to a thousandth.
 constexpr int kCommonHalvings = 10;
 
-/// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
-/// relaxed diagram.
-constexpr double kGap = 1e-6;
-
-/// The same in distances at which two points coincide. It counts on surfaces with hardly any area.
-constexpr double kGapOfCoincident = 2;
+/// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
+constexpr int kLineSearchTrials = 4;
 
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
@@ -37,158 +32,112 @@ void check_options(const LloydOptions& o) {
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
 }
 
-/// A diagram and the integrals over its cells.
-struct State {
-  std::vector<SurfacePoint> generators;
-  Diagram diagram;
-  IdVector<GeneratorId, CellMoments> moments;
-  double energy = 0;
-};
-
-struct Move {
-  std::vector<SurfacePoint> to;
-  std::vector<double> length;  // of every generator's path, mesh units
-  double scale = 1;
-  std::int32_t held = 0;
-};
-
 class Relaxer {
  public:
-  Relaxer(const Mesh& mesh, const LloydOptions& options) : mesh_(mesh), options_(options), integrals_(mesh) {}
+  Relaxer(const Mesh& mesh, const LloydOptions& options)
+      : mesh_(mesh), options_(options), integrals_(mesh), accelerator_(mesh, options.acceleration) {}
 
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
-    State state = evaluate(generators);
+    RelaxationState state = evaluate(generators);
     result_.initial_energy = state.energy;
     report_iteration(state.energy);
     result_.stop = iterate(state);
     result_.generators = std::move(state.generators);
     result_.diagram = std::move(state.diagram);
     result_.final_energy = state.energy;
+    result_.residual = state.residual;
+    result_.mean_cell_radius = state.mean_cell_radius;
     return std::move(result_);
   }
 
  private:
-  LloydStop iterate(State& state) {
+  LloydStop iterate(RelaxationState& state) {
     while (true) {
-      const std::vector<Vec2> steps = find_steps(state);
-      if (result_.residual <= options_.move_tolerance * result_.mean_cell_radius) return LloydStop::centroids;
+      if (state.residual <= options_.move_tolerance * state.mean_cell_radius) return LloydStop::centroids;
       if (result_.iterations.size() >= static_cast<std::size_t>(options_.max_iterations)) {
         return LloydStop::max_iterations;
       }
       const double before = state.energy;
-      if (!descend(state, steps)) return LloydStop::no_descent;
-      if (before - state.energy < options_.energy_tolerance * before) {
-        find_steps(state);
-        return LloydStop::energy;
-      }
+      if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
+      if (before - state.energy < options_.energy_tolerance * before) return LloydStop::energy;
     }
   }
 
-  State evaluate(const std::vector<SurfacePoint>& generators) {
-    State state;
-    state.generators = generators;
+  RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
     DiagramOptions diagram_options = options_.diagram;
     diagram_options.progress = [this](std::string_view step, double fraction) {
       const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
       report((static_cast<double>(begun) + fraction) / static_cast<double>(steps::kAll.size()));
       return true;
     };
-    state.diagram = compute_diagram(mesh_, generators, diagram_options);
     ++result_.diagrams;
-    const CellFaces cells(state.diagram);
-    state.moments.resize(generators.size());
-    for (std::size_t i = 0; i < generators.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
-      state.moments[g] = integrals_.compute(generators[i], cells.of(g));
-      state.energy += state.moments[g].energy;
-    }
-    return state;
+    return evaluate_generators(mesh_, generators, diagram_options, integrals_);
   }
 
-  /// The tangent vectors to the centroids, projected to the boundary where they would leave the surface. Updates
-  /// `residual` and `mean_cell_radius`.
-  std::vector<Vec2> find_steps(const State& state) {
-    std::vector<Vec2> steps;
-    double area = 0;
-    result_.residual = 0;
-    for (std::size_t i = 0; i < state.generators.size(); ++i) {
-      const CellMoments& m = state.moments[GeneratorId(static_cast<std::int64_t>(i))];
-      area += m.area;
-      steps.push_back(project_to_surface(mesh_, state.generators[i], m.centroid));
-      result_.residual = std::max(result_.residual, steps.back().norm());
+  /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
+  /// steps, or it never does; then the accelerator begins anew.
+  bool descend_accelerated(RelaxationState& state) {
+    const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
+    if (!proposed) return false;
+    double scale = 1;
+    for (int trial = 0; trial < kLineSearchTrials; ++trial) {
+      GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
+      next.scale = scale;
+      const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
+      const double energy = take_if_below(limit, state, next, options_.acceleration);
+      if (energy < limit) return true;
+      scale = shorter_scale(scale, proposed->slope, energy - before);
     }
-    result_.mean_cell_radius = std::sqrt(area / (std::numbers::pi * static_cast<double>(steps.size())));
-    return steps;
+    accelerator_.forget();
+    return false;
   }
 
-  /// One iteration: takes the first move that lowers the energy. False if none does.
-  bool descend(State& state, const std::vector<Vec2>& steps) {
-    std::vector<double> scale(steps.size(), options_.step);
-    if (take_if_lower(state, move(state, steps, scale))) return true;
-    scale = find_own_scales(state, steps);
+  /// One iteration by Lloyd's steps: takes the first move that lowers the energy. False if none does.
+  bool descend(RelaxationState& state) {
+    const auto takes = [&](const GeneratorMove& next) {
+      const double limit = state.energy;
+      return take_if_below(limit, state, next, Acceleration::none) < limit;
+    };
+    std::vector<double> scales(state.generators.size(), options_.step);
+    if (takes(move(state, state.to_centroids, scales))) return true;
+    scales = find_own_scales(mesh_, state, options_.step, integrals_, [this] { report(); });
     for (int halving = 0; halving <= kCommonHalvings; ++halving) {
-      Move next = move(state, steps, scale);
+      GeneratorMove next = move(state, state.to_centroids, scales);
       next.scale = std::ldexp(1.0, -halving);
-      if (take_if_lower(state, std::move(next))) return true;
-      for (double& s : scale) s *= 0.5;
+      if (takes(next)) return true;
+      for (double& s : scales) s *= 0.5;
     }
     return false;
   }
 
-  Move move(const State& state, const std::vector<Vec2>& steps, const std::vector<double>& scale) const {
-    Move next;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      const GeodesicTrace trace = trace_geodesic(mesh_, state.generators[i], scale[i] * steps[i]);
-      next.to.push_back(trace.points.back());
-      next.length.push_back(trace.length);
-      next.held += scale[i] == 0;
-    }
-    const double gap = std::max(kGap * result_.mean_cell_radius, kGapOfCoincident * coincidence(mesh_));
-    next.held += keep_apart(mesh_, state.generators, gap, next.to);
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (next.to[i] == state.generators[i]) next.length[i] = 0;
-    }
+  GeneratorMove move(const RelaxationState& state, TangentField steps, const std::vector<double>& scales) const {
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] *= scales[i];
+    GeneratorMove next = move_generators(mesh_, state.generators, steps, state.mean_cell_radius);
+    next.held += static_cast<std::int32_t>(std::count(scales.begin(), scales.end(), 0.0));
     return next;
   }
 
-  bool take_if_lower(State& state, Move next) {
-    if (next.to == state.generators) return false;
-    State moved = evaluate(next.to);
-    if (!(moved.energy < state.energy)) return false;
+  /// Moves the generators if their energy is then below the limit. Returns that energy; the limit if none moves.
+  double take_if_below(double limit, RelaxationState& state, const GeneratorMove& next, Acceleration by) {
+    if (next.to == state.generators) return limit;
+    RelaxationState moved = evaluate(next.to);
+    const double energy = moved.energy;
+    if (!(energy < limit)) return energy;
     LloydIteration iteration;
-    iteration.energy = moved.energy;
+    iteration.energy = energy;
     for (const double length : next.length) {
       iteration.largest_move = std::max(iteration.largest_move, length);
       iteration.mean_move += length / static_cast<double>(next.length.size());
     }
     iteration.scale = next.scale;
     iteration.held = next.held;
+    iteration.by = by;
     result_.iterations.push_back(iteration);
-    report_iteration(moved.energy);
+    report_iteration(energy);
+    accelerator_.learn(state, next, moved);
     state = std::move(moved);
-    return true;
-  }
-
-  /// For each generator the largest fraction of its step, out of 1, 1/2, ... and 0, that lowers the energy of its cell
-  /// while the cell stays fixed. The diagram of the moved generators has at most the energy of these fixed cells, up to
-  /// the errors of the distances.
-  std::vector<double> find_own_scales(const State& state, const std::vector<Vec2>& steps) {
-    const CellFaces cells(state.diagram);
-    std::vector<double> scales;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      report();
-      const GeneratorId g(static_cast<std::int64_t>(i));
-      double scale = options_.step;
-      int halvings = 0;
-      const auto lowers = [&] {
-        const SurfacePoint to = trace_geodesic(mesh_, state.generators[i], scale * steps[i]).points.back();
-        return integrals_.compute(to, cells.of(g)).energy < state.moments[g].energy;
-      };
-      while (scale > 0 && !lowers()) scale = ++halvings > kOwnHalvings ? 0 : 0.5 * scale;
-      scales.push_back(scale);
-    }
-    return scales;
+    return energy;
   }
 
   /// `share`: of the next iteration, if its first step is taken.
@@ -205,6 +154,7 @@ class Relaxer {
   const Mesh& mesh_;
   const LloydOptions& options_;
   CellIntegrals integrals_;
+  Accelerator accelerator_;
   LloydResult result_;
 };
 

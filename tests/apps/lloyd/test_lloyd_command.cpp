@@ -35,13 +35,27 @@ TEST_CASE("gvd-lloyd: the report tells every iteration, and energies never rise"
     const auto& results = report["results"];
     const auto energies = results["energies"].get<std::vector<double>>();
     REQUIRE(energies.size() == results["iterations"].get<std::size_t>() + 1);
-    for (const char* key : {"largest_moves", "mean_moves", "step_scales", "held_generators"}) {
+    for (const char* key : {"largest_moves", "mean_moves", "step_scales", "held_generators", "steps"}) {
       CHECK(results[key].size() + 1 == energies.size());
     }
     for (std::size_t i = 1; i < energies.size(); ++i) CHECK(energies[i] <= energies[i - 1]);
     CHECK(energies.back() < energies.front());
     CHECK_THAT("centroids energy no descent iterations", Contains(results["stop"].get<std::string>()));
   }
+}
+
+TEST_CASE("gvd-lloyd: the report names the acceleration, and how the steps of each iteration were found") {
+  const ScratchFolder scratch;
+  for (const std::string kind : {"lbfgs", "anderson", "none"}) {
+    CAPTURE(kind);
+    const auto report = report_of(data_file("figure.obj") + kVertices + "--iterations 10 --accelerate " + kind,
+                                  scratch / "report.json");
+    CHECK(report["options"]["accelerate"] == kind);
+    for (const std::string step : report["results"]["steps"]) CHECK((step == "lloyd" || step == kind));
+    if (kind != "none") CHECK(report["results"]["steps"].front() == kind);
+  }
+  const auto usual = report_of(data_file("figure.obj") + kVertices + "--iterations 1", scratch / "report.json");
+  CHECK(usual["options"]["accelerate"] == "lbfgs");
 }
 
 TEST_CASE("gvd-lloyd: every list that it writes is read back by every command, bit by bit") {
@@ -84,7 +98,7 @@ TEST_CASE("gvd-lloyd: its page shows the relaxed generators and those of the sta
 TEST_CASE("gvd-lloyd: options out of range are usage errors") {
   const std::string mesh = data_file("torus.ply") + kVertices;
   for (const char* bad : {"--iterations -1", "--iterations 1.5", "--tolerance -1", "--tolerance nan", "--step 0",
-                          "--step 2", "--move-tolerance x"}) {
+                          "--step 2", "--move-tolerance x", "--accelerate newton"}) {
     CAPTURE(bad);
     CHECK(run_command("gvd-lloyd", mesh + bad).exit_code == 2);
   }

@@ -29,14 +29,23 @@ struct CellMoments {
 /// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram);
 
+/// How the steps of an iteration are found.
+enum class Acceleration {
+  none,      ///< Lloyd's method: every generator goes to the centroid of its cell
+  lbfgs,     ///< a quasi-Newton method (L-BFGS) with the Hessian of the centroidal Voronoi energy to begin with
+  anderson,  ///< Anderson's mixing of the last steps
+};
+
 struct LloydOptions {
+  Acceleration acceleration = Acceleration::lbfgs;
   std::int32_t max_iterations = 100;  ///< >= 0
   /// Stop after an iteration that lowers the energy by less than this fraction of it. >= 0.
   double energy_tolerance = 1e-5;
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
   double move_tolerance = 1e-3;
-  /// Length of a step, as a fraction of the way to the centroid: 1 is Lloyd's step, more is overrelaxation. In (0, 2).
+  /// Length of a step that is not accelerated, as a fraction of the way to the centroid: 1 is Lloyd's step, more is
+  /// overrelaxation. In (0, 2).
   double step = 1;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
@@ -58,8 +67,9 @@ struct LloydIteration {
   double energy = 0;        ///< after it, mesh units to the fourth
   double largest_move = 0;  ///< length of the longest path of a generator, mesh units
   double mean_move = 0;     ///< mean length of the paths, mesh units
-  double scale = 1;         ///< factor of all steps: 1, or less after halving
+  double scale = 1;         ///< factor of all steps: 1, or less where the whole step does not lower the energy
   std::int32_t held = 0;    ///< generators that did not move: no step lowers their cell's energy, or they would collide
+  Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
 
 struct LloydResult {
@@ -74,12 +84,14 @@ struct LloydResult {
   LloydStop stop = LloydStop::no_descent;
 };
 
-/// Lloyd's method: moves all generators to the geodesic centroids of their cells, and iterates.
+/// Moves all generators to the geodesic centroids of their cells, step by step.
 ///
-/// Each generator moves along the straight geodesic in the direction of the mean of its cell's log map. It stops at the
-/// boundary; from a boundary point, an outward step slides along the boundary. A step is taken only if it lowers the
-/// energy. If the full step does not, each generator halves its own step until the energy of its fixed cell falls.
-/// After that all steps are halved together. A generator that would collide with another one does not move.
+/// Each generator moves along a straight geodesic. Lloyd's step leads in the direction of the mean of its cell's log
+/// map; accelerated steps take that mean for the gradient of the energy. A generator stops at the boundary; from a
+/// boundary point, an outward step slides along the boundary. A step is taken only if it lowers the energy. An
+/// accelerated step is shortened up to three times, and then replaced by Lloyd's. If that does not lower the energy,
+/// each generator halves its own step until the energy of its fixed cell falls. After that all steps are halved
+/// together. A generator that would collide with another one does not move.
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
 /// (3) no two coincide; (4) deterministic.
 /// Throws Error{invalid_option} for an option out of its range, Error{precondition} where `compute_diagram` does, and

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "generator_moves.hpp"
+#include "gvd/lloyd.hpp"
+#include "gvd/mesh.hpp"
+#include "relaxation_state.hpp"
+#include "step_history.hpp"
+
+namespace gvd {
+
+/// Steps of all generators, and the slope of the energy along them: the change by a small fraction of the steps is
+/// this fraction of the slope.
+struct ProposedSteps {
+  TangentField steps;  ///< mesh units
+  double slope = 0;    ///< < 0; mesh units to the fourth
+};
+
+/// Proposes better steps than Lloyd's, from the steps before.
+class Accelerator {
+ public:
+  Accelerator(const Mesh& mesh, Acceleration kind);
+
+  /// Steps from `state` that lower the energy if they are short enough; without any if there is no such proposal.
+  std::optional<ProposedSteps> propose(const RelaxationState& state) const;
+  /// Learns from a move of the generators.
+  void learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after);
+  void forget() { history_.clear(); }
+
+ private:
+  TangentField direction(const RelaxationState& state, const TangentField& gradient) const;
+
+  const Mesh& mesh_;
+  Acceleration kind_;
+  StepHistory history_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,47 @@
+#include "generator_moves.hpp"
+
+#include <algorithm>
+
+#include "gvd/geodesic_tracing.hpp"
+#include "keep_apart.hpp"
+#include "mesh/coincidence.hpp"
+
+namespace gvd {
+namespace {
+
+/// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
+/// relaxed diagram.
+constexpr double kGap = 1e-6;
+
+/// The same in distances at which two points coincide. It counts on surfaces with hardly any area.
+constexpr double kGapOfCoincident = 2;
+
+void add_path(const Mesh& mesh, const SurfacePoint& from, const Vec2& step, GeneratorMove& move) {
+  const GeodesicTrace trace = trace_geodesic(mesh, from, step);
+  move.to.push_back(trace.points.back());
+  move.length.push_back(trace.length);
+  move.step.push_back(trace.length * trace.direction);
+  move.turns.push_back(trace.length > 0 ? turn_between(step.normalized(), trace.direction) : Turn(1, 0));
+}
+
+void undo_path(std::size_t i, GeneratorMove& move) {
+  move.length[i] = 0;
+  move.step[i] = Vec2::Zero();
+  move.turns[i] = Turn(1, 0);
+}
+
+}  // namespace
+
+GeneratorMove move_generators(const Mesh& mesh, const std::vector<SurfacePoint>& from, const TangentField& steps,
+                              double mean_cell_radius) {
+  GeneratorMove move;
+  for (std::size_t i = 0; i < steps.size(); ++i) add_path(mesh, from[i], steps[i], move);
+  const double gap = std::max(kGap * mean_cell_radius, kGapOfCoincident * coincidence(mesh));
+  move.held = keep_apart(mesh, from, gap, move.to);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (move.to[i] == from[i]) undo_path(i, move);
+  }
+  return move;
+}
+
+}  // namespace gvd

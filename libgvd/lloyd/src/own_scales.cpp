@@ -1,0 +1,33 @@
+#include "own_scales.hpp"
+
+#include "cell_faces.hpp"
+#include "gvd/geodesic_tracing.hpp"
+
+namespace gvd {
+namespace {
+
+/// The largest number of halvings: down to a thousandth.
+constexpr int kHalvings = 10;
+
+}  // namespace
+
+std::vector<double> find_own_scales(const Mesh& mesh, const RelaxationState& state, double step,
+                                    CellIntegrals& integrals, const std::function<void()>& report) {
+  const CellFaces cells(state.diagram);
+  std::vector<double> scales;
+  for (std::size_t i = 0; i < state.generators.size(); ++i) {
+    report();
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    double scale = step;
+    int halvings = 0;
+    const auto lowers = [&] {
+      const SurfacePoint to = trace_geodesic(mesh, state.generators[i], scale * state.to_centroids[i]).points.back();
+      return integrals.compute(to, cells.of(g)).energy < state.moments[g].energy;
+    };
+    while (scale > 0 && !lowers()) scale = ++halvings > kHalvings ? 0 : 0.5 * scale;
+    scales.push_back(scale);
+  }
+  return scales;
+}
+
+}  // namespace gvd

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "cell_integrals.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/lloyd.hpp"
+#include "tangent_field.hpp"
+
+namespace gvd {
+
+/// Generators, their diagram, and the integrals over its cells.
+struct RelaxationState {
+  std::vector<SurfacePoint> generators;
+  Diagram diagram;
+  IdVector<GeneratorId, CellMoments> moments;
+  double energy = 0;
+  /// The ways to the centroids, projected to the boundary where they would leave the surface; mesh units.
+  TangentField to_centroids;
+  double residual = 0;          ///< length of the longest way
+  double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
+};
+
+/// Diagram, integrals and ways to the centroids of these generators.
+RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                    const DiagramOptions& options, CellIntegrals& integrals);
+
+/// The gradient of the energy: -2 area centroid for each generator; mesh units cubed.
+TangentField energy_gradient(const RelaxationState& state);
+
+/// Twice the areas of the cells. The gradient divided by them is minus the way to the centroid, so Lloyd's step is the
+/// step of a Newton method with this diagonal Hessian. A cell without area takes the mean.
+std::vector<double> cell_masses(const RelaxationState& state);
+
+}  // namespace gvd

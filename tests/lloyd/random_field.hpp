@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+
+#include "tangent_field.hpp"
+
+namespace gvd::test {
+
+/// A field of tangent vectors with coordinates from -1 to 1.
+inline TangentField random_field(std::size_t size, std::mt19937& random) {
+  const auto real = [&] { return 2 * double(random()) / double(std::mt19937::max()) - 1; };
+  TangentField field(size);
+  for (Vec2& v : field) {
+    v.x() = real();
+    v.y() = real();
+  }
+  return field;
+}
+
+inline double length(const TangentField& field) { return std::sqrt(dot(field, field)); }
+
+}  // namespace gvd::test
