@@ -113,7 +113,7 @@ why-exact:
 paper:
 	@$(install_deps) build
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
-	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper gvd-segment
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper gvd-segment gvd-compare
 	@mkdir -p $(BUILD)/paper
 	@$(BUILD)/bin/gvd-paper --runs $(PAPER_RUNS) $(addprefix --models=,$(PAPER_MODELS)) -o $(BUILD)/paper/paper.json
 	@scripts/make_gallery.sh $(BUILD)/bin $(BUILD)/paper $(PAPER_MODELS)

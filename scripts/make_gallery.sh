@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes figures 1 and 9 of the paper: diagrams of gvd-segment --method gbgvd as pages, and pictures of the pages.
+# Makes figures 1, 9, 10 and 11 of the paper as pages, and pictures of the pages: diagrams of gvd-segment --method gbgvd, and
+# of gvd-compare for the comparators.
 #
 #   scripts/make_gallery.sh BIN_FOLDER FOLDER [MODEL_FOLDER...]
 #
@@ -27,6 +28,20 @@ gallery() {
   done
 }
 
+# compare NAME GENERATORS METHODS FILE...: a page of the first file that there is, with a scene for each method.
+compare() {
+  name=$1
+  count=$2
+  methods=$3
+  shift 3
+  for file in "$@"; do
+    if [ -e "$file" ]; then
+      "$bin/gvd-compare" "$file" -m "$count" --methods "$methods" --view "$folder/pages/$name.html" >/dev/null
+      return
+    fi
+  done
+}
+
 # in_folders FILE...: the files in every model folder, one a line.
 in_folders() {
   for file in "$@"; do
@@ -45,7 +60,10 @@ folders=$*
   gallery elephant 30 $(in_folders elephant.m20.obj)
   gallery fandisk 35 $(in_folders fandisk.obj)
   gallery rocker_arm 24 $(in_folders rocker_arm.obj)
+  compare figure_10 30 "diffusion [8],gbgvd planar,gbgvd circle" $(in_folders spot.m30.obj) "$here/data/figure.obj"
+  compare figure_11 30 "RVD [29],LRVD [28],gbgvd planar,exact" $(in_folders elephant.m20.obj)
 }
+compare plate 12 "RVD [29],LRVD [28],gbgvd planar,exact" "$here/data/plate.stl"
 gallery figure 24 "$here/data/figure.obj"
 
 if ! command -v npm >/dev/null || [ ! -e "${CHROMIUM:-/usr/bin/chromium}" ]; then

@@ -1,6 +1,7 @@
 // gvd-compare: the methods that the paper compares itself with, beside ours, one line each.
 //
 //   gvd-compare [MESH...] [-m 30] [--seed 0] [--runs 1] [--time-factor 1] [--no-unpruned]
+//               [--methods "LRVD [28],exact"] [--view PAGE.html]
 //
 // The generators are random vertices, seeded. Times are processor times of one thread, the medians of the runs:
 //   E          the integral of the difference of the exact distances along the bisectors (section 5.2).
@@ -15,10 +16,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "command_line.hpp"
+#include "comparison_scene.hpp"
 #include "draw_vertices.hpp"
+#include "gvd/error.hpp"
 #include "judge.hpp"
 #include "list_comparators.hpp"
 #include "median.hpp"
@@ -32,7 +37,31 @@ struct Settings {
   std::uint64_t seed = 0;
   int runs = 1;
   ComparatorOptions comparators;
+  std::vector<std::string> methods;  ///< all if empty
+  std::string view;                  ///< a page with a scene for each method; none if empty
 };
+
+/// Those of the list that are asked for, in the order in which they are.
+std::vector<Comparator> pick_methods(const Settings& settings) {
+  std::vector<Comparator> all = list_comparators(settings.comparators);
+  if (settings.methods.empty()) return all;
+  std::vector<Comparator> picked;
+  for (const std::string& name : settings.methods) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; });
+    if (found == all.end()) throw Error(ErrorCode::invalid_option, fmt::format("no method is named '{}'", name));
+    picked.push_back(*found);
+  }
+  return picked;
+}
+
+void write_view(const std::string& path, const std::string& title, std::vector<ViewScene> scenes) {
+  share_neighbours(scenes);
+  ViewOptions options;
+  options.title = title;
+  std::ofstream file(path);
+  file << make_view_page(scenes, options);
+  if (!file.flush()) throw Error(ErrorCode::unwritable_output, fmt::format("could not write {}", path));
+}
 
 /// The result of the last run, with the medians of the times.
 Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
@@ -77,16 +106,16 @@ void compare(const std::string& path, const Settings& settings) {
   print_header();
   const Judge judge(mesh, generators);
   const double area = compute_mesh_summary(mesh).area;
-  for (const Comparator& comparator : list_comparators(settings.comparators)) {
+  std::vector<ViewScene> scenes;
+  for (const Comparator& comparator : pick_methods(settings)) {
     const Comparison result = run_several(comparator, mesh, generators, settings.runs);
     print_row(comparator.name, result, judge.judge(result.diagram), area);
+    if (!settings.view.empty()) scenes.push_back(make_comparison_scene(comparator.name, mesh, result));
   }
+  if (!settings.view.empty()) write_view(settings.view, named.name, std::move(scenes));
 }
 
-int run(int argc, char** argv) {
-  Settings settings;
-  bool no_unpruned = false;
-  CLI::App app("Compares the paper's comparators with this library's methods, by E, labels, faults and time");
+void add_options(CLI::App& app, Settings& settings) {
   bench::add_mesh_arguments(app, settings.meshes);
   app.add_option("-m,--generators", settings.generators, "number of generators: random vertices")
       ->check(CLI::PositiveNumber);
@@ -95,9 +124,21 @@ int run(int argc, char** argv) {
   app.add_option("--time-factor", settings.comparators.diffusion.time_factor,
                  "time step of diffusion, in squared mean edge lengths")
       ->check(CLI::PositiveNumber);
+  app.add_option("--methods", settings.methods, "names of methods as the table has them, with commas (default: all)")
+      ->delimiter(',');
+  app.add_option("--view", settings.view, "page with a scene for each method; of one mesh only");
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  bool no_unpruned = false;
+  CLI::App app("Compares the paper's comparators with this library's methods, by E, labels, faults and time");
+  add_options(app, settings);
   app.add_flag("--no-unpruned", no_unpruned, "leave out windows of each generator for itself, which need much memory");
   CLI11_PARSE(app, argc, argv);
   settings.comparators.unpruned_windows = !no_unpruned;
+  if (!settings.view.empty() && settings.meshes.size() > 1)
+    throw Error(ErrorCode::invalid_option, "--view shows one mesh; name one");
   for (const std::string& path : settings.meshes) compare(path, settings);
   return 0;
 }

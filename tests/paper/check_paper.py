@@ -11,8 +11,8 @@ import subprocess
 import sys
 
 SCRIPT = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "make_paper.py"
-ROWS = {"1": 6, "2": 7, "3": 9, "4": 7, "5": 5, "fig10": 2}
-HEADINGS = ["Table 1", "Table 2", "Table 3", "Table 4", "Table 5", "Figure 10"]
+ROWS = {"1": 6, "2": 7, "3": 9, "4": 7, "sets": 1, "5": 5, "fig10": 2}
+HEADINGS = ["Table 1", "Table 2", "Table 3", "Table 4", "ten sets", "Table 5", "Figure 10"]
 
 
 def render(document, folder):
@@ -50,6 +50,28 @@ def check_gallery(document, folder):
     (folder / "pictures" / "lucy.webp").unlink()
 
 
+def check_figures(document, folder):
+    """A line of pictures is there where all of it is."""
+    names = [f"plate_{suffix}" for suffix in ("rvd", "lrvd", "planar", "exact")]
+    for name in names + ["figure_10_planar"]:
+        (folder / "pictures" / f"{name}.webp").write_bytes(b"")
+    require(render(document, folder), "the pages are not made with pictures of figures")
+    for page in ("paper.md", "paper.html"):
+        text = (folder / page).read_text()
+        require(all(f"pictures/{name}.webp" in text for name in names), f"no pictures of figure 11 in {page}")
+        require("figure_10_planar" not in text, f"a line of figure 10 in {page} of which pictures are missing")
+    require("pages/plate.html" in (folder / "paper.html").read_text(), "a picture does not lead to its page")
+    for name in names + ["figure_10_planar"]:
+        (folder / "pictures" / f"{name}.webp").unlink()
+
+
+def check_sets(document):
+    row, = document["tables"]["sets"]
+    for method in row["methods"]:
+        require(len(method["errors"]) == 10, "E on Spot is not of ten sets")
+        require(max(method["errors"]) == method["e"]["max"], "the largest E is not that of the sets")
+
+
 def main(program, folder):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -67,7 +89,9 @@ def main(program, folder):
             require(size in text, f"{name} lacks the paper's numbers for {size}")
         require("nan" not in text and "inf " not in text, f"{name} has a number that is not finite")
     require((folder / "paper.html").read_text().count("<svg") == 2, "tables 1 and 2 have no plots")
+    check_sets(document)
     check_gallery(document, folder)
+    check_figures(document, folder)
 
 
 if __name__ == "__main__":

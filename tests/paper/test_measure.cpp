@@ -44,5 +44,8 @@ TEST_CASE("an experiment measures every method, with errors and memory where the
 TEST_CASE("runs draw generators of different seeds") {
   const Mesh sphere = test::make_sphere(2);
   const std::vector<Comparator> methods = list_comparators({{}, false});
-  CHECK(measure({sphere, 6, 3, true, false}, methods)[1].error.deviation > 0);
+  const Measurement found = measure({sphere, 6, 3, true, false}, methods)[1];
+  CHECK(found.error.deviation > 0);
+  REQUIRE(found.errors.size() == 3);
+  CHECK(found.error.mean == Approx((found.errors[0] + found.errors[1] + found.errors[2]) / 3));
 }

@@ -50,6 +50,7 @@ Measurement condense(const std::string& method, const Samples& samples) {
   result.field_ms = bench::median(samples.field_ms);
   result.diagram_ms = bench::median(samples.diagram_ms);
   result.error = summarize(samples.error);
+  result.errors = samples.error;
   result.turn_per_length = summarize(samples.turn).mean;
   result.islands = summarize(samples.islands).mean;
   result.open_ends = summarize(samples.open_ends).mean;

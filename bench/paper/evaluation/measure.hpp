@@ -32,6 +32,7 @@ struct Measurement {
   double diagram_ms = 0;       ///< median
   double memory_kb = 0;        ///< largest heap of the first run, without the input; 0 if it is not counted
   Statistic error;             ///< E, square mesh units
+  std::vector<double> errors;  ///< E of each run; empty without errors
   double turn_per_length = 0;  ///< mean, radians for each mesh unit
   double islands = 0;          ///< mean number of components of cells without their generator
   double open_ends = 0;        ///< mean number of ends that nothing continues
