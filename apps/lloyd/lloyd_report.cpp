@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "common/options/options_json.hpp"
 #include "gvd/counted.hpp"
 
 namespace gvd::app {
@@ -35,7 +36,7 @@ const std::string& name_of(Acceleration acceleration) {
 /// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
   Json energies = Json::array({result.initial_energy});
-  Json steps = Json::array();
+  Json steps = Json::array(), methods = Json::array();
   Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();
   for (const LloydIteration& i : result.iterations) {
     energies.push_back(i.energy);
@@ -43,10 +44,12 @@ void add_iterations(Json& results, const LloydResult& result) {
     mean.push_back(i.mean_move);
     scales.push_back(i.scale);
     held.push_back(i.held);
+    methods.push_back(method_name(i.method));
     steps.push_back(i.by == Acceleration::none ? "lloyd" : name_of(i.by));
   }
   results["energies"] = std::move(energies);
   results["steps"] = std::move(steps);
+  results["methods"] = std::move(methods);
   results["largest_moves"] = std::move(largest);
   results["mean_moves"] = std::move(mean);
   results["step_scales"] = std::move(scales);

@@ -46,7 +46,7 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
   app::add_number(
       line,
       text("--tolerance",
-           fmt::format("Stop once an iteration lowers the energy by less than this fraction of it (default: {})",
+           fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {})",
                        options.energy_tolerance)),
       options.energy_tolerance, app::kNotNegative);
   app::add_number(line,

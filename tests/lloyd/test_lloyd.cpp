@@ -243,19 +243,24 @@ TEST_CASE("lloyd: zero iterations are allowed, and options out of range are refu
   refused([](LloydOptions& o) { o.step = 2; });
 }
 
-TEST_CASE("lloyd: each iteration is told with its energy, the start too") {
+TEST_CASE("lloyd: each iteration is told with its energy, the start too, and again when it is measured anew") {
   const Mesh mesh = test::make_sphere(2);
-  LloydOptions options;
-  options.max_iterations = 5;
-  std::vector<double> energies;
-  options.on_iteration = [&](std::int64_t iterations, double energy) {
-    CHECK(iterations == std::ssize(energies));
-    energies.push_back(energy);
-  };
-  const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 5, 1), options);
-  REQUIRE(energies.size() == result.iterations.size() + 1);
-  CHECK(energies.front() == result.initial_energy);
-  CHECK(energies.back() == result.final_energy);
+  for (const bool early : {false, true}) {
+    CAPTURE(early);
+    LloydOptions options;
+    options.max_iterations = 5;
+    options.early_approximation = early;
+    std::vector<double> energies;
+    options.on_iteration = [&](std::int64_t iterations, double energy) {
+      CHECK((iterations == std::ssize(energies) || (early && iterations + 1 == std::ssize(energies))));
+      energies.resize(static_cast<std::size_t>(iterations) + 1);
+      energies.back() = energy;
+    };
+    const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 5, 1), options);
+    REQUIRE(energies.size() == result.iterations.size() + 1);
+    CHECK(energies.front() == result.initial_energy);
+    CHECK(energies.back() == result.final_energy);
+  }
 }
 
 TEST_CASE("lloyd: cancelling throws") {

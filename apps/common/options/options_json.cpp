@@ -21,11 +21,6 @@ const char* name_of(SamplingKind kind) {
   return "farthest";
 }
 
-const char* name_of(const Method& method) {
-  if (method == Method::exact) return "exact";
-  return method == Method::paper ? "paper" : "gbgvd";
-}
-
 const char* name_of(GeneratorFormat format) {
   switch (format) {
     case GeneratorFormat::csv:
@@ -66,7 +61,7 @@ void add_generators(Json& json, const GeneratorOptions& generators) {
 void add_compute(Json& json, const ComputeOptions& compute) {
   const DiagramOptions diagram = make_diagram_options(compute);
   const bool exact = compute.method == Method::exact;
-  json["method"] = name_of(compute.method);
+  json["method"] = method_name(compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
   json["front"] = exact ? Json() : Json(diagram.front == Front::planar ? "planar" : "circle");
   json["threads"] = compute.threads;
@@ -85,6 +80,11 @@ void add_output(Json& json, const OutputOptions& output) {
 }
 
 }  // namespace
+
+const char* method_name(const Method& method) {
+  if (method == Method::exact) return "exact";
+  return method == Method::paper ? "paper" : "gbgvd";
+}
 
 Json to_json(const Options& options) {
   Json json = Json::object();

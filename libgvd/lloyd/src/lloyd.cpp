@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "accelerator.hpp"
@@ -12,6 +14,7 @@
 #include "gvd/error.hpp"
 #include "line_search.hpp"
 #include "own_scales.hpp"
+#include "precision_levels.hpp"
 #include "relaxation_state.hpp"
 
 namespace gvd {
@@ -19,6 +22,16 @@ namespace {
 
 /// The largest number of halvings of all steps together: down to a thousandth.
 constexpr int kCommonHalvings = 10;
+
+/// Early levels end with an iteration that lowers the energy by less than this fraction of it. Their energies differ
+/// from the exact ones by about a tenth of that.
+constexpr double kEarlyFall = 1e-4;
+
+/// Accelerated iterations over which the mean fall of the energy decides whether to end.
+constexpr std::size_t kStallWindow = 5;
+
+/// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
+constexpr double kClearFall = 0.99;
 
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
@@ -39,10 +52,13 @@ class Relaxer {
 
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
+    levels_ = make_precision_levels(mesh_, generators.size(), options_);
+    start_ = generators;
     RelaxationState state = evaluate(generators);
     result_.initial_energy = state.energy;
     report_iteration(state.energy);
     result_.stop = iterate(state);
+    while (!is_last_level()) state = raise_level(state);
     result_.generators = std::move(state.generators);
     result_.diagram = std::move(state.diagram);
     result_.final_energy = state.energy;
@@ -52,20 +68,84 @@ class Relaxer {
   }
 
  private:
+  /// Iterates until a rule holds at the last level, or the iterations are used up. Where a rule holds before, the next
+  /// level follows.
   LloydStop iterate(RelaxationState& state) {
     while (true) {
-      if (state.residual <= options_.move_tolerance * state.mean_cell_radius) return LloydStop::centroids;
-      if (result_.iterations.size() >= static_cast<std::size_t>(options_.max_iterations)) {
-        return LloydStop::max_iterations;
-      }
-      const double before = state.energy;
-      if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
-      if (before - state.energy < options_.energy_tolerance * before) return LloydStop::energy;
+      const std::optional<LloydStop> stop = advance(state);
+      if (!stop) continue;
+      if (*stop == LloydStop::max_iterations || is_last_level()) return *stop;
+      state = raise_level(state);
     }
   }
 
+  /// One iteration, and the reason to end after it or instead of it.
+  std::optional<LloydStop> advance(RelaxationState& state) {
+    if (state.residual <= options_.move_tolerance * state.mean_cell_radius) return LloydStop::centroids;
+    if (result_.iterations.size() >= static_cast<std::size_t>(options_.max_iterations)) {
+      return LloydStop::max_iterations;
+    }
+    const double before = state.energy;
+    if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
+    const double least =
+        level_ + 2 < levels_.size() ? std::max(kEarlyFall, options_.energy_tolerance) : options_.energy_tolerance;
+    falls_.push_back((before - state.energy) / before);
+    return falls_by(least) ? std::nullopt : std::optional(LloydStop::energy);
+  }
+
+  /// Whether the last iterations lower the energy by at least this fraction each, on the average. One accelerated
+  /// iteration that lowers it by little is often followed by better ones.
+  bool falls_by(double least) const {
+    const std::size_t window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
+    if (falls_.size() < window) return true;
+    return std::accumulate(falls_.end() - std::ptrdiff_t(window), falls_.end(), 0.0) >= double(window) * least;
+  }
+
+  bool is_last_level() const { return level_ + 1 == levels_.size(); }
+
+  /// The same generators with better diagrams. The energy of the last iteration is measured anew.
+  RelaxationState raise_level(const RelaxationState& early) {
+    const bool has_fallen = level_ > 0 || early.energy < kClearFall * result_.initial_energy;
+    ++level_;
+    RelaxationState state = evaluate(early.generators);
+    if (!has_fallen || !(state.energy < result_.initial_energy)) state = lower_of(std::move(state), evaluate(start_));
+    merge_iterations(state.energy);
+    report_iteration(state.energy);
+    return state;
+  }
+
+  /// `state`, or the start if it has no more energy; the early iterations then count as one or none.
+  RelaxationState lower_of(RelaxationState state, RelaxationState start) {
+    result_.initial_energy = start.energy;
+    while (result_.iterations.size() > 1) merge_last_iteration();
+    if (state.energy < start.energy) return state;
+    result_.iterations.clear();
+    accelerator_.forget();
+    return start;
+  }
+
+  /// Restates the energy of the last iteration. Iterations that have not lowered the energy as it is measured now count
+  /// as one with the iteration before them.
+  void merge_iterations(double energy) {
+    std::vector<LloydIteration>& done = result_.iterations;
+    while (done.size() > 1 && !(energy < done[done.size() - 2].energy)) merge_last_iteration();
+    if (done.empty()) {
+      result_.initial_energy = energy;
+    } else {
+      done.back().energy = energy;
+      done.back().method = levels_[level_].method;
+    }
+  }
+
+  void merge_last_iteration() {
+    const LloydIteration last = result_.iterations.back();
+    result_.iterations.pop_back();
+    result_.iterations.back().largest_move += last.largest_move;
+    result_.iterations.back().mean_move += last.mean_move;
+  }
+
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
-    DiagramOptions diagram_options = options_.diagram;
+    DiagramOptions diagram_options = levels_[level_];
     diagram_options.progress = [this](std::string_view step, double fraction) {
       const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
       report((static_cast<double>(begun) + fraction) / static_cast<double>(steps::kAll.size()));
@@ -132,6 +212,7 @@ class Relaxer {
     }
     iteration.scale = next.scale;
     iteration.held = next.held;
+    iteration.method = levels_[level_].method;
     iteration.by = by;
     result_.iterations.push_back(iteration);
     report_iteration(energy);
@@ -155,6 +236,10 @@ class Relaxer {
   const LloydOptions& options_;
   CellIntegrals integrals_;
   Accelerator accelerator_;
+  std::vector<DiagramOptions> levels_;
+  std::size_t level_ = 0;
+  std::vector<double> falls_;  // of each iteration, as a fraction of the energy
+  std::vector<SurfacePoint> start_;
   LloydResult result_;
 };
 

@@ -35,7 +35,7 @@ TEST_CASE("gvd-lloyd: the report tells every iteration, and energies never rise"
     const auto& results = report["results"];
     const auto energies = results["energies"].get<std::vector<double>>();
     REQUIRE(energies.size() == results["iterations"].get<std::size_t>() + 1);
-    for (const char* key : {"largest_moves", "mean_moves", "step_scales", "held_generators", "steps"}) {
+    for (const char* key : {"largest_moves", "mean_moves", "step_scales", "held_generators", "steps", "methods"}) {
       CHECK(results[key].size() + 1 == energies.size());
     }
     for (std::size_t i = 1; i < energies.size(); ++i) CHECK(energies[i] <= energies[i - 1]);

@@ -39,7 +39,8 @@ enum class Acceleration {
 struct LloydOptions {
   Acceleration acceleration = Acceleration::lbfgs;
   std::int32_t max_iterations = 100;  ///< >= 0
-  /// Stop after an iteration that lowers the energy by less than this fraction of it. >= 0.
+  /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
+  /// if they are accelerated. >= 0.
   double energy_tolerance = 1e-5;
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
@@ -47,17 +48,20 @@ struct LloydOptions {
   /// Length of a step that is not accelerated, as a fraction of the way to the centroid: 1 is Lloyd's step, more is
   /// overrelaxation. In (0, 2).
   double step = 1;
+  /// Begin with approximate diagrams, which cost about half, and end with those of `diagram`. Only accelerated runs
+  /// with Method::exact and many faces for each generator do.
+  bool early_approximation = true;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
   /// Called with the number of iterations so far and the energy after them, at first for the given generators; may be
-  /// empty.
+  /// empty. Called again for the same generators when their energy is measured anew, with better diagrams.
   std::function<void(std::int64_t iterations, double energy)> on_iteration;
 };
 
 /// Why a relaxation ended.
 enum class LloydStop {
   centroids,       ///< every generator is at its centroid, within move_tolerance
-  energy,          ///< the last iteration lowered the energy by less than energy_tolerance
+  energy,          ///< the last iterations lowered the energy by less than energy_tolerance each
   no_descent,      ///< no step towards the centroids lowers the energy
   max_iterations,  ///< the number of iterations is max_iterations
 };
@@ -69,15 +73,16 @@ struct LloydIteration {
   double mean_move = 0;     ///< mean length of the paths, mesh units
   double scale = 1;         ///< factor of all steps: 1, or less where the whole step does not lower the energy
   std::int32_t held = 0;    ///< generators that did not move: no step lowers their cell's energy, or they would collide
+  Method method = Method::exact;         ///< of the diagram that the energy was measured with
   Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
 
 struct LloydResult {
   std::vector<SurfacePoint> generators;
   Diagram diagram;            ///< of these generators
-  double initial_energy = 0;  ///< mesh units to the fourth
-  double final_energy = 0;
-  double residual = 0;  ///< largest distance from a generator to its centroid, mesh units
+  double initial_energy = 0;  ///< measured as that of the first iteration, mesh units to the fourth
+  double final_energy = 0;    ///< of `diagram`
+  double residual = 0;        ///< largest distance from a generator to its centroid, mesh units
   double mean_cell_radius = 0;
   std::vector<LloydIteration> iterations;
   std::int64_t diagrams = 0;  ///< number of diagrams computed, including those of rejected steps
@@ -93,7 +98,7 @@ struct LloydResult {
 /// each generator halves its own step until the energy of its fixed cell falls. After that all steps are halved
 /// together. A generator that would collide with another one does not move.
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
-/// (3) no two coincide; (4) deterministic.
+/// (3) no two coincide; (4) deterministic; (5) the last iteration is measured with the diagrams of the options.
 /// Throws Error{invalid_option} for an option out of its range, Error{precondition} where `compute_diagram` does, and
 /// Error{interrupted} if the progress callback cancels. Cost: one diagram and O(n log n) for each iteration.
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,

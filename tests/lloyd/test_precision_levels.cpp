@@ -1,0 +1,80 @@
+// Early iterations with approximate diagrams, last ones with those that were asked for.
+#include <algorithm>
+
+#include "gvd/sampling.hpp"
+#include "precision_levels.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+double energy_of(const Mesh& mesh, const Diagram& diagram) {
+  double energy = 0;
+  for (const CellMoments& m : compute_cell_moments(mesh, diagram)) energy += m.energy;
+  return energy;
+}
+
+}  // namespace
+
+TEST_CASE("precision levels: accelerated exact runs with many faces begin with gbgvd and end as asked for") {
+  const Mesh mesh = test::make_sphere(3);
+  LloydOptions options;
+  options.diagram.chord_tolerance = 1e-3;
+  const auto levels = make_precision_levels(mesh, 10, options);
+  REQUIRE(levels.size() == 3);
+  CHECK(levels[0].method == Method::gbgvd);
+  CHECK(levels[1].method == Method::exact);
+  CHECK(levels[1].chord_tolerance > 1e-3);
+  CHECK(levels[2].method == Method::exact);
+  CHECK(levels[2].chord_tolerance == 1e-3);
+}
+
+TEST_CASE("precision levels: one level for other methods, Lloyd's iteration, few faces, and on demand") {
+  const Mesh mesh = test::make_sphere(3);
+  const auto count = [&](std::size_t generators, auto change) {
+    LloydOptions options;
+    change(options);
+    return make_precision_levels(mesh, generators, options).size();
+  };
+  CHECK(count(10, [](LloydOptions& o) { o.diagram.method = Method::gbgvd; }) == 1);
+  CHECK(count(10, [](LloydOptions& o) { o.diagram.method = Method::paper; }) == 1);
+  CHECK(count(10, [](LloydOptions& o) { o.acceleration = Acceleration::none; }) == 1);
+  CHECK(count(10, [](LloydOptions& o) { o.early_approximation = false; }) == 1);
+  CHECK(count(1000, [](LloydOptions&) {}) == 1);
+}
+
+TEST_CASE("precision levels: the last energy is exact, and methods follow each other in order") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      for (const int most : {0, 1, 3, 60}) {
+        CAPTURE(name, seed, most);
+        LloydOptions options;
+        options.max_iterations = most;
+        const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 6, seed), options);
+        CHECK(result.iterations.size() <= static_cast<std::size_t>(most));
+        CHECK(result.final_energy == Approx(energy_of(mesh, result.diagram)).epsilon(1e-12));
+        CHECK(result.final_energy == Approx(energy_of(mesh, compute_diagram(mesh, result.generators))).epsilon(1e-9));
+        if (result.iterations.empty()) continue;
+        CHECK(result.final_energy == result.iterations.back().energy);
+        CHECK(result.iterations.back().method == Method::exact);
+        CHECK(std::is_partitioned(result.iterations.begin(), result.iterations.end(),
+                                  [](const LloydIteration& i) { return i.method == Method::gbgvd; }));
+      }
+    }
+  }
+}
+
+TEST_CASE("precision levels: relaxed generators are not made worse by approximate iterations") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    CAPTURE(name);
+    LloydOptions options;
+    options.early_approximation = false;
+    const LloydResult relaxed = relax_generators(mesh, test::random_generators(mesh, 6, 1), options);
+    const LloydResult again = relax_generators(mesh, relaxed.generators);
+    CHECK(again.final_energy <= relaxed.final_energy);
+    CHECK(again.initial_energy >= again.final_energy);
+  }
+}
