@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "base/barycentric.hpp"
-#include "diagram/envelope/equidistant_points.hpp"
 
 namespace gvd::paper {
 namespace {
@@ -82,18 +82,25 @@ bool WeightedFace::is_branch_point(const Three& runs, const Vec2& p) const {
   return true;
 }
 
-std::vector<Bary> WeightedFace::find_branch_points(const Three& runs) const {
-  std::array<const std::vector<FaceSource>*, 3> groups{};
+/// Points that are equally far from the three generators along straight lines. Runs of the same generators follow each
+/// other again and again beside needles, so that what was found is kept.
+const std::vector<Vec2>& WeightedFace::find_equidistant_points(const Three& runs) const {
+  const std::array<GeneratorId, 3> generators{runs[0]->generator, runs[1]->generator, runs[2]->generator};
+  const auto [entry, is_new] = equidistant_.try_emplace(generators);
+  if (!is_new) return entry->second;
+  std::array<std::span<const FaceSource>, 3> groups;
   for (const auto& group : sources_) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (group.front().generator == runs[i]->generator) groups[i] = &group;
+      if (group.front().generator == generators[i]) groups[i] = group;
     }
   }
+  if (groups[0].empty() || groups[1].empty() || groups[2].empty()) return entry->second;
+  return entry->second = search_.find(layout_, groups[0], groups[1], groups[2]);
+}
+
+std::vector<Bary> WeightedFace::find_branch_points(const Three& runs) const {
   std::vector<Bary> found;
-  if (groups[0] == nullptr || groups[1] == nullptr || groups[2] == nullptr) return found;
-  std::vector<Vec2> points;
-  append_equidistant_points(*groups[0], *groups[1], *groups[2], points);
-  for (const Vec2& p : points) {
+  for (const Vec2& p : find_equidistant_points(runs)) {
     const Bary bary = layout_.bary(p);
     if (*std::min_element(bary.begin(), bary.end()) < -kOutside || !is_branch_point(runs, p)) continue;
     found.push_back(clamp_to_face(bary));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <vector>
 
+#include "diagram/envelope/equidistant_search.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "geodesic/field/distance_field.hpp"
 #include "piece_contacts.hpp"
@@ -44,6 +47,7 @@ class WeightedFace {
   const FaceSource* nearest(GeneratorId g, const Vec2& p, double& distance) const;
   bool enters_through(const BoundaryRun& run, const Vec2& p) const;
   bool is_branch_point(const Three& runs, const Vec2& p) const;
+  const std::vector<Vec2>& find_equidistant_points(const Three& runs) const;
   std::vector<std::array<double, 3>> find_branch_points(const Three& runs) const;
   bool is_linked(const BoundaryRun& run, const BoundaryRun& other) const;
   bool contract_triple(std::vector<BoundaryRun>& runs, Cut& cut) const;
@@ -52,6 +56,8 @@ class WeightedFace {
 
   const FaceLayout& layout_;
   std::vector<std::vector<FaceSource>> sources_;  // by generator, ascending
+  mutable EquidistantSearch search_;
+  mutable std::map<std::array<GeneratorId, 3>, std::vector<Vec2>> equidistant_;  // what searches found
 };
 
 /// The runs of a face's boundary between its crossings, which are not empty.

@@ -88,3 +88,26 @@ TEST_CASE("a run between two of one generator is cut off, and the rest goes on")
   CHECK_FALSE(cut.forced);
   CHECK(total_share(cut) == Approx(1));
 }
+
+TEST_CASE("a thousand sources of each generator, as beside needles, give the point of the nearest ones") {
+  const Mesh mesh = test::make_triangle();
+  const FaceLayout layout(mesh, FaceId(0));
+  std::vector<FaceSource> few, many;
+  for (int g = 0; g < 3; ++g) {
+    const Vec2& corner = layout.corner[std::size_t(g)];
+    few.push_back(source_at(corner, g, 0.1 * g));
+    many.push_back(few.back());
+    // Farther than the first one by more than it is displaced.
+    for (int k = 1; k < 1000; ++k) many.push_back(source_at(corner + Vec2(1e-4 * k, 0), g, 0.1 * g + 2e-4 * k));
+  }
+  const std::vector<BoundaryCrossing> crossings{crossing(0, 0.525, 0, 1), crossing(1, 0.52, 1, 2),
+                                                crossing(2, 0.4, 2, 0)};
+  const auto expected = WeightedFace(layout, few).cut(make_runs(crossings));
+  const auto cut = WeightedFace(layout, many).cut(make_runs(crossings));
+  CHECK_FALSE(expected.forced);
+  CHECK_FALSE(cut.forced);
+  REQUIRE(cut.polygons.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(area_share(cut.polygons[i].points) == Approx(area_share(expected.polygons[i].points)).epsilon(1e-9));
+  }
+}
