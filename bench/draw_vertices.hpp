@@ -8,8 +8,7 @@
 
 namespace gvd::bench {
 
-/// `count` different vertices, or all of them where there are fewer. The generator's output is taken modulo n, so that
-/// every standard library draws the same ones.
+/// `count` different vertices, or all of them where there are fewer: those of `--sampling vertices` with this seed.
 std::vector<VertexId> draw_vertices(const Mesh& mesh, int count, std::uint64_t seed);
 
 }  // namespace gvd::bench

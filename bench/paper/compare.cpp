@@ -24,7 +24,7 @@
 #include "comparison_scene.hpp"
 #include "draw_vertices.hpp"
 #include "gvd/error.hpp"
-#include "judge.hpp"
+#include "judging/judge.hpp"
 #include "list_comparators.hpp"
 #include "median.hpp"
 

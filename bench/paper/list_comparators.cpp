@@ -1,9 +1,9 @@
 #include "list_comparators.hpp"
 
 #include "library_methods.hpp"
-#include "lrvd.hpp"
-#include "rvd.hpp"
-#include "window_voronoi.hpp"
+#include "rvd/lrvd.hpp"
+#include "rvd/rvd.hpp"
+#include "windows/window_voronoi.hpp"
 
 namespace gvd::paper {
 namespace {

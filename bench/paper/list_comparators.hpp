@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "comparator.hpp"
-#include "diffusion.hpp"
+#include "diffusion/diffusion.hpp"
 
 namespace gvd::paper {
 

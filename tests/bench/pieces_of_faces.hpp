@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "clip_polygon.hpp"
-#include "piece_contacts.hpp"
+#include "pieces/clip_polygon.hpp"
+#include "pieces/piece_contacts.hpp"
 
 namespace gvd::test {
 

@@ -1,6 +1,7 @@
 #include <set>
 
-#include "judge.hpp"
+#include "bench/comparisons.hpp"
+#include "judging/judge.hpp"
 #include "list_comparators.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -10,8 +11,7 @@ using namespace gvd::paper;
 
 TEST_CASE("every comparator has a name of its own and fills a diagram that the same E judges") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
-  std::vector<SurfacePoint> generators;
-  for (int i = 0; i < 10; ++i) generators.push_back(vertex_point(mesh, VertexId(1 + 60 * i)));
+  const auto generators = test::vertex_points(mesh, 10, 1, 60);
   const Judge judge(mesh, generators);
   std::set<std::string> names;
   for (const Comparator& comparator : list_comparators()) {
@@ -32,8 +32,7 @@ TEST_CASE("every comparator has a name of its own and fills a diagram that the s
 
 TEST_CASE("the exact method has the least error, and windows with straight segments the next") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
-  std::vector<SurfacePoint> generators;
-  for (int i = 0; i < 10; ++i) generators.push_back(vertex_point(mesh, VertexId(1 + 60 * i)));
+  const auto generators = test::vertex_points(mesh, 10, 1, 60);
   const Judge judge(mesh, generators);
   std::vector<double> error;
   for (const Comparator& comparator : list_comparators({{}, false})) {

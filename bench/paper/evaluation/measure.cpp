@@ -7,7 +7,7 @@
 
 #include "draw_vertices.hpp"
 #include "heap_meter.hpp"
-#include "judge.hpp"
+#include "judging/judge.hpp"
 #include "median.hpp"
 
 namespace gvd::paper {

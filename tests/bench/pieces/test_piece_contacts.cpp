@@ -1,0 +1,67 @@
+#include "bench/pieces_of_faces.hpp"
+#include "pieces/piece_contacts.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+TEST_CASE("whole faces have a contact at each inner edge") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    int inner = 0;
+    for (int e = 0; e < mesh.edge_count(); ++e) inner += mesh.is_boundary(EdgeId(e)) ? 0 : 1;
+    const auto contacts = find_contacts(mesh, test::whole_faces(mesh, [](FaceId) { return 0; }));
+    CHECK(int(contacts.size()) == inner);
+  }
+}
+
+TEST_CASE("the two parts of a cut face have a contact along the cut, the first one on its left") {
+  const Mesh mesh = test::make_triangle();
+  const LinearForm form{1, -1, -1}, negated{-1, 1, 1};
+  const Pieces pieces{{FaceId(0), GeneratorId(0), clip_polygon(whole_face(), form, true)},
+                      {FaceId(0), GeneratorId(1), clip_polygon(whole_face(), negated, false)}};
+  const auto contacts = find_contacts(mesh, pieces);
+  REQUIRE(contacts.size() == 1);
+  CHECK(contacts[0].left == 0);
+  CHECK(contacts[0].right == 1);
+  CHECK(contacts[0].begin == std::array<double, 3>{0.5, 0.5, 0});
+  CHECK(contacts[0].end == std::array<double, 3>{0.5, 0, 0.5});
+}
+
+TEST_CASE("a long side has a contact with each of the shorter ones along it") {
+  const Mesh mesh = test::make_triangle();
+  const LinearForm form{1, -1, -1}, negated{-1, 1, 1}, half{0, 1, -1}, other_half{0, -1, 1};
+  const Polygon rest = clip_polygon(whole_face(), negated, false);
+  const Pieces pieces{{FaceId(0), GeneratorId(0), clip_polygon(whole_face(), form, true)},
+                      {FaceId(0), GeneratorId(1), clip_polygon(rest, half, true)},
+                      {FaceId(0), GeneratorId(2), clip_polygon(rest, other_half, true)}};
+  const auto contacts = find_contacts(mesh, pieces);
+  REQUIRE(contacts.size() == 3);
+  CHECK(contacts[0].right == 1);
+  CHECK(contacts[1].right == 2);
+  CHECK(contacts[0].end == contacts[1].begin);
+}
+
+TEST_CASE("pieces of two faces have a contact where they touch, and none where they do not") {
+  const Mesh mesh = test::make_grid(1, 1);
+  // Both faces are cut across the diagonal in its middle, seen from either side.
+  const auto cut = [&](FaceId f, int sign) {
+    LinearForm form{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.position(mesh.vertices(f)[i]);
+      form[i] = sign * (p.x() + p.y() - 1);
+    }
+    return clip_polygon(whole_face(), form, true);
+  };
+  const Pieces pieces{{FaceId(0), GeneratorId(0), cut(FaceId(0), 1)},
+                      {FaceId(0), GeneratorId(1), cut(FaceId(0), -1)},
+                      {FaceId(1), GeneratorId(0), cut(FaceId(1), 1)},
+                      {FaceId(1), GeneratorId(1), cut(FaceId(1), -1)}};
+  const auto contacts = find_contacts(mesh, pieces);
+  REQUIRE(contacts.size() == 4);
+  int same = 0;
+  for (const Contact& c : contacts) same += c.right - c.left == 2 ? 1 : 0;
+  CHECK(same == 2);
+}

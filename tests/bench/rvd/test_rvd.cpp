@@ -1,0 +1,84 @@
+#include "bench/comparisons.hpp"
+#include "judging/judge.hpp"
+#include "pieces/collect_pieces.hpp"
+#include "rvd/delaunay_neighbours.hpp"
+#include "rvd/rvd.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/planar_voronoi.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+TEST_CASE("on a flat grid RVD is the planar Voronoi diagram") {
+  const Mesh mesh = test::make_grid(12, 9);
+  const auto generators = test::random_generators(mesh, 15, 3);
+  const Comparison rvd = compute_rvd(mesh, generators);
+  std::vector<Vec2> points;
+  for (const Vec3& p : find_positions(mesh, generators)) points.push_back(p.head<2>());
+  const test::PlanarVoronoi planar(points, 12, 9);
+  for (int i = 0; i < 15; ++i) {
+    CHECK(rvd.diagram.cells[GeneratorId(i)].area == Approx(planar.cell_area(i)).epsilon(1e-9));
+  }
+  const Judgement judgement = Judge(mesh, generators).judge(rvd.diagram);
+  CHECK(judgement.error.error_integral < 1e-9);
+  CHECK(judgement.wrong_labels == 0);
+  CHECK(rvd.faults.islands == 0);
+  CHECK(rvd.faults.open_ends == 0);
+  const Diagram exact = compute_diagram(mesh, generators);
+  CHECK(rvd.diagram.length == Approx(exact.length).epsilon(1e-6));
+}
+
+TEST_CASE("the pieces of RVD cover every mesh") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto generators = test::random_generators(mesh, 20, 5);
+    const auto positions = find_positions(mesh, generators);
+    const Pieces pieces = clip_to_voronoi_cells(mesh, positions, find_delaunay_neighbours(positions));
+    CHECK(sum_areas(mesh, pieces) == Approx(test::mesh_area(mesh)).epsilon(1e-9));
+    CHECK(compute_rvd(mesh, generators).faults.open_ends == 0);
+  }
+}
+
+TEST_CASE("Delaunay neighbours give the same cells as all generators") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const auto generators = test::random_generators(mesh, 25, 7);
+  const auto positions = find_positions(mesh, generators);
+  std::vector<std::vector<GeneratorId>> all(positions.size());
+  for (auto& list : all) {
+    for (int g = 0; g < 25; ++g) list.emplace_back(g);
+  }
+  Comparison few, many;
+  collect_pieces(mesh, generators, clip_to_voronoi_cells(mesh, positions, find_delaunay_neighbours(positions)), few);
+  collect_pieces(mesh, generators, clip_to_voronoi_cells(mesh, positions, all), many);
+  for (int g = 0; g < 25; ++g) {
+    CHECK(few.diagram.cells[GeneratorId(g)].area == Approx(many.diagram.cells[GeneratorId(g)].area).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("cells of mirrored generators are found too, and one or two generators need no triangulation") {
+  const Mesh mesh = test::make_sphere(2);  // cospherical: the triangulation is not unique
+  std::vector<SurfacePoint> generators;
+  for (int v = 0; v < 12; ++v) generators.push_back(vertex_point(mesh, VertexId(v)));
+  const Comparison twelve = compute_rvd(mesh, generators);
+  for (const Cell& cell : twelve.diagram.cells) CHECK(cell.area == Approx(test::mesh_area(mesh) / 12).epsilon(1e-9));
+  generators.resize(2);
+  CHECK(compute_rvd(mesh, generators).diagram.cells[GeneratorId(1)].area ==
+        Approx(test::mesh_area(mesh) / 2).epsilon(1e-9));
+  generators.resize(1);
+  CHECK(compute_rvd(mesh, generators).diagram.bisectors.empty());
+}
+
+TEST_CASE("on a thin plate cells of RVD come through to the other side") {
+  const Mesh mesh = test::make_plate(16, 0.01);
+  const auto generators = test::random_generators(mesh, 12, 1);
+  const Comparison rvd = compute_rvd(mesh, generators);
+  CHECK(rvd.faults.islands > 0);
+  CHECK(rvd.faults.island_area > 0.1);
+  const Judge judge(mesh, generators);
+  const Diagram exact = compute_diagram(mesh, generators);
+  CHECK(judge.judge(rvd.diagram).error.error_integral > 100 * judge.judge(exact).error.error_integral);
+  CHECK(judge.judge(rvd.diagram).wrong_labels > 0);
+  CHECK(judge.judge(exact).wrong_labels == 0);
+}
