@@ -44,6 +44,7 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
     const double longest = kLongestStep * std::max(state.mean_cell_radius, state.to_centroids[i].norm());
     if (!step.allFinite()) return std::nullopt;
     if (step.norm() > longest) step *= longest / step.norm();
+    if (state.is_resting[i]) step = Vec2::Zero();
     step = project_to_surface(mesh_, state.generators[i], step);
   }
   proposed.slope = dot(gradient, proposed.steps);
@@ -60,15 +61,14 @@ TangentField Accelerator::direction(const RelaxationState& state, const TangentF
 void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
   if (kind_ == Acceleration::none) return;
   history_.transport(move.turns);
-  const auto change = [&](const TangentField& start, const TangentField& end) {
-    return add_scaled(end, -1, turned(move.turns, start));
-  };
-  if (kind_ == Acceleration::anderson) {
-    history_.add({move.step, change(before.to_centroids, after.to_centroids)});
-    return;
+  const bool by_gradient = kind_ == Acceleration::lbfgs;
+  const TangentField start = by_gradient ? energy_gradient(before) : before.to_centroids;
+  const TangentField end = by_gradient ? energy_gradient(after) : after.to_centroids;
+  StepPair pair{move.step, add_scaled(end, -1, turned(move.turns, start))};
+  for (std::size_t i = 0; i < pair.step.size(); ++i) {
+    if (before.is_resting[i] || after.is_resting[i]) pair.step[i] = pair.change[i] = Vec2::Zero();
   }
-  StepPair pair{move.step, change(energy_gradient(before), energy_gradient(after))};
-  if (has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
+  if (!by_gradient || has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
 }
 
 }  // namespace gvd

@@ -16,6 +16,7 @@
 #include "own_scales.hpp"
 #include "precision_levels.hpp"
 #include "relaxation_state.hpp"
+#include "vertex_rests.hpp"
 
 namespace gvd {
 namespace {
@@ -53,12 +54,16 @@ class Relaxer {
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
     levels_ = make_precision_levels(mesh_, generators.size(), options_);
+    if (options_.max_iterations == 0) levels_ = {options_.diagram};
     start_ = generators;
     RelaxationState state = evaluate(generators);
     result_.initial_energy = state.energy;
     report_iteration(state.energy);
     result_.stop = iterate(state);
-    while (!is_last_level()) state = raise_level(state);
+    if (!is_last_level()) {
+      level_ = levels_.size() - 2;
+      state = raise_level(state);
+    }
     result_.generators = std::move(state.generators);
     result_.diagram = std::move(state.diagram);
     result_.final_energy = state.energy;
@@ -105,10 +110,12 @@ class Relaxer {
 
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
   RelaxationState raise_level(const RelaxationState& early) {
+    const bool has_moved = early.generators != start_;
     const bool has_fallen = level_ > 0 || early.energy < kClearFall * result_.initial_energy;
     ++level_;
     RelaxationState state = evaluate(early.generators);
-    if (!has_fallen || !(state.energy < result_.initial_energy)) state = lower_of(std::move(state), evaluate(start_));
+    if (has_moved && (!has_fallen || !(state.energy < result_.initial_energy)))
+      state = lower_of(std::move(state), evaluate(start_));
     merge_iterations(state.energy);
     report_iteration(state.energy);
     return state;
@@ -152,18 +159,30 @@ class Relaxer {
       return true;
     };
     ++result_.diagrams;
-    return evaluate_generators(mesh_, generators, diagram_options, integrals_);
+    RelaxationState state = evaluate_generators(mesh_, generators, diagram_options, integrals_);
+    if (finds_rests()) mark_rests(mesh_, rest_radius(state), integrals_, state);
+    return state;
   }
+
+  /// Rests are looked for once distances are as exact as the options ask for.
+  bool finds_rests() const {
+    return options_.acceleration != Acceleration::none && level_ + 2 >= levels_.size() &&
+           levels_[level_].method == options_.diagram.method;
+  }
+  double rest_radius(const RelaxationState& state) const { return options_.move_tolerance * state.mean_cell_radius; }
 
   /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
   /// steps, or it never does; then the accelerator begins anew.
   bool descend_accelerated(RelaxationState& state) {
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (!proposed) return false;
+    std::vector<Rest> rests;
+    if (finds_rests()) rests = find_rests(mesh_, state, rest_radius(state), integrals_);
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
       next.scale = scale;
+      for (const Rest& rest : rests) move_to_rest(mesh_, rest, rest_radius(state), state.generators, next);
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
       const double energy = take_if_below(limit, state, next, options_.acceleration);
       if (energy < limit) return true;

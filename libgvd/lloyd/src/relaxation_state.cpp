@@ -12,6 +12,7 @@ namespace {
 void add_moments(const Mesh& mesh, CellIntegrals& integrals, RelaxationState& state) {
   const CellFaces cells(state.diagram);
   state.moments.resize(state.generators.size());
+  state.is_resting.assign(state.generators.size(), 0);
   double area = 0;
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));

@@ -17,7 +17,9 @@ struct RelaxationState {
   double energy = 0;
   /// The ways to the centroids, projected to the boundary where they would leave the surface; mesh units.
   TangentField to_centroids;
-  double residual = 0;          ///< length of the longest way
+  double residual = 0;  ///< length of the longest way
+  /// Whether each generator is at a vertex where every short step raises the energy of its cell. Its way is then zero.
+  std::vector<char> is_resting;
   double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
 };
 
