@@ -81,8 +81,8 @@ const Choices<Acceleration>& acceleration_names() {
 void report_lloyd_options(Run& run, const LloydOptions& options) {
   Json& reported = run.report().options();
   reported["accelerate"] = name_of(options.acceleration);
-  reported["iterations"] = options.max_iterations;
-  reported["tolerance"] = options.energy_tolerance;
+  reported["iterations"] = max_iterations(options);
+  reported["tolerance"] = energy_tolerance(options);
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
 }

@@ -35,19 +35,24 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
   const auto text = [](const char* name, const std::string& description) {
     return app::OptionText{name, "", description, "Relaxation"};
   };
-  app::OptionText acceleration =
+  LloydOptions plain;
+  plain.acceleration = Acceleration::none;
+  const app::OptionText acceleration =
       text("--accelerate",
            "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's "
            "mixing of the last steps, or by Lloyd's method alone");
   app::add_choice(line, acceleration, options.acceleration, app::acceleration_names());
   app::add_number(
-      line, text("--iterations", fmt::format("Largest number of iterations (default: {})", options.max_iterations)),
+      line,
+      text("--iterations", fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
+                                       max_iterations(options), max_iterations(plain))),
       options.max_iterations, kIterations);
   app::add_number(
       line,
       text("--tolerance",
-           fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {})",
-                       options.energy_tolerance)),
+           fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, with "
+                       "--accelerate none {}); 1e-5 saves about half of the time",
+                       energy_tolerance(options), energy_tolerance(plain))),
       options.energy_tolerance, app::kNotNegative);
   app::add_number(line,
                   text("--move-tolerance", fmt::format("Stop once no generator is farther from its centroid than this "
@@ -65,7 +70,7 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
 LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, LloydOptions options) {
   options.diagram = app::make_diagram_options(run.options().compute);
   options.progress = run.progress();
-  options.on_iteration = [&run, most = options.max_iterations](std::int64_t iterations, double energy) {
+  options.on_iteration = [&run, most = max_iterations(options)](std::int64_t iterations, double energy) {
     run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });

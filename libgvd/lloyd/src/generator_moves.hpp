@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "tangent_field.hpp"
@@ -12,11 +13,12 @@ namespace gvd {
 /// A move of all generators, before its diagram is known.
 struct GeneratorMove {
   std::vector<SurfacePoint> to;
-  std::vector<double> length;  ///< of every generator's path, mesh units
-  TangentField step;           ///< of the paths, in the tangent planes at their ends
-  std::vector<Turn> turns;     ///< parallel transport along the paths
-  double scale = 1;            ///< factor of all steps
-  std::int32_t held = 0;       ///< generators that stay because they would collide
+  std::vector<double> length;            ///< of every generator's path, mesh units
+  TangentField step;                     ///< of the paths, in the tangent planes at their ends
+  std::vector<Turn> turns;               ///< parallel transport along the paths
+  double scale = 1;                      ///< factor of all steps
+  std::int32_t held = 0;                 ///< generators that stay because they would collide
+  Acceleration by = Acceleration::none;  ///< what proposed the steps
 };
 
 /// Moves each generator along the straight geodesic of its step. One that would come nearer than a small gap to another

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "generator_moves.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
+#include "iteration_record.hpp"
 #include "line_search.hpp"
 #include "own_scales.hpp"
 #include "precision_levels.hpp"
@@ -34,13 +34,17 @@ constexpr std::size_t kStallWindow = 5;
 /// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
 constexpr double kClearFall = 0.99;
 
+/// The energy round a vertex where a generator may rest is tried at the distance of the move tolerance, within these
+/// bounds, in mean cell radii: rounding would decide below, and the rest of the cell above.
+constexpr double kLeastRestRadius = 1e-5, kLargestRestRadius = 1e-2;
+
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
 
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
-  if (o.max_iterations < 0) refuse("the number of iterations must not be negative");
-  if (!(o.energy_tolerance >= 0) || !std::isfinite(o.energy_tolerance))
+  if (max_iterations(o) < 0) refuse("the number of iterations must not be negative");
+  if (!(energy_tolerance(o) >= 0) || !std::isfinite(energy_tolerance(o)))
     refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
@@ -54,10 +58,10 @@ class Relaxer {
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
     levels_ = make_precision_levels(mesh_, generators.size(), options_);
-    if (options_.max_iterations == 0) levels_ = {options_.diagram};
+    if (max_iterations(options_) == 0) levels_ = {options_.diagram};
     start_ = generators;
     RelaxationState state = evaluate(generators);
-    result_.initial_energy = state.energy;
+    record_.initial_energy = state.energy;
     report_iteration(state.energy);
     result_.stop = iterate(state);
     if (!is_last_level()) {
@@ -66,7 +70,9 @@ class Relaxer {
     }
     result_.generators = std::move(state.generators);
     result_.diagram = std::move(state.diagram);
+    result_.initial_energy = record_.initial_energy;
     result_.final_energy = state.energy;
+    result_.iterations = std::move(record_.iterations);
     result_.residual = state.residual;
     result_.mean_cell_radius = state.mean_cell_radius;
     return std::move(result_);
@@ -87,23 +93,14 @@ class Relaxer {
   /// One iteration, and the reason to end after it or instead of it.
   std::optional<LloydStop> advance(RelaxationState& state) {
     if (state.residual <= options_.move_tolerance * state.mean_cell_radius) return LloydStop::centroids;
-    if (result_.iterations.size() >= static_cast<std::size_t>(options_.max_iterations)) {
+    if (record_.iterations.size() >= static_cast<std::size_t>(max_iterations(options_))) {
       return LloydStop::max_iterations;
     }
-    const double before = state.energy;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
-    const double least =
-        level_ + 2 < levels_.size() ? std::max(kEarlyFall, options_.energy_tolerance) : options_.energy_tolerance;
-    falls_.push_back((before - state.energy) / before);
-    return falls_by(least) ? std::nullopt : std::optional(LloydStop::energy);
-  }
-
-  /// Whether the last iterations lower the energy by at least this fraction each, on the average. One accelerated
-  /// iteration that lowers it by little is often followed by better ones.
-  bool falls_by(double least) const {
+    const bool is_early = level_ + 2 < levels_.size();
+    const double least = is_early ? std::max(kEarlyFall, energy_tolerance(options_)) : energy_tolerance(options_);
     const std::size_t window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
-    if (falls_.size() < window) return true;
-    return std::accumulate(falls_.end() - std::ptrdiff_t(window), falls_.end(), 0.0) >= double(window) * least;
+    return record_.falls_by(least, window) ? std::nullopt : std::optional(LloydStop::energy);
   }
 
   bool is_last_level() const { return level_ + 1 == levels_.size(); }
@@ -111,44 +108,25 @@ class Relaxer {
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
   RelaxationState raise_level(const RelaxationState& early) {
     const bool has_moved = early.generators != start_;
-    const bool has_fallen = level_ > 0 || early.energy < kClearFall * result_.initial_energy;
+    const bool has_fallen = level_ > 0 || early.energy < kClearFall * record_.initial_energy;
     ++level_;
     RelaxationState state = evaluate(early.generators);
-    if (has_moved && (!has_fallen || !(state.energy < result_.initial_energy)))
+    if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
       state = lower_of(std::move(state), evaluate(start_));
-    merge_iterations(state.energy);
+    }
+    record_.restate(state.energy, levels_[level_].method);
     report_iteration(state.energy);
     return state;
   }
 
   /// `state`, or the start if it has no more energy; the early iterations then count as one or none.
   RelaxationState lower_of(RelaxationState state, RelaxationState start) {
-    result_.initial_energy = start.energy;
-    while (result_.iterations.size() > 1) merge_last_iteration();
+    record_.initial_energy = start.energy;
+    record_.merge_all();
     if (state.energy < start.energy) return state;
-    result_.iterations.clear();
+    record_.iterations.clear();
     accelerator_.forget();
     return start;
-  }
-
-  /// Restates the energy of the last iteration. Iterations that have not lowered the energy as it is measured now count
-  /// as one with the iteration before them.
-  void merge_iterations(double energy) {
-    std::vector<LloydIteration>& done = result_.iterations;
-    while (done.size() > 1 && !(energy < done[done.size() - 2].energy)) merge_last_iteration();
-    if (done.empty()) {
-      result_.initial_energy = energy;
-    } else {
-      done.back().energy = energy;
-      done.back().method = levels_[level_].method;
-    }
-  }
-
-  void merge_last_iteration() {
-    const LloydIteration last = result_.iterations.back();
-    result_.iterations.pop_back();
-    result_.iterations.back().largest_move += last.largest_move;
-    result_.iterations.back().mean_move += last.mean_move;
   }
 
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
@@ -169,7 +147,9 @@ class Relaxer {
     return options_.acceleration != Acceleration::none && level_ + 2 >= levels_.size() &&
            levels_[level_].method == options_.diagram.method;
   }
-  double rest_radius(const RelaxationState& state) const { return options_.move_tolerance * state.mean_cell_radius; }
+  double rest_radius(const RelaxationState& state) const {
+    return std::clamp(options_.move_tolerance, kLeastRestRadius, kLargestRestRadius) * state.mean_cell_radius;
+  }
 
   /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
   /// steps, or it never does; then the accelerator begins anew.
@@ -182,9 +162,10 @@ class Relaxer {
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
       next.scale = scale;
+      next.by = options_.acceleration;
       for (const Rest& rest : rests) move_to_rest(mesh_, rest, rest_radius(state), state.generators, next);
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
-      const double energy = take_if_below(limit, state, next, options_.acceleration);
+      const double energy = take_if_below(limit, state, next);
       if (energy < limit) return true;
       scale = shorter_scale(scale, proposed->slope, energy - before);
     }
@@ -196,7 +177,7 @@ class Relaxer {
   bool descend(RelaxationState& state) {
     const auto takes = [&](const GeneratorMove& next) {
       const double limit = state.energy;
-      return take_if_below(limit, state, next, Acceleration::none) < limit;
+      return take_if_below(limit, state, next) < limit;
     };
     std::vector<double> scales(state.generators.size(), options_.step);
     if (takes(move(state, state.to_centroids, scales))) return true;
@@ -218,22 +199,12 @@ class Relaxer {
   }
 
   /// Moves the generators if their energy is then below the limit. Returns that energy; the limit if none moves.
-  double take_if_below(double limit, RelaxationState& state, const GeneratorMove& next, Acceleration by) {
+  double take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
     if (next.to == state.generators) return limit;
     RelaxationState moved = evaluate(next.to);
     const double energy = moved.energy;
     if (!(energy < limit)) return energy;
-    LloydIteration iteration;
-    iteration.energy = energy;
-    for (const double length : next.length) {
-      iteration.largest_move = std::max(iteration.largest_move, length);
-      iteration.mean_move += length / static_cast<double>(next.length.size());
-    }
-    iteration.scale = next.scale;
-    iteration.held = next.held;
-    iteration.method = levels_[level_].method;
-    iteration.by = by;
-    result_.iterations.push_back(iteration);
+    record_.add(next, state.energy, energy, levels_[level_].method);
     report_iteration(energy);
     accelerator_.learn(state, next, moved);
     state = std::move(moved);
@@ -242,13 +213,13 @@ class Relaxer {
 
   /// `share`: of the next iteration, if its first step is taken.
   void report(double share = 0) const {
-    const double done = static_cast<double>(result_.iterations.size()) + std::min(share, 1.0);
+    const double done = static_cast<double>(record_.iterations.size()) + std::min(share, 1.0);
     report_progress(options_.progress, "relaxation",
-                    std::min(1.0, done / std::max(1.0, double(options_.max_iterations))));
+                    std::min(1.0, done / std::max(1.0, double(max_iterations(options_)))));
   }
 
   void report_iteration(double energy) const {
-    if (options_.on_iteration) options_.on_iteration(std::ssize(result_.iterations), energy);
+    if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), energy);
   }
 
   const Mesh& mesh_;
@@ -257,7 +228,7 @@ class Relaxer {
   Accelerator accelerator_;
   std::vector<DiagramOptions> levels_;
   std::size_t level_ = 0;
-  std::vector<double> falls_;  // of each iteration, as a fraction of the energy
+  IterationRecord record_;
   std::vector<SurfacePoint> start_;
   LloydResult result_;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -38,10 +39,10 @@ enum class Acceleration {
 
 struct LloydOptions {
   Acceleration acceleration = Acceleration::lbfgs;
-  std::int32_t max_iterations = 100;  ///< >= 0
+  std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration
   /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
-  /// if they are accelerated. >= 0.
-  double energy_tolerance = 1e-5;
+  /// if they are accelerated. >= 0; without a value 1e-8, or 1e-5 without acceleration.
+  std::optional<double> energy_tolerance;
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
   double move_tolerance = 1e-3;
@@ -57,6 +58,14 @@ struct LloydOptions {
   /// empty. Called again for the same generators when their energy is measured anew, with better diagrams.
   std::function<void(std::int64_t iterations, double energy)> on_iteration;
 };
+
+/// The largest number of iterations, and the energy tolerance: those of the options or their defaults.
+inline std::int32_t max_iterations(const LloydOptions& options) {
+  return options.max_iterations.value_or(options.acceleration == Acceleration::none ? 100 : 300);
+}
+inline double energy_tolerance(const LloydOptions& options) {
+  return options.energy_tolerance.value_or(options.acceleration == Acceleration::none ? 1e-5 : 1e-8);
+}
 
 /// Why a relaxation ended.
 enum class LloydStop {
