@@ -49,3 +49,17 @@ TEST_CASE("runs draw generators of different seeds") {
   REQUIRE(found.errors.size() == 3);
   CHECK(found.error.mean == Approx((found.errors[0] + found.errors[1] + found.errors[2]) / 3));
 }
+
+TEST_CASE("what else could be taken for E is the mean of all runs, with the same E") {
+  const Mesh sphere = test::make_sphere(2);
+  const std::vector<Comparator> methods = list_comparators({{}, false});
+  const std::vector<OtherMeasurement> others = measure_others({sphere, 6, 2}, methods);
+  const std::vector<Measurement> all = measure({sphere, 6, 2, true, false}, methods);
+  REQUIRE(others.size() == methods.size());
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    CAPTURE(methods[i].name);
+    CHECK(others[i].method == methods[i].name);
+    CHECK(others[i].error == Approx(all[i].error.mean));
+    CHECK(others[i].others.distance > others[i].error);
+  }
+}

@@ -24,7 +24,7 @@ nlohmann::json measure_table(const std::string& key, double scale, int* reported
 TEST_CASE("there are tables 1 to 5, E at ten sets, and figure 10") {
   std::vector<std::string> keys;
   for (const Table& table : list_tables()) keys.push_back(table.key);
-  CHECK(keys == std::vector<std::string>{"1", "2", "3", "4", "sets", "5", "fig10"});
+  CHECK(keys == std::vector<std::string>{"1", "2", "3", "4", "sets", "5", "fig10", "why"});
 }
 
 TEST_CASE("a row says which mesh it is of, and each method has finite figures") {
@@ -55,6 +55,20 @@ TEST_CASE("table 3 has a bad, a middling and a good mesh of each model") {
     CHECK(rows[i + 2]["quality"] == "high");
     CHECK(rows[i]["q_average"] < rows[i + 1]["q_average"]);
     CHECK(rows[i]["percent_below_30"] > rows[i + 2]["percent_below_30"]);
+  }
+}
+
+TEST_CASE("what else could be taken for E is measured for each method") {
+  const nlohmann::json rows = measure_table("why", 0.05);
+  REQUIRE(rows.size() == 3);
+  for (const nlohmann::json& row : rows) {
+    REQUIRE(row["methods"].size() == 6);
+    for (const nlohmann::json& method : row["methods"]) {
+      CAPTURE(row["model"], method["method"]);
+      CHECK(method["of_face"].get<double>() >= 0.9 * method["e"].get<double>());
+      CHECK(method["distance"] > method["e"]);
+      CHECK(method["by_marching"].get<double>() > 0);
+    }
   }
 }
 

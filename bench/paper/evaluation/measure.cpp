@@ -90,4 +90,23 @@ std::vector<Measurement> measure(const Experiment& experiment, const std::vector
   return all;
 }
 
+std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods) {
+  std::vector<OtherMeasurement> all;
+  for (const Comparator& method : methods) all.push_back({method.name, 0, {}});
+  for (int run = 0; run < experiment.runs; ++run) {
+    const auto generators = draw_generators(experiment.mesh, experiment.generators, run);
+    const Judge judge(experiment.mesh, generators);
+    const OtherJudge other(experiment.mesh, generators);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const Diagram diagram = methods[i].run(experiment.mesh, generators).diagram;
+      const OtherErrors found = other.judge(diagram);
+      all[i].error += judge.judge(diagram).error.error_integral / experiment.runs;
+      all[i].others.by_marching += found.by_marching / experiment.runs;
+      all[i].others.of_face += found.of_face / experiment.runs;
+      all[i].others.distance += found.distance / experiment.runs;
+    }
+  }
+  return all;
+}
+
 }  // namespace gvd::paper

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparator.hpp"
+#include "judging/other_errors.hpp"
 
 namespace gvd::paper {
 
@@ -37,6 +38,15 @@ struct Measurement {
   double islands = 0;          ///< mean number of components of cells without their generator
   double open_ends = 0;        ///< mean number of ends that nothing continues
 };
+
+/// Means over all runs of E and of what else could be taken for it, square mesh units.
+struct OtherMeasurement {
+  std::string method;
+  double error = 0;
+  OtherErrors others;
+};
+
+std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods);
 
 std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods);
 

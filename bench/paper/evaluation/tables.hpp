@@ -23,7 +23,7 @@ struct Table {
   std::function<nlohmann::json(const Evaluation&)> measure;
 };
 
-/// Tables 1 to 5, E at ten sets of generators, and figure 10.
+/// Tables 1 to 5, E at ten sets of generators, figure 10, and what else the numbers that are not met could be.
 std::vector<Table> list_tables();
 
 }  // namespace gvd::paper

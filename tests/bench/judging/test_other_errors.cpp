@@ -1,0 +1,50 @@
+#include <cmath>
+
+#include "bench/comparisons.hpp"
+#include "judging/judge.hpp"
+#include "judging/other_errors.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::paper;
+
+namespace {
+
+Diagram compute(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Method method) {
+  DiagramOptions options;
+  options.method = method;
+  options.front = Front::planar;
+  return compute_diagram(mesh, generators, options);
+}
+
+}  // namespace
+
+TEST_CASE("on a flat grid the distance integral is that of the line between two generators") {
+  const Mesh mesh = test::make_grid(8, 4);
+  // At (0, 0) and (8, 0): the bisector is x = 4, with the distance sqrt(16 + y^2).
+  const auto generators = test::vertex_points(mesh, 2, 0, 8);
+  REQUIRE((position(mesh, generators[1]) - Vec3(8, 0, 0)).norm() < 1e-12);
+  const OtherErrors found = OtherJudge(mesh, generators).judge(compute(mesh, generators, Method::exact));
+  const double expected = 0.5 * 4 * std::sqrt(32.0) + 8 * std::asinh(1.0);
+  CHECK(found.distance == Approx(expected).epsilon(1e-3));
+  CHECK(found.of_face < 1e-9);
+}
+
+TEST_CASE("by the distances of planar marching, its own diagram has a smaller error than the exact one") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  const auto generators = test::vertex_points(mesh, 10, 1, 60);
+  const OtherJudge judge(mesh, generators);
+  const Diagram exact = compute(mesh, generators, Method::exact), planar = compute(mesh, generators, Method::gbgvd);
+  CHECK(judge.judge(planar).by_marching < 0.5 * judge.judge(exact).by_marching);
+}
+
+TEST_CASE("with all generators of a face the error is not less than with two, and more at branch points") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  const auto generators = test::vertex_points(mesh, 10, 1, 60);
+  const Diagram exact = compute(mesh, generators, Method::exact), planar = compute(mesh, generators, Method::gbgvd);
+  const OtherJudge other(mesh, generators);
+  const Judge judge(mesh, generators);
+  CHECK(other.judge(exact).of_face > 100 * test::error_of(judge, exact));
+  CHECK(other.judge(planar).of_face > test::error_of(judge, planar));
+}
