@@ -384,10 +384,11 @@ def to_svg(caption, x_label, series):
     return "".join(parts) + "</svg>"
 
 
-STYLE = """body{font:15px/1.45 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem}
+STYLE = """body{font:15px/1.45 sans-serif;max-width:80rem;margin:2rem auto;padding:0 1rem}
 table{border-collapse:collapse;margin:1rem 0;display:block;overflow-x:auto}
 td,th{padding:.2rem .6rem;border-bottom:1px solid #ddd;text-align:right;white-space:nowrap}
 td:nth-child(-n+3),th:nth-child(-n+3){text-align:left}
+td:nth-child(2),th{white-space:normal}td:nth-child(2){max-width:13rem}
 .row{display:flex;flex-wrap:wrap;gap:1rem}.row figure{margin:0}figcaption{color:#555}
 figure{margin:1rem 0}svg{max-width:44rem;font-size:12px}"""
 
