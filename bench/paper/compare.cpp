@@ -48,7 +48,9 @@ std::vector<Comparator> pick_methods(const Settings& settings) {
   std::vector<Comparator> picked;
   for (const std::string& name : settings.methods) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; });
-    if (found == all.end()) throw Error(ErrorCode::invalid_option, fmt::format("no method is named '{}'", name));
+    if (found == all.end())
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("no method is named '{}'; without --methods all are listed", name));
     picked.push_back(*found);
   }
   return picked;
@@ -125,7 +127,8 @@ void add_options(CLI::App& app, Settings& settings) {
                  "time step of diffusion, in squared mean edge lengths")
       ->check(CLI::PositiveNumber);
   app.add_option("--methods", settings.methods, "names of methods as the table has them, with commas (default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--view", settings.view, "page with a scene for each method; of one mesh only");
 }
 
