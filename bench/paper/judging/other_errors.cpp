@@ -81,6 +81,7 @@ OtherErrors OtherJudge::judge(const Diagram& diagram) const {
   const Owners owners = find_owners(diagram);
   OtherErrors sum;
   for (const Bisector& bisector : diagram.bisectors) {
+    if (bisector.points.size() < 2) continue;
     const std::size_t segments = bisector.points.size() - (bisector.closed ? 0 : 1);
     for (std::size_t i = 0; i < segments; ++i) add_segment(bisector, i, owners, sum);
   }

@@ -48,3 +48,16 @@ TEST_CASE("with all generators of a face the error is not less than with two, an
   CHECK(other.judge(exact).of_face > 100 * test::error_of(judge, exact));
   CHECK(other.judge(planar).of_face > test::error_of(judge, planar));
 }
+
+TEST_CASE("bisectors without a segment add nothing to other errors") {
+  const Mesh mesh = test::make_grid(4, 4);
+  const auto generators = test::vertex_points(mesh, 2, 0, 4);
+  Diagram diagram = compute(mesh, generators, Method::exact);
+  const OtherJudge judge(mesh, generators);
+  const double before = judge.judge(diagram).distance;
+  Bisector empty;
+  empty.left = GeneratorId(0);
+  empty.right = GeneratorId(1);
+  diagram.bisectors.push_back(empty);
+  CHECK(judge.judge(diagram).distance == before);
+}
