@@ -25,7 +25,7 @@ FLOORS = [
     ["libgvd/src/geodesic/tracing", "libgvd/src/geodesic/sampling"],
     ["libgvd/src/geodesic/windows/geometry"],
     ["libgvd/src/geodesic/windows/field"],
-    ["libgvd/src/geodesic/windows/propagation"],
+    ["libgvd/src/geodesic/windows/propagation", "libgvd/src/geodesic/windows/departures"],
     ["libgvd/src/geodesic/windows"],
     ["libgvd/src/diagram/graph"],
     ["libgvd/src/diagram/assembly"],

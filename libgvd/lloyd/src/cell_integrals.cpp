@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/barycentric.hpp"
-#include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
@@ -65,20 +64,6 @@ void CellIntegrals::add(const CellFace& face, const std::array<Vec2, 3>& log, Ce
     sum.energy += third * (squared.at(middle(p, q)) + squared.at(middle(q, r)) + squared.at(middle(r, p)));
     for (std::size_t k = 0; k < 3; ++k) sum.centroid += third * (p[k] + q[k] + r[k]) * log[k];
   }
-}
-
-IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram) {
-  if (diagram.face_label.size() != static_cast<std::size_t>(mesh.face_count())) {
-    throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
-  }
-  const CellFaces cells(diagram);
-  CellIntegrals integrals(mesh);
-  IdVector<GeneratorId, CellMoments> moments(diagram.generators.size());
-  for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
-    moments[g] = integrals.compute(diagram.generators[i], cells.of(g));
-  }
-  return moments;
 }
 
 }  // namespace gvd

@@ -20,9 +20,10 @@ std::vector<double> find_own_scales(const Mesh& mesh, const RelaxationState& sta
     const GeneratorId g(static_cast<std::int64_t>(i));
     double scale = step;
     int halvings = 0;
+    const double before = integrals.compute(state.generators[i], cells.of(g)).energy;
     const auto lowers = [&] {
       const SurfacePoint to = trace_geodesic(mesh, state.generators[i], scale * state.to_centroids[i]).points.back();
-      return integrals.compute(to, cells.of(g)).energy < state.moments[g].energy;
+      return integrals.compute(to, cells.of(g)).energy < before;
     };
     while (scale > 0 && !lowers()) scale = ++halvings > kHalvings ? 0 : 0.5 * scale;
     scales.push_back(scale);

@@ -4,19 +4,28 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel_chunks.hpp"
+#include "diagram/diagram_windows.hpp"
 #include "gvd/geodesic_tracing.hpp"
+#include "window_integrals.hpp"
 
 namespace gvd {
 namespace {
 
-void add_moments(const Mesh& mesh, CellIntegrals& integrals, RelaxationState& state) {
+/// With the log map that a march over the faces of each cell gives.
+void march_moments(CellIntegrals& integrals, RelaxationState& state) {
   const CellFaces cells(state.diagram);
-  state.moments.resize(state.generators.size());
+  for (const SurfacePoint& generator : state.generators) {
+    const GeneratorId g(static_cast<std::int64_t>(state.moments.size()));
+    state.moments.push_back(integrals.compute(generator, cells.of(g)));
+  }
+}
+
+void add_sums(const Mesh& mesh, RelaxationState& state) {
   state.is_resting.assign(state.generators.size(), 0);
   double area = 0;
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
-    state.moments[g] = integrals.compute(state.generators[i], cells.of(g));
     state.energy += state.moments[g].energy;
     area += state.moments[g].area;
     state.to_centroids.push_back(project_to_surface(mesh, state.generators[i], state.moments[g].centroid));
@@ -31,8 +40,17 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
                                     const DiagramOptions& options, CellIntegrals& integrals) {
   RelaxationState state;
   state.generators = generators;
-  state.diagram = compute_diagram(mesh, generators, options);
-  add_moments(mesh, integrals, state);
+  if (options.method == Method::exact) {
+    const ParallelChunks parallel(options.threads, options.progress);
+    const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
+      state.moments = integrate_over_windows(working, field, diagram, parallel);
+    };
+    state.diagram = compute_diagram_and_read(mesh, generators, options, read);
+  } else {
+    state.diagram = compute_diagram(mesh, generators, options);
+    march_moments(integrals, state);
+  }
+  add_sums(mesh, state);
   return state;
 }
 

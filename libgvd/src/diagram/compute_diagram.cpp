@@ -7,6 +7,7 @@
 #include "diagram/collect_cells.hpp"
 #include "diagram/connected_tracer.hpp"
 #include "diagram/count_face_classes.hpp"
+#include "diagram/diagram_windows.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/growth/trace_growth.hpp"
 #include "diagram/paper/trace_paper.hpp"
@@ -75,13 +76,17 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
   return {trace_connected(working, std::move(labels), steps_of(tracer), options.progress), marched.offset};
 }
 
-Traced trace_windows(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
-                     DiagramReport& report) {
-  const Mesh& mesh = working.mesh();
+WindowField propagate(const WorkingMesh& working, const DiagramOptions& options, bool departures) {
   PropagationOptions propagation;
-  propagation.keep = KeepWindows::near_bisectors;
+  propagation.keep = departures ? KeepWindows::all : KeepWindows::near_bisectors;
+  propagation.departures = departures;
   propagation.threads = options.threads;
-  const WindowField field = propagate_windows(mesh, working.generator_vertices().raw(), propagation, options.progress);
+  return propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, options.progress);
+}
+
+Traced trace_windows(const WorkingMesh& working, const WindowField& field, const DiagramOptions& options,
+                     const ParallelChunks& parallel, DiagramReport& report) {
+  const Mesh& mesh = working.mesh();
   report.propagation_events = field.carried;
   if (options.method.tracer != Tracer::envelope) {
     const GeneratorTable table = make_generator_table(mesh, field, options.progress);
@@ -103,26 +108,47 @@ void take_counts(const TracerCounts& counts, DiagramReport& report) {
   report.straightened_error = counts.straightened_error;
 }
 
-}  // namespace
-
-Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
+void check(const DiagramOptions& options) {
   if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {
     throw Error(ErrorCode::invalid_option, "the chord tolerance must be finite and at least 1e-10 mean edge lengths");
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+}
+
+/// The steps that all methods share.
+void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptions& options,
+            const ParallelChunks& parallel, Diagram& diagram) {
+  take_counts(traced.diagram.counts, diagram.report);
+  report_progress(options.progress, steps::kCells, 0);
+  take_vertex_labels(working, traced.diagram, traced.offset, diagram);
+  diagram.report.face_classes = count_face_classes(working.input(), diagram.vertex_label);
+  trace_bisectors(working, traced.diagram, parallel, diagram);
+  collect_cells(working, traced.diagram, parallel, diagram);
+}
+
+}  // namespace
+
+Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
+  check(options);
+  if (options.method.solver == Solver::windows) return compute_diagram_and_read(mesh, generators, options, nullptr);
   const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
   Diagram diagram;
   diagram.generators = generators;
-  const Traced traced = options.method.solver == Solver::fast_marching
-                            ? trace_marched(working, options, parallel, diagram.report)
-                            : trace_windows(working, options, parallel, diagram.report);
-  take_counts(traced.diagram.counts, diagram.report);
-  report_progress(options.progress, steps::kCells, 0);
-  take_vertex_labels(working, traced.diagram, traced.offset, diagram);
-  diagram.report.face_classes = count_face_classes(mesh, diagram.vertex_label);
-  trace_bisectors(working, traced.diagram, parallel, diagram);
-  collect_cells(working, traced.diagram, parallel, diagram);
+  finish(working, trace_marched(working, options, parallel, diagram.report), options, parallel, diagram);
+  return diagram;
+}
+
+Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                 const DiagramOptions& options, const WindowReader& read) {
+  check(options);
+  const WorkingMesh working(mesh, generators, options.progress);
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowField field = propagate(working, options, static_cast<bool>(read));
+  Diagram diagram;
+  diagram.generators = generators;
+  finish(working, trace_windows(working, field, options, parallel, diagram.report), options, parallel, diagram);
+  if (read) read(working, field, diagram);
   return diagram;
 }
 

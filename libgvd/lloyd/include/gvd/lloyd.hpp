@@ -21,14 +21,18 @@ struct CellMoments {
   Vec2 centroid = Vec2::Zero();
 };
 
-/// Integrals over every cell of a diagram.
+/// Integrals over every cell of a diagram, with the exact distances and log maps of the polyhedron, however the diagram
+/// was made.
 ///
-/// Quadrature: in each face the squared distance is a quadratic function of the barycentric coordinates, given by
-/// corner distances and edge lengths: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. The log map is interpolated linearly.
-/// Both are integrated exactly. The result is exact if the straight lines from the generator stay in the cell and pass
-/// no vertex with curvature. Distances and directions come from `LogMapSolver` over the faces of the cell.
-/// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
-IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram);
+/// Quadrature: three points in each face, and in each triangle of each piece of a face. The rule is exact for
+/// quadratic functions, so where all paths to a triangle come straight from one image. A triangle crossed by a ridge,
+/// which begins at each vertex of positive curvature, has an error. On a mesh of 69,451 faces with 100 cells the energy
+/// is right to 5e-6, the centroids to 2e-4 of the mean cell radius (root mean square).
+/// At a generator on a vertex with curvature, the log map is that of the scaled tangent plane, and its mean is no
+/// gradient. `threads` >= 1, or 0 for one a core: the result does not depend on it.
+/// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n), some half of that of the exact
+/// diagram.
+IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads = 0);
 
 /// How the steps of an iteration are found.
 enum class Acceleration {

@@ -36,6 +36,8 @@ class TangentFan {
   bool closed() const { return closed_; }
   /// The angle that the sectors cover, radians; 2 pi if closed.
   double total() const { return total_; }
+  /// Ratio of tangent angles to angles on the surface: 1 except at a vertex.
+  double scale() const { return scale_; }
 
   /// The face and direction of a tangent angle. Without a value if it leads off the surface.
   std::optional<FaceDirection> face_direction(double angle) const;

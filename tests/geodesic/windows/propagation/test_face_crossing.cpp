@@ -19,7 +19,7 @@ struct Setup {
         frames(mesh),
         labels(3),
         apex_path(3),
-        crossing(frames, labels, apex_path) {
+        crossing(frames, labels, apex_path, angles) {
     for (int v = 0; v < 3; ++v) {
       labels.distance[VertexCopyId(v)] = 100;
       labels.label[VertexCopyId(v)] = GeneratorId(9);
@@ -37,6 +37,7 @@ struct Setup {
   FaceFrames frames;
   DistanceLabels labels;
   IdVector<HalfedgeId, ApexPath> apex_path;
+  CornerAngles angles;  // no departures
   FaceCrossing crossing;
 };
 

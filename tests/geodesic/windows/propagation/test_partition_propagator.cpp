@@ -68,9 +68,9 @@ Mesh make_square() { return test::make_jittered_grid(1, 1, 0, 1); }
 
 Mesh make_plane() { return test::make_jittered_grid(6, 5, 0.2, 3); }
 
-std::vector<Window> list_windows(const BlockList<Window>& list) {
+std::vector<Window> list_windows(const KeptWindows& kept) {
   std::vector<Window> windows;
-  for (std::size_t i = 0; i < list.size(); ++i) windows.push_back(list[i]);
+  for (std::size_t i = 0; i < kept.windows.size(); ++i) windows.push_back(kept.windows[i]);
   return windows;
 }
 
@@ -154,12 +154,12 @@ TEST_CASE("a window is counted when it is carried across a face, and kept only i
     across.run();
     CHECK(across.only().carried() == 1);
     // The window on the diagonal, and the two into which the far vertex splits it, on the boundary.
-    CHECK(across.only().finish().size() == (keep == KeepWindows::all ? 3 : 0));
+    CHECK(across.only().finish().windows.size() == (keep == KeepWindows::all ? 3 : 0));
     Setup beside(make_square(), kOnePartition, keep);
     beside.start(VertexId(0), GeneratorId(0));  // on the diagonal: its windows come to the boundary at once
     beside.run();
     CHECK(beside.only().carried() == 0);
-    CHECK(beside.only().finish().size() == (keep == KeepWindows::all ? 2 : 0));
+    CHECK(beside.only().finish().windows.size() == (keep == KeepWindows::all ? 2 : 0));
   }
 }
 

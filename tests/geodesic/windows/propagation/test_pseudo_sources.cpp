@@ -35,13 +35,14 @@ struct Setup {
 
   test::RecordingTarget send(const VertexEvent& event, PartitionId own = PartitionId(0)) const {
     test::RecordingTarget target;
-    PseudoSources(mesh, frames, partitions, own).send(event, target);
+    PseudoSources(mesh, frames, partitions, angles, own).send(event, target);
     return target;
   }
 
   Mesh mesh;
   FaceFrames frames;
   MeshPartitions partitions;
+  CornerAngles angles;  // no departures
 };
 
 const VertexCopyId kCentre(0);
@@ -121,7 +122,7 @@ TEST_CASE("the copies of a vertex together send into all faces, each into those 
       CHECK(setup.partitions.of_halfedge(sent.edge.behind) == copy.partition);
     }
     windows += found.windows.size();
-    const PseudoSources sources(setup.mesh, setup.frames, setup.partitions, copy.partition);
+    const PseudoSources sources(setup.mesh, setup.frames, setup.partitions, setup.angles, copy.partition);
     first_copies += sources.is_first_copy(copy.vertex);
   }
   CHECK(windows == 8);

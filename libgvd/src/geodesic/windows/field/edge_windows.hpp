@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
+#include "base/prefetch.hpp"
 #include "geodesic/windows/field/block_list.hpp"
 #include "geodesic/windows/geometry/window.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -13,17 +14,24 @@
 
 namespace gvd {
 
+/// Windows that a partition keeps, in the order in which they were carried.
+struct KeptWindows {
+  BlockList<Window> windows;
+  BlockList<Departure> departures;  ///< of the windows, or empty
+};
+
 /// The windows that were kept on the edges of a mesh, by face and halfedge.
 class EdgeWindows {
  public:
   EdgeWindows() = default;
   /// Windows of one halfedge stay in their order. No face may have windows in two lists: each list is sorted by one
   /// thread. Cost: O(windows + faces).
-  EdgeWindows(std::vector<BlockList<Window>> lists, std::size_t faces, const ParallelChunks& parallel)
+  EdgeWindows(std::vector<KeptWindows> lists, std::size_t faces, const ParallelChunks& parallel)
       : first_(faces + 1, 0) {
     std::vector<Chunk> ranges;
-    for (BlockList<Window>& list : lists) {
-      const std::size_t begin = windows_.append(std::move(list));
+    for (KeptWindows& list : lists) {
+      const std::size_t begin = windows_.append(std::move(list.windows));
+      departures_.append(std::move(list.departures));
       ranges.push_back({begin, windows_.size()});
     }
     const StepPart end{steps::kDistances};
@@ -42,6 +50,22 @@ class EdgeWindows {
   }
 
   std::size_t size() const { return order_.size(); }
+
+  /// Numbers of the windows of face f, from 0 to size(): those of one face follow each other.
+  Chunk of_face(FaceId f) const {
+    return {static_cast<std::size_t>(first_[f.index()]), static_cast<std::size_t>(first_[f.index() + 1])};
+  }
+  /// The window of this number.
+  const Window& operator[](std::size_t number) const { return windows_[static_cast<std::size_t>(order_[number])]; }
+  /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
+  void prefetch_window(std::size_t number) const {
+    if (number >= order_.size()) return;
+    const auto i = static_cast<std::size_t>(order_[number]);
+    prefetch(&windows_[i]);
+    if (departures_.size() > 0) prefetch(&departures_[i]);
+  }
+  /// Its departure. Only if departures were recorded.
+  Departure departure(std::size_t number) const { return departures_[static_cast<std::size_t>(order_[number])]; }
 
   /// Calls visit(const Window&) for the windows on the three halfedges of face f: those that enter it, and on the
   /// boundary those that end there.
@@ -63,6 +87,7 @@ class EdgeWindows {
   std::size_t face(std::size_t i) const { return Mesh::face(windows_[i].halfedge).index(); }
 
   BlockList<Window> windows_;
+  BlockList<Departure> departures_;  // of windows_, or empty
   std::vector<std::int32_t> first_;  // [face] index of its first window in order_
   std::vector<std::int32_t> order_;  // indices of windows, by face
 };

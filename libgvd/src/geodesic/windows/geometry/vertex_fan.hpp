@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geodesic/windows/geometry/departure.hpp"
 #include "geodesic/windows/geometry/face_frames.hpp"
 #include "geodesic/windows/geometry/window_geometry.hpp"
 
@@ -35,7 +36,8 @@ struct FanRay {
 struct VertexPath {
   double distance;  ///< length from the generator, mesh units
   GeneratorId generator;
-  FanRay back;  ///< direction at the vertex from which the path comes; invalid at a generator
+  FanRay back;               ///< direction at the vertex from which the path comes; invalid at a generator
+  Departure departure = {};  ///< where it leaves the generator, if departures are recorded
 };
 
 /// The faces round a vertex, one after the other.

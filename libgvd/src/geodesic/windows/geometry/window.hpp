@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geodesic/windows/geometry/departure.hpp"
 #include "gvd/ids.hpp"
 
 namespace gvd {
@@ -45,6 +46,7 @@ struct WindowHistory {
   std::uint32_t crossed_faces : 30;  ///< number of faces that the paths have crossed
   std::uint32_t joinable_ends : 2;   ///< kAtBegin, kAtEnd: ends where another window may go on without a gap
   FaceId cycle_check_face;           ///< one of these faces (is_cycle_check_step in window_filters.hpp), or none
+  Departure departure = {};          ///< where the paths leave their generator, if departures are recorded
 
   static constexpr std::uint32_t kAtBegin = 1, kAtEnd = 2;
 };
@@ -54,7 +56,7 @@ struct PropagatedWindow {
   Window window;
   WindowHistory history;
 };
-static_assert(sizeof(PropagatedWindow) == 56);
+static_assert(sizeof(PropagatedWindow) == 64);
 
 /// Images that differ by less than this fraction of their distance are the same, and so are the rays from them through
 /// one point. Two images of one point, over a thousand faces each, differ by up to 1.2e-13.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geodesic/windows/geometry/corner_angles.hpp"
 #include "geodesic/windows/geometry/face_frames.hpp"
 #include "geodesic/windows/geometry/vertex_fan.hpp"
 #include "geodesic/windows/geometry/window_filters.hpp"
@@ -49,9 +50,13 @@ struct FaceEntry {
 class FaceCrossing {
  public:
   /// `apex_path`: of each halfedge, the best straight path across it to the apex; read only if there are needles.
+  /// `angles`: empty unless departures are recorded.
   /// All have to outlive this.
-  FaceCrossing(const FaceFrames& frames, const DistanceLabels& labels, IdVector<HalfedgeId, ApexPath>& apex_path)
+  FaceCrossing(const FaceFrames& frames, const DistanceLabels& labels, IdVector<HalfedgeId, ApexPath>& apex_path,
+               const CornerAngles& angles)
       : labels_(labels),
+        angles_(angles),
+        has_departures_(!angles.empty()),
         apex_path_(apex_path),
         has_needles_(frames.has_needles),
         has_thin_faces_(frames.has_thin_faces),
@@ -71,7 +76,7 @@ class FaceCrossing {
     if (apex.covered() || is_grazed(w, apex, f.length[entry.start]) ||
         (has_thin_faces_ && is_in_gap(w, apex, drift_))) {
       const double image_distance = std::sqrt(apex.squared_image_distance(w));
-      reach_apex(w, entry, apex, image_distance, target);
+      reach_apex(entering, entry, apex, image_distance, target);
       if (has_needles_ && apex.covered()) exits = split_at_apex(w, entry, apex, image_distance);
     }
     if (std::isinf(labels_.distance[f.vertex[entry.top]])) reach_apex_along_sides(entry, target);
@@ -91,13 +96,16 @@ class FaceCrossing {
     if (has_thin_faces_ && is_cycle_check_step(++history.crossed_faces)) {
       history.cycle_check_face = Mesh::face(entry.halfedge);
     }
+    const bool turns = has_departures_ && entering.window.offset == 0;
     if (exits.left) {
+      if (turns) history.departure = entering.history.departure + angles_.corner(entry.leaving(entry.start));
       const std::uint32_t at_end = apex.all_left() ? joinable : split;
       history.joinable_ends = ((joinable & kBegin) | (at_end & kEnd)) & 3u;
       target.enqueue_on_edge(cross_left(entering.window, f, entry.start, apex), history,
                              exit_edge(f, entry.leaving(entry.top), entry.top, entry.start));
     }
     if (exits.right) {
+      if (turns) history.departure = entering.history.departure - angles_.corner(entry.leaving(entry.end));
       const std::uint32_t at_begin = apex.all_right() ? joinable : split;
       history.joinable_ends = ((at_begin & kBegin) | (joinable & kEnd)) & 3u;
       target.enqueue_on_edge(cross_right(entering.window, f, entry.start, apex), history,
@@ -114,8 +122,9 @@ class FaceCrossing {
 
   /// Offers the straight path from the window's image to the apex.
   template <class Target>
-  void reach_apex(const Window& w, const FaceEntry& entry, const ApexView& apex, double image_distance,
+  void reach_apex(const PropagatedWindow& entering, const FaceEntry& entry, const ApexView& apex, double image_distance,
                   Target& target) {
+    const Window& w = entering.window;
     const FaceFrame& f = entry.frame;
     const double d = w.offset + image_distance;
     if (!labels_.is_improved_by(f.vertex[entry.top], d, w.generator)) return;
@@ -123,7 +132,11 @@ class FaceCrossing {
     const double back_x = (w.x - apex.x) / image_distance, back_y = (-w.depth - apex.y) / image_distance;
     const double cosine = f.cosine[entry.start], sine = f.sine[entry.start];
     const Rotation angle{-cosine * back_x - sine * back_y, -cosine * back_y + sine * back_x};
-    target.reach_vertex(f.vertex[entry.top], {d, w.generator, {entry.leaving(entry.top), angle}});
+    Departure departure = entering.history.departure;
+    if (has_departures_ && w.offset == 0) {
+      departure = departure + Departure::of_angle(std::atan2(apex.y + w.depth, apex.x - w.x));
+    }
+    target.reach_vertex(f.vertex[entry.top], {d, w.generator, {entry.leaving(entry.top), angle}, departure});
   }
 
   /// Offers the paths along the two sides to an apex that has no path yet. So no window is ever on an edge of which an
@@ -133,12 +146,23 @@ class FaceCrossing {
     const FaceFrame& f = entry.frame;
     const VertexCopyId start = f.vertex[entry.start], end = f.vertex[entry.end], top = f.vertex[entry.top];
     const HalfedgeId outgoing = entry.leaving(entry.top);
-    target.reach_vertex(top, {labels_.distance[start] + f.length[entry.top], labels_.label[start], {outgoing, {}}});
+    const HalfedgeId at_start = entry.leaving(entry.start), at_end = entry.leaving(entry.end);
+    Departure from_start, from_end;
+    if (has_departures_) {
+      const bool leads_left = labels_.distance[start] == 0;  // the side after the corner at the start
+      from_start = leads_left ? angles_.side(at_start) + angles_.corner(at_start) : labels_.departure[start];
+      from_end = labels_.distance[end] == 0 ? angles_.side(at_end) : labels_.departure[end];
+    }
+    target.reach_vertex(
+        top, {labels_.distance[start] + f.length[entry.top], labels_.label[start], {outgoing, {}}, from_start});
     const Rotation corner{f.cosine[entry.top], f.sine[entry.top]};
-    target.reach_vertex(top, {labels_.distance[end] + f.length[entry.end], labels_.label[end], {outgoing, corner}});
+    target.reach_vertex(
+        top, {labels_.distance[end] + f.length[entry.end], labels_.label[end], {outgoing, corner}, from_end});
   }
 
   const DistanceLabels& labels_;
+  const CornerAngles& angles_;
+  bool has_departures_;
   IdVector<HalfedgeId, ApexPath>& apex_path_;
   bool has_needles_;     // other meshes keep no ApexPath
   bool has_thin_faces_;  // other meshes count no faces and look for no gaps

@@ -33,8 +33,8 @@ class PartitionPropagator {
         has_needles_(frames_.has_needles),
         has_thin_faces_(frames_.has_thin_faces),
         exchange_(state.partitions, state.mailboxes, state.last_sent, own),
-        sources_(state.mesh, frames_, state.partitions, own),
-        crossing_(frames_, labels_, state.apex_path),
+        sources_(state.mesh, frames_, state.partitions, state.angles, own),
+        crossing_(frames_, labels_, state.apex_path, state.angles),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         pruning_(state, exchange_) {}
@@ -82,8 +82,8 @@ class PartitionPropagator {
   std::size_t steps_to_next() const { return queue_.steps_to_next(); }
   /// The least key of the current bucket.
   double front() const { return queue_.front(); }
-  /// After the last round of all partitions: returns all windows of the partition that are kept.
-  BlockList<Window> finish() { return pruning_.finish(); }
+  /// After the last round: returns all windows of the partition that are kept.
+  KeptWindows finish() { return pruning_.finish(); }
   std::int64_t carried() const { return carried_; }     ///< windows carried across a face
   std::int64_t events() const { return events_sent_; }  ///< vertices that sent windows
 
@@ -105,7 +105,7 @@ class PartitionPropagator {
     if (!w.halfedge.valid()) {
       Window ending = w;
       ending.halfedge = edge.behind;
-      keep(ending, edge.start, edge.end);
+      keep(ending, history.departure, edge.start, edge.end);
       return;
     }
     const double key = w.offset + w.least_image_distance();
@@ -157,7 +157,7 @@ class PartitionPropagator {
     const auto faces = static_cast<std::int32_t>(frames_.frame.size());
     const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
       if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
-      keep(entering.window, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
+      keep(entering.window, entering.history.departure, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
       ++carried_;
       crossing_.cross(entering, entry, *this);
     };
@@ -180,6 +180,7 @@ class PartitionPropagator {
       if (labels_.label[v].valid()) pruning_.mark_vertex(path.back.halfedge);
       labels_.label[v] = path.generator;
     }
+    if (!labels_.departure.empty()) labels_.departure[v] = path.departure;
     const VertexKind kind = frames_.kind[v];
     if (kind >= VertexKind::saddle) push_event({v, kind == VertexKind::ambiguous, path});
   }
@@ -195,11 +196,10 @@ class PartitionPropagator {
   }
 
   /// Keeps a window on the edge between two vertex copies, if the options ask for that.
-  [[gnu::always_inline]] void keep(const Window& w, VertexCopyId start, VertexCopyId end) {
+  [[gnu::always_inline]] void keep(const Window& w, Departure departure, VertexCopyId start, VertexCopyId end) {
     const bool other_start = labels_.has_other_label(start, w.generator);
-    const bool other_end = labels_.has_other_label(end, w.generator);
-    if (other_start || other_end) pruning_.mark_edge(w.halfedge);
-    pruning_.add(w, settled_);
+    if (labels_.has_other_label(end, w.generator) || other_start) pruning_.mark_edge(w.halfedge);
+    pruning_.add(w, departure, settled_);
   }
 
   void release() {

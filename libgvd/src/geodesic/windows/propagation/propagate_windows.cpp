@@ -63,7 +63,7 @@ class Propagation {
   }
 
   EdgeWindows collect_windows() {
-    std::vector<BlockList<Window>> kept(partitions_.size());
+    std::vector<KeptWindows> kept(partitions_.size());
     parallel_.run(partitions_.size(), {steps::kDistances}, [&](std::size_t i) { kept[i] = partitions_[i]->finish(); });
     return EdgeWindows(std::move(kept), state_.frames.frame.size(), parallel_);
   }
@@ -73,11 +73,16 @@ class Propagation {
   void take_labels(WindowField& field) {
     field.distance = IdVector<VertexId, double>(std::move(state_.labels.distance.raw()));
     field.label = IdVector<VertexId, GeneratorId>(std::move(state_.labels.label.raw()));
+    field.departure = IdVector<VertexId, Departure>(std::move(state_.labels.departure.raw()));
     field.distance.resize(static_cast<std::size_t>(state_.mesh.vertex_count()));
     field.label.resize(field.distance.size());
     for (std::int32_t i = 0; i < state_.mesh.vertex_count(); ++i) {
       if (std::isinf(field.distance[VertexId(i)])) field.label[VertexId(i)] = GeneratorId();
     }
+    if (field.departure.empty()) return;
+    field.departure.resize(field.distance.size());
+    field.frame = IdVector<FaceId, FaceFrame>(std::move(state_.frames.frame.raw()));
+    field.angles = std::move(state_.angles);
   }
 
   static constexpr std::int64_t kProgressStride = 1 << 14;

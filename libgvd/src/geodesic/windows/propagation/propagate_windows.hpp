@@ -25,6 +25,8 @@ struct PropagationOptions {
   /// In smaller partitions more windows cross from one to another; for larger ones threads wait longer at the end of a
   /// round. Distances are exact with any; the number of windows on edges between partitions may differ.
   std::int32_t partition_faces = 8192;
+  /// Records where all paths leave their generators; for KeepWindows::all without offsets.
+  bool departures = false;
 };
 
 /// Exact distances from the nearest of the generators, by propagation of windows.

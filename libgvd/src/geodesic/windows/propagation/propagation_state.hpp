@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/parallel_chunks.hpp"
+#include "geodesic/windows/geometry/corner_angles.hpp"
 #include "geodesic/windows/geometry/face_frames.hpp"
 #include "geodesic/windows/geometry/window_filters.hpp"
 #include "geodesic/windows/propagation/distance_labels.hpp"
@@ -30,6 +31,7 @@ struct PropagationState {
   const Mesh& mesh;
   KeepWindows keep;
   FaceFrames frames;
+  CornerAngles angles;  // empty unless departures are recorded
   MeshPartitions partitions;
   DistanceLabels labels;
   Mailboxes mailboxes;

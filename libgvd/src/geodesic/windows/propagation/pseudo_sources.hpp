@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geodesic/windows/geometry/corner_angles.hpp"
 #include "geodesic/windows/geometry/vertex_fan.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
@@ -15,8 +16,9 @@ namespace gvd {
 class PseudoSources {
  public:
   /// All have to outlive this.
-  PseudoSources(const Mesh& mesh, const FaceFrames& frames, const MeshPartitions& partitions, PartitionId own)
-      : mesh_(mesh), frames_(frames), partitions_(partitions), own_(own), fan_(frames) {}
+  PseudoSources(const Mesh& mesh, const FaceFrames& frames, const MeshPartitions& partitions,
+                const CornerAngles& angles, PartitionId own)
+      : mesh_(mesh), frames_(frames), partitions_(partitions), angles_(angles), own_(own), fan_(frames) {}
 
   /// Whether this is the first copy of its vertex.
   bool is_first_copy(VertexCopyId v) const { return v.value() < mesh_.vertex_count(); }
@@ -79,14 +81,20 @@ class PseudoSources {
     const auto c = static_cast<std::size_t>(Mesh::corner(outgoing)), p = (c + 1) % 3, q = (c + 2) % 3;
     const HalfedgeId at_p = Mesh::next(outgoing), at_q = Mesh::previous(outgoing);
     const VertexPath& path = event.path;
+    Departure to_p = path.departure, to_q = path.departure, through = path.departure;
+    if (!angles_.empty() && !path.back.valid()) {  // a generator
+      to_p = angles_.side(outgoing);
+      to_q = to_p + angles_.corner(outgoing);
+      through = to_p - angles_.corner(at_p);
+    }
     if (!sector.first || sector.first->is_grazing()) {
       const Rotation back{f.cosine[p], f.sine[p]};
-      target.reach_vertex(f.vertex[p], {path.distance + f.length[c], path.generator, {at_p, back}});
+      target.reach_vertex(f.vertex[p], {path.distance + f.length[c], path.generator, {at_p, back}, to_p});
     }
     if (!sector.last || (fan_.corner(outgoing) - *sector.last).is_grazing()) {
-      target.reach_vertex(f.vertex[q], {path.distance + f.length[q], path.generator, {at_q, {}}});
+      target.reach_vertex(f.vertex[q], {path.distance + f.length[q], path.generator, {at_q, {}}, to_q});
     }
-    WindowHistory history{1, 0, Mesh::face(outgoing)};
+    WindowHistory history{1, 0, Mesh::face(outgoing), through};
     if (!sector.last && is_flat(f.vertex[q])) history.joinable_ends |= WindowHistory::kAtBegin;
     if (!sector.first && is_flat(f.vertex[p])) history.joinable_ends |= WindowHistory::kAtEnd;
     target.enqueue_on_edge(window_from_vertex(f, sector, path), history, exit_edge(f, at_p, p, q));
@@ -97,6 +105,7 @@ class PseudoSources {
   const Mesh& mesh_;
   const FaceFrames& frames_;
   const MeshPartitions& partitions_;
+  const CornerAngles& angles_;
   PartitionId own_;
   VertexFan fan_;
 };

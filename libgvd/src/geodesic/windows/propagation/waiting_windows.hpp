@@ -34,13 +34,12 @@ class WaitingWindows {
     const std::int32_t slot = take_slot();
     Entry& added = at(slot);
     // One by one: a copy in one piece would have to wait until the pieces have reached the cache.
-    added.window.begin = w.begin;
-    added.window.end = w.end;
-    added.window.x = w.x;
-    added.window.depth = w.depth;
-    added.window.offset = w.offset;
-    added.window.generator = w.generator;
-    added.window.halfedge = w.halfedge;
+    added.begin = w.begin;
+    added.end = w.end;
+    added.x = w.x;
+    added.depth = w.depth;
+    added.offset = w.offset;
+    added.generator = w.generator;
     added.history = history;
     added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
@@ -68,7 +67,8 @@ class WaitingWindows {
     first_[h.value()] = -1;
     while (slot >= 0) {
       Entry& entry = at(slot);
-      const PropagatedWindow taken{entry.window, entry.history};
+      const PropagatedWindow taken{{entry.begin, entry.end, entry.x, entry.depth, entry.offset, entry.generator, h},
+                                   entry.history};
       const std::int32_t next = entry.next;
       if (next >= 0) prefetch(&at(next));
       entry.next = free_;
@@ -86,9 +86,10 @@ class WaitingWindows {
   }
 
  private:
-  /// One line of the cache.
+  /// One line of the cache. The members of a window without its halfedge, which the list tells.
   struct alignas(64) Entry {
-    Window window;
+    double begin, end, x, depth, offset;
+    GeneratorId generator;
     WindowHistory history;
     std::int32_t next;  // in the list, or -1
     float key;          // in the first entry of a list: that of the halfedge in the queue, times key_unit_
@@ -131,20 +132,19 @@ class WaitingWindows {
     constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
     const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
     for (std::int32_t i = head; i >= 0; i = at(i).next) {
-      Entry& entry = at(i);
-      const Window& known = entry.window;
+      Entry& known = at(i);
       if (known.generator != w.generator || known.offset != w.offset) continue;
       if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
-      const std::uint32_t known_ends = entry.history.joinable_ends, ends = history.joinable_ends;
+      const std::uint32_t known_ends = known.history.joinable_ends, ends = history.joinable_ends;
       const std::uint32_t open = known_ends & ((ends >> 1) | (ends << 1));  // at its beginning, if our end is joinable
       if ((open & kEnd) && std::abs(known.end - w.begin) <= kSameEnd * length) {
-        unite(entry, w, history);
-        entry.history.joinable_ends = ((known_ends & kBegin) | (ends & kEnd)) & 3u;
+        unite(known, w, history);
+        known.history.joinable_ends = ((known_ends & kBegin) | (ends & kEnd)) & 3u;
         return true;
       }
       if ((open & kBegin) && std::abs(known.begin - w.end) <= kSameEnd * length) {
-        unite(entry, w, history);
-        entry.history.joinable_ends = ((known_ends & kEnd) | (ends & kBegin)) & 3u;
+        unite(known, w, history);
+        known.history.joinable_ends = ((known_ends & kEnd) | (ends & kBegin)) & 3u;
         return true;
       }
     }
@@ -154,8 +154,8 @@ class WaitingWindows {
   /// The two can be narrower than kSameEnd, so the ends that meet do not tell which one comes first. Their paths have
   /// crossed different faces: only what holds for both is kept.
   static void unite(Entry& entry, const Window& w, const WindowHistory& history) {
-    entry.window.begin = std::min(entry.window.begin, w.begin);
-    entry.window.end = std::max(entry.window.end, w.end);
+    entry.begin = std::min(entry.begin, w.begin);
+    entry.end = std::max(entry.end, w.end);
     if (entry.history.cycle_check_face != history.cycle_check_face) entry.history.cycle_check_face = FaceId();
     if (history.crossed_faces < entry.history.crossed_faces) entry.history.crossed_faces = history.crossed_faces;
   }

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/block_list.hpp"
+#include "geodesic/windows/field/edge_windows.hpp"
 #include "geodesic/windows/geometry/vertex_fan.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
@@ -25,17 +25,20 @@ class WindowPruning {
   /// Of the state, only the states of the partition's own faces are written. Both have to outlive this.
   WindowPruning(PropagationState& state, PartitionExchange& exchange)
       : keep_(state.keep),
+        keeps_departures_(!state.angles.empty()),
         frames_(state.frames),
         labels_(state.labels),
         fan_(frames_),
         state_(state.face_state.raw().data()),
         exchange_(exchange) {}
 
-  /// Adds a window on its edge. `settled`: no window to come holds a distance below it.
-  [[gnu::always_inline]] void add(const Window& w, double settled) {
+  /// Adds a window on its edge. `departure`: kept if the state has angles, which asks for all windows. `settled`: no
+  /// window to come holds a distance below it.
+  [[gnu::always_inline]] void add(const Window& w, Departure departure, double settled) {
     if (keep_ == KeepWindows::none) return;
+    if (keeps_departures_) kept_.departures.push_back(departure);
     if (keep_ == KeepWindows::all || state(Mesh::face(w.halfedge)) == FaceState::multi_label) {
-      kept_.push_back(w);
+      kept_.windows.push_back(w);
       return;
     }
     const HalfedgeId twin = fan_.twin(w.halfedge);
@@ -75,12 +78,12 @@ class WindowPruning {
   void review_border(double settled) { review(on_border_, settled); }
 
   /// After the propagation in all partitions: decides about all other windows. Returns those that are kept.
-  BlockList<Window> finish() {
+  KeptWindows finish() {
     HalfedgeId last;
     bool stays = false;
     const auto decide = [&](const Window& w) {
       if (w.halfedge != last) stays = is_edge_multi_label_at_end(last = w.halfedge);
-      if (stays) kept_.push_back(w);
+      if (stays) kept_.windows.push_back(w);
     };
     for (Undecided* list : {&recent_, &on_border_}) {
       while (!list->windows.empty()) list->windows.take_block(decide);  // adds nothing
@@ -120,7 +123,7 @@ class WindowPruning {
         windows.push_back(w);
         ++undecided;
       } else if (decision == FaceState::multi_label) {
-        kept_.push_back(w);
+        kept_.windows.push_back(w);
       }
     };
     windows.take_block(decide, [&](const Window& w) {
@@ -187,13 +190,14 @@ class WindowPruning {
   }
 
   KeepWindows keep_;
+  bool keeps_departures_;
   const FaceFrames& frames_;
   const DistanceLabels& labels_;
   VertexFan fan_;
   FaceState* state_;  // [face]; while partitions run, each one reads and writes those of its own faces only
   PartitionExchange& exchange_;
   Undecided recent_, on_border_;
-  BlockList<Window> kept_;
+  KeptWindows kept_;
 };
 
 }  // namespace gvd

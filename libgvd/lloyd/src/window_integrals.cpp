@@ -1,0 +1,231 @@
+// Quadrature over the faces and pieces of all cells, with exact distances and log maps at the points.
+#include "window_integrals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/barycentric.hpp"
+#include "base/plane.hpp"
+#include "base/triangulate_plane_polygon.hpp"
+#include "geodesic/windows/departures/departures.hpp"
+#include "geodesic/windows/departures/nearest_paths.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "gvd/diagram_steps.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+using Triangle = std::array<Bary, 3>;
+constexpr Triangle kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
+
+/// A sum over points of one generator's cell: `centroid` is not yet divided by the area.
+struct CellSum {
+  GeneratorId generator;
+  CellMoments moments;
+};
+
+/// The quadrature points of a triangle, in its own barycentric coordinates.
+std::vector<Bary> quadrature_points(int divisions) {
+  std::vector<Bary> points;
+  const double unit = 1.0 / divisions;
+  const auto add = [&](int i, int j, double sign) {
+    for (const auto& [u, v] : {std::pair(1.0, 1.0), std::pair(4.0, 1.0), std::pair(1.0, 4.0)}) {
+      const double x = (i + sign * u / 6) * unit, y = (j + sign * v / 6) * unit;
+      points.push_back({1 - x - y, x, y});
+    }
+  };
+  for (int i = 0; i < divisions; ++i) {
+    for (int j = 0; i + j < divisions; ++j) {
+      add(i, j, 1);
+      if (i + j + 1 < divisions) add(i + 1, j + 1, -1);
+    }
+  }
+  return points;
+}
+
+/// The faces of the working mesh in each face of the input that it splits.
+class SplitFaces {
+ public:
+  explicit SplitFaces(const WorkingMesh& working) {
+    for (std::int32_t f = 0; f < working.mesh().face_count(); ++f) {
+      if (!working.is_split(FaceId(f))) continue;
+      const FaceId face(f);
+      parts_.push_back({working.parent(face),
+                        face,
+                        {working.parent_bary(face, {1, 0, 0}), working.parent_bary(face, {0, 1, 0}),
+                         working.parent_bary(face, {0, 0, 1})}});
+    }
+    std::sort(parts_.begin(), parts_.end(),
+              [](const Part& a, const Part& b) { return std::pair(a.parent, a.face) < std::pair(b.parent, b.face); });
+  }
+
+  bool contains(FaceId parent) const {
+    const auto at = find(parent);
+    return at != parts_.end() && at->parent == parent;
+  }
+  /// The part of a face in which a point lies, with the point's coordinates there.
+  std::pair<FaceId, Bary> locate(FaceId parent, const Bary& point) const {
+    std::pair<FaceId, Bary> best;
+    double most = -std::numeric_limits<double>::infinity();
+    for (auto part = find(parent); part != parts_.end() && part->parent == parent; ++part) {
+      const Vec2 a = affine_point(part->corners[0]), b = affine_point(part->corners[1]),
+                 c = affine_point(part->corners[2]), p = affine_point(point);
+      const double area = twice_signed_area(a, b, c);
+      const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
+      const Bary local{1 - v - w, v, w};
+      const double least = std::min({local[0], local[1], local[2]});
+      if (!(least > most)) continue;
+      most = least;
+      best = {part->face, local};
+    }
+    return best;
+  }
+
+ private:
+  struct Part {
+    FaceId parent, face;
+    Triangle corners;  // in the parent
+  };
+  std::vector<Part>::const_iterator find(FaceId parent) const {
+    return std::lower_bound(parts_.begin(), parts_.end(), parent,
+                            [](const Part& part, FaceId f) { return part.parent < f; });
+  }
+  std::vector<Part> parts_;
+};
+
+/// Integrates over faces of the input, one after the other.
+class FaceIntegrator {
+ public:
+  FaceIntegrator(const WorkingMesh& working, const WindowField& field, const Departures& departures,
+                 const SplitFaces& split, const std::vector<Bary>& points)
+      : input_(working.input()), paths_(working.mesh(), field, departures), split_(split), points_(points) {}
+
+  void enter(FaceId face) {
+    face_ = face;
+    is_split_ = split_.contains(face);
+    if (!is_split_) paths_.enter(face);
+  }
+  /// Adds a piece of the face. Its triangles lie within the piece: beyond it, no path of its generator may be known.
+  void add(const FacePiece& piece) {
+    std::vector<Vec2> corners;
+    for (const Bary& corner : piece.corners) corners.push_back(affine_point(corner));
+    for (const auto& [a, b, c] : triangulate_plane_polygon(corners)) {
+      add({piece.corners[a], piece.corners[b], piece.corners[c]}, piece.generator);
+    }
+  }
+  /// Adds a triangle of the face, which belongs to generator g.
+  void add(const Triangle& triangle, GeneratorId g) {
+    if (sums_.empty() || sums_.back().generator != g) sums_.push_back({g, {}});
+    CellMoments& sum = sums_.back().moments;
+    const double area = input_.area(face_) * twice_signed_area(affine_point(triangle[0]), affine_point(triangle[1]),
+                                                               affine_point(triangle[2]));
+    const double weight = area / static_cast<double>(points_.size());
+    sum.area += area;
+    for (const Bary& local : points_) {
+      const NearestPath path = find(interpolate_bary(triangle, local), g);
+      if (!path.generator.valid()) continue;  // where none reaches
+      sum.energy += weight * path.distance * path.distance;
+      sum.centroid += weight * path.log;
+    }
+  }
+  std::vector<CellSum> take_sums() { return std::move(sums_); }
+
+ private:
+  static Bary interpolate_bary(const Triangle& t, const Bary& local) {
+    Bary point{};
+    for (std::size_t i = 0; i < 3; ++i) point[i] = local[0] * t[0][i] + local[1] * t[1][i] + local[2] * t[2][i];
+    return point;
+  }
+  /// The nearest generator's path where no path of g comes near: in cells of approximate diagrams.
+  NearestPath find(const Bary& point, GeneratorId g) {
+    Vec2 at;
+    if (is_split_) {
+      const auto& [part, local] = split_.locate(face_, point);
+      paths_.enter(part);
+      at = paths_.position(local);
+    } else {
+      at = paths_.position(point);
+    }
+    const NearestPath path = paths_.at(at, g);
+    return path.generator.valid() ? path : paths_.at(at);
+  }
+
+  const Mesh& input_;
+  NearestPaths paths_;
+  const SplitFaces& split_;
+  const std::vector<Bary>& points_;
+  FaceId face_;
+  bool is_split_ = false;
+  std::vector<CellSum> sums_;
+};
+
+/// The pieces of each face follow each other, ascending by face.
+class PieceRange {
+ public:
+  PieceRange(const Diagram& diagram, FaceId first)
+      : pieces_(diagram.pieces),
+        next_(std::lower_bound(pieces_.begin(), pieces_.end(), first,
+                               [](const FacePiece& piece, FaceId f) { return piece.face < f; })) {}
+
+  template <class Visit>
+  void for_each_in(FaceId face, Visit visit) {
+    for (; next_ != pieces_.end() && next_->face == face; ++next_) visit(*next_);
+  }
+
+ private:
+  const std::vector<FacePiece>& pieces_;
+  std::vector<FacePiece>::const_iterator next_;
+};
+
+}  // namespace
+
+IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
+                                                          const Diagram& diagram, const ParallelChunks& parallel,
+                                                          int divisions) {
+  const Departures departures(working, diagram.generators);
+  const SplitFaces split(working);
+  const std::vector<Bary> points = quadrature_points(divisions);
+  const auto sums = parallel.collect(
+      cut_into_chunks(diagram.face_label.size(), kScanChunk), {steps::kCells}, [&](const Chunk& chunk) {
+        FaceIntegrator integrator(working, field, departures, split, points);
+        PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunk.begin)));
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          const FaceId face(static_cast<std::int64_t>(i));
+          integrator.enter(face);
+          if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
+          pieces.for_each_in(face, [&](const FacePiece& piece) { integrator.add(piece); });
+        }
+        return integrator.take_sums();
+      });
+  IdVector<GeneratorId, CellMoments> moments(diagram.generators.size());
+  for (const CellSum& sum : sums) {
+    CellMoments& cell = moments[sum.generator];
+    cell.area += sum.moments.area;
+    cell.energy += sum.moments.energy;
+    cell.centroid += sum.moments.centroid;
+  }
+  for (CellMoments& cell : moments) {
+    if (cell.area > 0) cell.centroid /= cell.area;
+  }
+  return moments;
+}
+
+IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads) {
+  if (diagram.face_label.size() != static_cast<std::size_t>(mesh.face_count())) {
+    throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
+  }
+  const Progress silent;
+  const WorkingMesh working(mesh, diagram.generators);
+  PropagationOptions propagation;
+  propagation.departures = true;
+  propagation.threads = threads;
+  const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
+  return integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent));
+}
+
+}  // namespace gvd

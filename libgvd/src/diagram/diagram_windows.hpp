@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "geodesic/windows/field/window_field.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/mesh.hpp"
+#include "mesh/working_mesh.hpp"
+
+namespace gvd {
+
+/// Reads the windows from which a diagram was traced: all of them, with departures. They live during the call only.
+using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, const Diagram&)>;
+
+/// `compute_diagram` with the windows as the solver. `read` is called once, at the end; it may be empty, and then
+/// windows far from bisectors are not kept. Rounding differs, because windows
+/// come in another order, and so may the points within the chord tolerance.
+Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                 const DiagramOptions& options, const WindowReader& read);
+
+}  // namespace gvd

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/barycentric.hpp"
+#include "geodesic/windows/departures/departures.hpp"
+#include "geodesic/windows/field/window_field.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// A shortest path from the nearest generator to a point.
+struct NearestPath {
+  GeneratorId generator;  ///< invalid where none reaches
+  double distance;        ///< mesh units
+  /// The logarithm of the point: the tangent vector at the generator (see geodesic_tracing.hpp) in whose direction the
+  /// path departs, with its length.
+  Vec2 log;
+};
+
+/// The shortest paths to points of one face after the other. For one thread; several may read the same field.
+class NearestPaths {
+ public:
+  /// `field`: with departures. All have to outlive this.
+  NearestPaths(const Mesh& mesh, const WindowField& field, const Departures& departures)
+      : mesh_(mesh), field_(field), departures_(departures) {}
+
+  /// Collects the images that reach face f of the working mesh. The other members are about this face.
+  /// Cost: O(windows on the face).
+  void enter(FaceId f);
+  /// The position of a point of the face in its layout (FaceLayout).
+  Vec2 position(const Bary& bary) const { return interpolate(bary, corner_[0], corner_[1], corner_[2]); }
+  /// The shortest path to a point of the face. Cost: O(windows on the face).
+  NearestPath at(const Vec2& p) { return find(p, GeneratorId()); }
+  /// The same from generator g, whose cell has a part in the face. Cost: O(windows on the face).
+  NearestPath at(const Vec2& p, GeneratorId g) { return find(p, g); }
+
+ private:
+  /// An image, with the rays to the ends of its opening; a corner of the face is one without an opening.
+  struct Image {
+    Vec2 at, begin, end;  // `begin` and `end`: from the image to the ends
+    double offset;
+    GeneratorId generator;
+    int side;            // of the opening; of a corner the one that leaves it
+    std::size_t window;  // its number; kCorner for a corner
+    bool has_direction;
+    Vec2 direction;  // tangent direction of a ray along the side, or of all rays behind a pseudo-source
+  };
+  static constexpr std::size_t kCorner = static_cast<std::size_t>(-1);
+
+  NearestPath find(const Vec2& p, GeneratorId only);
+  NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
+  void add_corner(int i);
+  void add_window(std::size_t number);
+  Vec2 log(Image& image, const Vec2& ray, double distance) const;
+  Vec2 direction(const Image& image) const;
+  Departure from_side(const Image& image, const Vec2& ray) const;
+
+  const Mesh& mesh_;
+  const WindowField& field_;
+  const Departures& departures_;
+  FaceId face_;
+  std::array<Vec2, 3> corner_, side_;  // of the face in its layout; the sides are unit vectors
+  std::vector<Image> images_;
+};
+
+}  // namespace gvd
