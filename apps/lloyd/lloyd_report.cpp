@@ -33,10 +33,15 @@ const std::string& name_of(Acceleration acceleration) {
   return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
 }
 
+std::string step_name(const LloydIteration& iteration) {
+  if (iteration.relocated > 0) return "relocation";
+  return iteration.by == Acceleration::none ? "lloyd" : name_of(iteration.by);
+}
+
 /// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
   Json energies = Json::array({result.initial_energy});
-  Json steps = Json::array(), methods = Json::array();
+  Json steps = Json::array(), methods = Json::array(), relocated = Json::array();
   Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();
   for (const LloydIteration& i : result.iterations) {
     energies.push_back(i.energy);
@@ -45,10 +50,12 @@ void add_iterations(Json& results, const LloydResult& result) {
     scales.push_back(i.scale);
     held.push_back(i.held);
     methods.push_back(method_name(i.method));
-    steps.push_back(i.by == Acceleration::none ? "lloyd" : name_of(i.by));
+    steps.push_back(step_name(i));
+    relocated.push_back(i.relocated);
   }
   results["energies"] = std::move(energies);
   results["steps"] = std::move(steps);
+  results["relocated_generators"] = std::move(relocated);
   results["methods"] = std::move(methods);
   results["largest_moves"] = std::move(largest);
   results["mean_moves"] = std::move(mean);
@@ -81,6 +88,7 @@ const Choices<Acceleration>& acceleration_names() {
 void report_lloyd_options(Run& run, const LloydOptions& options) {
   Json& reported = run.report().options();
   reported["accelerate"] = name_of(options.acceleration);
+  reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
   reported["tolerance"] = energy_tolerance(options);
   reported["move_tolerance"] = options.move_tolerance;

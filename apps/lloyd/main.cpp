@@ -42,6 +42,11 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
            "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's "
            "mixing of the last steps, or by Lloyd's method alone");
   app::add_choice(line, acceleration, options.acceleration, app::acceleration_names());
+  app::add_choice(line,
+                  text("--relocate",
+                       "Move generators from cells with little energy to distant cells with much, where that lowers "
+                       "the energy at once (default: on, with --accelerate none off)"),
+                  options.relocate, app::Choices<bool>{{"on", true}, {"off", false}});
   app::add_number(
       line,
       text("--iterations", fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",

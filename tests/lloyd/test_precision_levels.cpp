@@ -43,6 +43,7 @@ TEST_CASE("precision levels: one level for other methods, Lloyd's iteration, few
   CHECK(count(10, [](LloydOptions& o) { o.diagram.method = Method::paper; }) == 1);
   CHECK(count(10, [](LloydOptions& o) { o.acceleration = Acceleration::none; }) == 1);
   CHECK(count(10, [](LloydOptions& o) { o.early_approximation = false; }) == 1);
+  CHECK(count(10, [](LloydOptions& o) { o.max_iterations = 0; }) == 1);
   CHECK(count(1000, [](LloydOptions&) {}) == 1);
 }
 

@@ -18,6 +18,7 @@ struct GeneratorMove {
   std::vector<Turn> turns;               ///< parallel transport along the paths
   double scale = 1;                      ///< factor of all steps
   std::int32_t held = 0;                 ///< generators that stay because they would collide
+  std::int32_t relocated = 0;            ///< generators that left their place for a distant one
   Acceleration by = Acceleration::none;  ///< what proposed the steps
 };
 

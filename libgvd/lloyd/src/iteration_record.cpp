@@ -16,6 +16,7 @@ void IterationRecord::add(const GeneratorMove& move, double before, double after
   iteration.held = move.held;
   iteration.method = method;
   iteration.by = move.by;
+  iteration.relocated = move.relocated;
   iterations.push_back(iteration);
   falls.push_back((before - after) / before);
 }
@@ -45,6 +46,7 @@ void IterationRecord::merge_last() {
   iterations.pop_back();
   iterations.back().largest_move += last.largest_move;
   iterations.back().mean_move += last.mean_move;
+  iterations.back().relocated += last.relocated;
 }
 
 }  // namespace gvd

@@ -16,6 +16,7 @@
 #include "own_scales.hpp"
 #include "precision_levels.hpp"
 #include "relaxation_state.hpp"
+#include "relocation.hpp"
 #include "vertex_rests.hpp"
 
 namespace gvd {
@@ -34,9 +35,11 @@ constexpr std::size_t kStallWindow = 5;
 /// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
 constexpr double kClearFall = 0.99;
 
-/// The energy round a vertex where a generator may rest is tried at the distance of the move tolerance, within these
-/// bounds, in mean cell radii: rounding would decide below, and the rest of the cell above.
-constexpr double kLeastRestRadius = 1e-5, kLargestRestRadius = 1e-2;
+/// Iterations between a relocation that failed and the next attempt.
+constexpr std::size_t kRelocationPause = 10;
+
+/// Least fall of the energy, as a fraction, that a relocation at the start must promise: what the first step gives.
+constexpr double kFirstRelocationGain = 0.05;
 
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
@@ -58,7 +61,6 @@ class Relaxer {
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
     levels_ = make_precision_levels(mesh_, generators.size(), options_);
-    if (max_iterations(options_) == 0) levels_ = {options_.diagram};
     start_ = generators;
     RelaxationState state = evaluate(generators);
     record_.initial_energy = state.energy;
@@ -96,6 +98,7 @@ class Relaxer {
     if (record_.iterations.size() >= static_cast<std::size_t>(max_iterations(options_))) {
       return LloydStop::max_iterations;
     }
+    if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const bool is_early = level_ + 2 < levels_.size();
     const double least = is_early ? std::max(kEarlyFall, energy_tolerance(options_)) : energy_tolerance(options_);
@@ -147,8 +150,21 @@ class Relaxer {
     return options_.acceleration != Acceleration::none && level_ + 2 >= levels_.size() &&
            levels_[level_].method == options_.diagram.method;
   }
-  double rest_radius(const RelaxationState& state) const {
-    return std::clamp(options_.move_tolerance, kLeastRestRadius, kLargestRestRadius) * state.mean_cell_radius;
+  double rest_radius(const RelaxationState& state) const { return gvd::rest_radius(state, options_.move_tolerance); }
+
+  /// One iteration that relocates generators, if it promises more than the last iteration gave. If the energy does not
+  /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
+  bool relocate(RelaxationState& state) {
+    if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
+    const std::vector<Relocation> plan = plan_relocations(mesh_, state);
+    if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
+      return false;
+    for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {
+      const double limit = state.energy;
+      if (take_if_below(limit, state, relocate_generators(mesh_, state, plan, count)) < limit) return true;
+    }
+    next_relocation_ = record_.iterations.size() + kRelocationPause;
+    return false;
   }
 
   /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
@@ -206,7 +222,11 @@ class Relaxer {
     if (!(energy < limit)) return energy;
     record_.add(next, state.energy, energy, levels_[level_].method);
     report_iteration(energy);
-    accelerator_.learn(state, next, moved);
+    if (next.relocated > 0) {
+      accelerator_.forget();
+    } else {
+      accelerator_.learn(state, next, moved);
+    }
     state = std::move(moved);
     return energy;
   }
@@ -228,6 +248,7 @@ class Relaxer {
   Accelerator accelerator_;
   std::vector<DiagramOptions> levels_;
   std::size_t level_ = 0;
+  std::size_t next_relocation_ = 0;  // iterations before the next attempt
   IterationRecord record_;
   std::vector<SurfacePoint> start_;
   LloydResult result_;

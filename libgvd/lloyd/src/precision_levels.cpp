@@ -17,8 +17,8 @@ constexpr double kCoarseChords = 0.05;
 std::vector<DiagramOptions> make_precision_levels(const Mesh& mesh, std::size_t generators,
                                                   const LloydOptions& options) {
   std::vector<DiagramOptions> levels;
-  const bool approximate = options.early_approximation && options.acceleration != Acceleration::none &&
-                           options.diagram.method == Method::exact &&
+  const bool approximate = options.early_approximation && max_iterations(options) > 0 &&
+                           options.acceleration != Acceleration::none && options.diagram.method == Method::exact &&
                            static_cast<std::size_t>(mesh.face_count()) >= kLeastFaces * generators;
   if (approximate) {
     levels.assign(2, options.diagram);

@@ -12,6 +12,10 @@
 namespace gvd {
 namespace {
 
+/// Bounds of the distance at which the energy is tried, in mean cell radii: rounding would decide below, and the rest
+/// of the cell above.
+constexpr double kLeastRadius = 1e-5, kLargestRadius = 1e-2;
+
 /// Directions in which the energy round a vertex is tried.
 constexpr int kDirections = 12;
 
@@ -47,6 +51,10 @@ std::optional<VertexId> find_vertex_ahead(const Mesh& mesh, const SurfacePoint& 
 }
 
 }  // namespace
+
+double rest_radius(const RelaxationState& state, double move_tolerance) {
+  return std::clamp(move_tolerance, kLeastRadius, kLargestRadius) * state.mean_cell_radius;
+}
 
 void mark_rests(const Mesh& mesh, double radius, CellIntegrals& integrals, RelaxationState& state) {
   const CellFaces cells(state.diagram);

@@ -20,6 +20,10 @@ struct Rest {
   VertexId vertex;
 };
 
+/// The distance at which the energy round a vertex is tried, for generators that may be `move_tolerance` mean cell
+/// radii from their centroids; mesh units.
+double rest_radius(const RelaxationState& state, double move_tolerance);
+
 /// Marks the generators that rest: they are at a vertex, and no step of the length `radius` lowers the energy of their
 /// cell. Their ways to the centroids become zero, and `residual` is that of the others.
 void mark_rests(const Mesh& mesh, double radius, CellIntegrals& integrals, RelaxationState& state);

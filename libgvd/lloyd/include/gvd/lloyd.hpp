@@ -53,6 +53,9 @@ struct LloydOptions {
   /// Length of a step that is not accelerated, as a fraction of the way to the centroid: 1 is Lloyd's step, more is
   /// overrelaxation. In (0, 2).
   double step = 1;
+  /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
+  /// this evens out clustered starts. Without a value, accelerated runs do.
+  std::optional<bool> relocate;
   /// Begin with approximate diagrams, which cost about half, and end with those of `diagram`. Only accelerated runs
   /// with Method::exact and many faces for each generator do.
   bool early_approximation = true;
@@ -71,6 +74,10 @@ inline double energy_tolerance(const LloydOptions& options) {
   return options.energy_tolerance.value_or(options.acceleration == Acceleration::none ? 1e-5 : 1e-8);
 }
 
+inline bool relocates(const LloydOptions& options) {
+  return options.relocate.value_or(options.acceleration != Acceleration::none);
+}
+
 /// Why a relaxation ended.
 enum class LloydStop {
   centroids,       ///< every generator is at its centroid, within move_tolerance
@@ -86,6 +93,7 @@ struct LloydIteration {
   double mean_move = 0;     ///< mean length of the paths, mesh units
   double scale = 1;         ///< factor of all steps: 1, or less where the whole step does not lower the energy
   std::int32_t held = 0;    ///< generators that did not move: no step lowers their cell's energy, or they would collide
+  std::int32_t relocated = 0;            ///< generators that left their place for a distant one; nothing else moved
   Method method = Method::exact;         ///< of the diagram that the energy was measured with
   Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
