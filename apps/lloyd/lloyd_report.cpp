@@ -23,6 +23,8 @@ const char* describe(LloydStop stop) {
       return "no step lowers the energy any more";
     case LloydStop::max_iterations:
       return "the iterations are used up";
+    case LloydStop::time_limit:
+      return "the time is over";
   }
   return "";
 }
@@ -75,6 +77,8 @@ const char* name_of(LloydStop stop) {
       return "no descent";
     case LloydStop::max_iterations:
       return "iterations";
+    case LloydStop::time_limit:
+      return "time limit";
   }
   return "";
 }
@@ -85,7 +89,8 @@ const Choices<Acceleration>& acceleration_names() {
   return names;
 }
 
-void report_lloyd_options(Run& run, const LloydOptions& options) {
+void report_lloyd_options(Run& run, const OwnOptions& own) {
+  const LloydOptions& options = own.relaxation;
   Json& reported = run.report().options();
   reported["accelerate"] = name_of(options.acceleration);
   reported["relocate"] = relocates(options);
@@ -93,6 +98,7 @@ void report_lloyd_options(Run& run, const LloydOptions& options) {
   reported["tolerance"] = energy_tolerance(options);
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
+  reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
 }
 
 void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 
 #include "common/options/typed_options.hpp"
 #include "common/run/command.hpp"
@@ -72,8 +73,21 @@ void register_options(app::CommandLine& line, LloydOptions& options) {
       options.step, kStep);
 }
 
-LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, LloydOptions options) {
+void register_time_limit(app::CommandLine& line, std::optional<double>& seconds) {
+  app::add_number(
+      line,
+      {"--time-limit", "",
+       "Stop after the iteration in which the relaxation has taken this many seconds; the result then differs "
+       "between runs (default: none)",
+       "Relaxation"},
+      seconds, app::kNotNegative);
+}
+
+LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, const app::OwnOptions& own) {
+  LloydOptions options = own.relaxation;
   options.diagram = app::make_diagram_options(run.options().compute);
+  const app::Timer timer;
+  if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
   options.progress = run.progress();
   options.on_iteration = [&run, most = max_iterations(options)](std::int64_t iterations, double energy) {
     run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
@@ -109,12 +123,12 @@ std::vector<ViewScene> scenes(const Mesh& mesh, const std::vector<SurfacePoint>&
   return both;
 }
 
-void lloyd(app::Run& run, const LloydOptions& options) {
-  app::report_lloyd_options(run, options);
+void lloyd(app::Run& run, const app::OwnOptions& own) {
+  app::report_lloyd_options(run, own);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> start = app::make_generators(run, input);
-  const LloydResult relaxed = relax(run, mesh, start, options);
+  const LloydResult relaxed = relax(run, mesh, start, own);
   write_outputs(run, mesh, relaxed.diagram);
   app::write_diagram_file(run, mesh, relaxed.diagram);
   app::write_view_file(run, "gvd-lloyd", [&] {
@@ -129,11 +143,12 @@ void lloyd(app::Run& run, const LloydOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  LloydOptions options;
+  app::OwnOptions own;
   app::Command command({"gvd-lloyd",
                         "Moves generators to the geodesic centroids of their regions until they rest.",
                         kExamples,
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
-  register_options(command.line(), options);
-  return command.run(argc, argv, [&](app::Run& run) { lloyd(run, options); });
+  register_options(command.line(), own.relaxation);
+  register_time_limit(command.line(), own.time_limit);
+  return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
 }

@@ -222,6 +222,27 @@ TEST_CASE("lloyd: generators of a ring end half way between its boundaries") {
   }
 }
 
+TEST_CASE("lloyd: a run whose time is over ends with an exact diagram of its last generators") {
+  const Mesh mesh = test::make_sphere(3);
+  const auto start = test::random_generators(mesh, 8, 1);
+  LloydOptions options;
+  options.energy_tolerance = 0;
+  options.move_tolerance = 0;
+  for (const int allowed : {0, 1, 4}) {
+    CAPTURE(allowed);
+    int asked = 0;
+    options.is_time_over = [&] { return asked++ == allowed; };
+    const LloydResult result = relax_generators(mesh, start, options);
+    CHECK(result.stop == LloydStop::time_limit);
+    CHECK(std::ssize(result.iterations) <= allowed);
+    CHECK((result.generators == start) == (allowed == 0));
+    require_falling(result);
+    const Diagram exact = compute_diagram(mesh, result.generators);
+    CHECK(result.diagram.vertex_distance == exact.vertex_distance);
+    CHECK(result.diagram.length == exact.length);
+  }
+}
+
 TEST_CASE("lloyd: zero iterations are allowed, and options out of range are refused") {
   const Mesh mesh = test::make_sphere(2);
   const auto start = test::random_generators(mesh, 5, 1);

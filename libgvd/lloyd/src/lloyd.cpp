@@ -81,13 +81,14 @@ class Relaxer {
   }
 
  private:
-  /// Iterates until a rule holds at the last level, or the iterations are used up. Where a rule holds before, the next
-  /// level follows.
+  /// Iterates until a rule holds at the last level, or the iterations or the time are used up. Where another rule holds
+  /// before, the next level follows.
   LloydStop iterate(RelaxationState& state) {
     while (true) {
       const std::optional<LloydStop> stop = advance(state);
       if (!stop) continue;
-      if (*stop == LloydStop::max_iterations || is_last_level()) return *stop;
+      const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
+      if (is_used_up || is_last_level()) return *stop;
       state = raise_level(state);
     }
   }
@@ -98,6 +99,7 @@ class Relaxer {
     if (record_.iterations.size() >= static_cast<std::size_t>(max_iterations(options_))) {
       return LloydStop::max_iterations;
     }
+    if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
     if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const bool is_early = level_ + 2 < levels_.size();

@@ -99,10 +99,26 @@ TEST_CASE("gvd-lloyd: its page shows the relaxed generators and those of the sta
   }
 }
 
+TEST_CASE("gvd-lloyd: a limit of time ends the relaxation, and a valid result is written") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("figure.obj") + kVertices;
+  const auto none = report_of(mesh + "--time-limit 0 -o " + scratch / "a.txt", scratch / "report.json");
+  CHECK(none["results"]["stop"] == "time limit");
+  CHECK(none["results"]["iterations"] == 0);
+  CHECK(none["options"]["time_limit"] == 0.0);
+  CHECK(none["diagram"]["unresolved_ends"] == 0);
+  const auto ample = report_of(mesh + "--time-limit 1e6 --iterations 2", scratch / "report.json");
+  CHECK(ample["results"]["stop"] == "iterations");
+  const auto usual = report_of(mesh + "--iterations 2", scratch / "report.json");
+  CHECK(usual["options"]["time_limit"].is_null());
+  CHECK(usual["results"]["energies"] == ample["results"]["energies"]);
+}
+
 TEST_CASE("gvd-lloyd: options out of range are usage errors") {
   const std::string mesh = data_file("torus.ply") + kVertices;
-  for (const char* bad : {"--iterations -1", "--iterations 1.5", "--tolerance -1", "--tolerance nan", "--step 0",
-                          "--step 2", "--move-tolerance x", "--accelerate newton"}) {
+  for (const char* bad :
+       {"--iterations -1", "--iterations 1.5", "--tolerance -1", "--tolerance nan", "--step 0", "--step 2",
+        "--move-tolerance x", "--accelerate newton", "--time-limit -1", "--time-limit 1s"}) {
     CAPTURE(bad);
     CHECK(run_command("gvd-lloyd", mesh + bad).exit_code == 2);
   }

@@ -64,6 +64,9 @@ struct LloydOptions {
   /// Called with the number of iterations so far and the energy after them, at first for the given generators; may be
   /// empty. Called again for the same generators when their energy is measured anew, with better diagrams.
   std::function<void(std::int64_t iterations, double energy)> on_iteration;
+  /// Asked before each iteration; the relaxation ends where it returns true. May be empty. The library reads no clock:
+  /// with a predicate that does, for a limit of time, the result is not the same in every run.
+  std::function<bool()> is_time_over;
 };
 
 /// The largest number of iterations, and the energy tolerance: those of the options or their defaults.
@@ -84,6 +87,7 @@ enum class LloydStop {
   energy,          ///< the last iterations lowered the energy by less than energy_tolerance each
   no_descent,      ///< no step towards the centroids lowers the energy
   max_iterations,  ///< the number of iterations is max_iterations
+  time_limit,      ///< is_time_over returned true
 };
 
 /// One iteration that lowered the energy.
@@ -119,7 +123,8 @@ struct LloydResult {
 /// each generator halves its own step until the energy of its fixed cell falls. After that all steps are halved
 /// together. A generator that would collide with another one does not move.
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
-/// (3) no two coincide; (4) deterministic; (5) the last iteration is measured with the diagrams of the options.
+/// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
+/// of the options.
 /// Throws Error{invalid_option} for an option out of its range, Error{precondition} where `compute_diagram` does, and
 /// Error{interrupted} if the progress callback cancels. Cost: one diagram and O(n log n) for each iteration.
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
