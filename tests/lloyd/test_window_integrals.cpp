@@ -18,14 +18,14 @@ namespace {
 using Moments = IdVector<GeneratorId, CellMoments>;
 
 Moments integrate(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int divisions = 1, int threads = 1,
-                  Diagram* out = nullptr) {
+                  Diagram* out = nullptr, const Density& density = {}) {
   const Progress silent;
   DiagramOptions options;
   options.threads = threads;
   Moments moments;
   Diagram traced = compute_diagram_and_read(
       mesh, generators, options, [&](const auto& working, const auto& field, const auto& diagram) {
-        moments = integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent), divisions);
+        moments = integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent), density, divisions);
       });
   if (out) *out = std::move(traced);
   return moments;
@@ -154,4 +154,26 @@ TEST_CASE("window integrals: reading the windows changes a diagram within the ch
     CHECK(test::same_topology(read, plain));
     CHECK(read.length == Approx(plain.length).epsilon(1e-5));
   }
+}
+
+TEST_CASE("window integrals: a density weighs mass, energy and centroid") {
+  const Mesh grid = test::make_grid(6, 2);
+  std::vector<double> heavy;  // 1 on the left half, 3 on the right one
+  for (std::int32_t f = 0; f < grid.face_count(); ++f) {
+    double x = 0;
+    for (const VertexId v : grid.vertices(FaceId(f))) x += grid.position(v).x() / 3;
+    heavy.push_back(x < 3 ? 1 : 3);
+  }
+  const auto generators = std::vector{vertex_point(grid, VertexId(0))};
+  const CellMoments cell = integrate(grid, generators, 1, 1, nullptr, make_face_density(grid, heavy))[GeneratorId(0)];
+  CHECK(cell.area == Approx(12));
+  CHECK(cell.mass == Approx(6 + 18));
+  const Vec3 from = position(grid, generators[0]);
+  const Vec3 mean = (6 * Vec3(1.5, 1, 0) + 18 * Vec3(4.5, 1, 0)) / 24;
+  CHECK(cell.centroid.norm() == Approx((mean - from).norm()).epsilon(1e-7));
+  const Moments doubled = integrate(grid, generators, 1, 1, nullptr,
+                                    make_vertex_density(grid, std::vector<double>(grid.positions().size(), 2)));
+  const Moments plain = integrate(grid, generators);
+  CHECK(doubled[GeneratorId(0)].energy == Approx(2 * plain[GeneratorId(0)].energy));
+  CHECK((doubled[GeneratorId(0)].centroid - plain[GeneratorId(0)].centroid).norm() < 1e-12);
 }

@@ -32,8 +32,11 @@ bool has_curvature(const StepPair& pair, const std::vector<double>& masses) {
 
 }  // namespace
 
-Accelerator::Accelerator(const Mesh& mesh, Acceleration kind)
-    : mesh_(mesh), kind_(kind), history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
+Accelerator::Accelerator(const Mesh& mesh, const Density& density, Acceleration kind)
+    : mesh_(mesh),
+      density_(density),
+      kind_(kind),
+      history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
 
 std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) const {
   if (kind_ == Acceleration::none) return std::nullopt;
@@ -54,7 +57,7 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
 
 TangentField Accelerator::direction(const RelaxationState& state, const TangentField& gradient) const {
   if (kind_ == Acceleration::anderson) return anderson_step(history_, state.to_centroids);
-  const EnergyHessian hessian(mesh_, state);
+  const EnergyHessian hessian(mesh_, state, density_);
   return lbfgs_direction(history_, gradient, [&](const TangentField& field) { return hessian.solve(field); });
 }
 

@@ -20,7 +20,8 @@ struct ProposedSteps {
 /// Proposes better steps than Lloyd's, from the steps before.
 class Accelerator {
  public:
-  Accelerator(const Mesh& mesh, Acceleration kind);
+  /// All have to outlive this.
+  Accelerator(const Mesh& mesh, const Density& density, Acceleration kind);
 
   /// Steps from `state` that lower the energy if they are short enough; without any if there is no such proposal.
   std::optional<ProposedSteps> propose(const RelaxationState& state) const;
@@ -32,6 +33,7 @@ class Accelerator {
   TangentField direction(const RelaxationState& state, const TangentField& gradient) const;
 
   const Mesh& mesh_;
+  const Density& density_;
   Acceleration kind_;
   StepHistory history_;
 };

@@ -19,6 +19,8 @@ double area_fraction(const Bary& p, const Bary& q, const Bary& r) {
 
 }  // namespace
 
+const Density CellIntegrals::kUniform;
+
 double SquaredDistance::at(const std::array<double, 3>& b) const {
   const double linear = interpolate(b, corner[0], corner[1], corner[2]);
   const double quadratic = b[0] * b[1] * side[0] + b[1] * b[2] * side[1] + b[2] * b[0] * side[2];
@@ -42,7 +44,7 @@ CellMoments CellIntegrals::compute(const SurfacePoint& generator, std::span<cons
     const auto at = std::lower_bound(faces_.begin(), faces_.end(), face.face) - faces_.begin();
     add(face, map.corners[static_cast<std::size_t>(at)], sum);
   }
-  if (sum.area > 0) sum.centroid /= sum.area;
+  if (sum.mass > 0) sum.centroid /= sum.mass;
   return sum;
 }
 
@@ -61,8 +63,12 @@ void CellIntegrals::add(const CellFace& face, const std::array<Vec2, 3>& log, Ce
     const Bary &p = polygon[0], &q = polygon[i], &r = polygon[i + 1];
     const double third = face_area * area_fraction(p, q, r) / 3;
     sum.area += 3 * third;
-    sum.energy += third * (squared.at(middle(p, q)) + squared.at(middle(q, r)) + squared.at(middle(r, p)));
-    for (std::size_t k = 0; k < 3; ++k) sum.centroid += third * (p[k] + q[k] + r[k]) * log[k];
+    for (const Bary& at : {middle(p, q), middle(q, r), middle(r, p)}) {
+      const double mass = third * density_.at(face.face, at);
+      sum.mass += mass;
+      sum.energy += mass * squared.at(at);
+      sum.centroid += mass * interpolate(at, log[0], log[1], log[2]);
+    }
   }
 }
 

@@ -24,7 +24,11 @@ struct SquaredDistance {
 /// Computes the integrals over single cells; keeps its work space between them.
 class CellIntegrals {
  public:
-  explicit CellIntegrals(const Mesh& mesh) : mesh_(mesh), solver_(mesh) {}
+  /// Both have to outlive this.
+  explicit CellIntegrals(const Mesh& mesh, const Density& density = kUniform)
+      : mesh_(mesh), density_(density), solver_(mesh) {}
+
+  const Density& density() const { return density_; }
 
   /// The moments of the cell with these faces about `generator`, which need not be the cell's own. The log map covers
   /// the cell's faces, or the whole mesh if no path within the cell's faces leads to some of them.
@@ -34,7 +38,10 @@ class CellIntegrals {
  private:
   void add(const CellFace& face, const std::array<Vec2, 3>& log, CellMoments& sum) const;
 
+  static const Density kUniform;
+
   const Mesh& mesh_;
+  const Density& density_;
   LogMapSolver solver_;
   std::vector<FaceId> faces_;  // scratch
 };

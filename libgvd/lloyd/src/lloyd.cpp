@@ -56,7 +56,10 @@ void check_options(const LloydOptions& o) {
 class Relaxer {
  public:
   Relaxer(const Mesh& mesh, const LloydOptions& options)
-      : mesh_(mesh), options_(options), integrals_(mesh), accelerator_(mesh, options.acceleration) {}
+      : mesh_(mesh),
+        options_(options),
+        integrals_(mesh, options.density),
+        accelerator_(mesh, options.density, options.acceleration) {}
 
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
@@ -261,6 +264,7 @@ class Relaxer {
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              const LloydOptions& options) {
   check_options(options);
+  check_density(mesh, options.density);
   return Relaxer(mesh, options).run(generators);
 }
 

@@ -43,7 +43,7 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
   if (options.method == Method::exact) {
     const ParallelChunks parallel(options.threads, options.progress);
     const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
-      state.moments = integrate_over_windows(working, field, diagram, parallel);
+      state.moments = integrate_over_windows(working, field, diagram, parallel, integrals.density());
     };
     state.diagram = compute_diagram_and_read(mesh, generators, options, read);
   } else {
@@ -57,7 +57,7 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
 TangentField energy_gradient(const RelaxationState& state) {
   TangentField gradient = state.to_centroids;
   for (std::size_t i = 0; i < gradient.size(); ++i) {
-    gradient[i] *= -2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].area;
+    gradient[i] *= -2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].mass;
   }
   return gradient;
 }
@@ -66,7 +66,7 @@ std::vector<double> cell_masses(const RelaxationState& state) {
   std::vector<double> masses;
   double sum = 0;
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
-    masses.push_back(2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].area);
+    masses.push_back(2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].mass);
     sum += masses.back();
   }
   const double mean = sum > 0 ? sum / static_cast<double>(masses.size()) : 1;

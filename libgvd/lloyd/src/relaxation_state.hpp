@@ -27,11 +27,11 @@ struct RelaxationState {
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                     const DiagramOptions& options, CellIntegrals& integrals);
 
-/// The gradient of the energy: -2 area centroid for each generator; mesh units cubed.
+/// The gradient of the energy: -2 mass centroid for each generator; mesh units cubed.
 TangentField energy_gradient(const RelaxationState& state);
 
-/// Twice the areas of the cells. The gradient divided by them is minus the way to the centroid, so Lloyd's step is the
-/// step of a Newton method with this diagonal Hessian. A cell without area takes the mean.
+/// Twice the integrals of the density over the cells. The gradient divided by them is minus the way to the centroid, so
+/// Lloyd's step is the step of a Newton method with this diagonal Hessian. A cell without any takes the mean.
 std::vector<double> cell_masses(const RelaxationState& state);
 
 }  // namespace gvd

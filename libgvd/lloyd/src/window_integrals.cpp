@@ -102,8 +102,12 @@ class SplitFaces {
 class FaceIntegrator {
  public:
   FaceIntegrator(const WorkingMesh& working, const WindowField& field, const Departures& departures,
-                 const SplitFaces& split, const std::vector<Bary>& points)
-      : input_(working.input()), paths_(working.mesh(), field, departures), split_(split), points_(points) {}
+                 const SplitFaces& split, const Density& density, const std::vector<Bary>& points)
+      : input_(working.input()),
+        paths_(working.mesh(), field, departures),
+        split_(split),
+        density_(density),
+        points_(points) {}
 
   void enter(FaceId face) {
     face_ = face;
@@ -127,10 +131,13 @@ class FaceIntegrator {
     const double weight = area / static_cast<double>(points_.size());
     sum.area += area;
     for (const Bary& local : points_) {
-      const NearestPath path = find(interpolate_bary(triangle, local), g);
+      const Bary point = interpolate_bary(triangle, local);
+      const double mass = weight * density_.at(face_, point);
+      sum.mass += mass;
+      const NearestPath path = find(point, g);
       if (!path.generator.valid()) continue;  // where none reaches
-      sum.energy += weight * path.distance * path.distance;
-      sum.centroid += weight * path.log;
+      sum.energy += mass * path.distance * path.distance;
+      sum.centroid += mass * path.log;
     }
   }
   std::vector<CellSum> take_sums() { return std::move(sums_); }
@@ -158,6 +165,7 @@ class FaceIntegrator {
   const Mesh& input_;
   NearestPaths paths_;
   const SplitFaces& split_;
+  const Density& density_;
   const std::vector<Bary>& points_;
   FaceId face_;
   bool is_split_ = false;
@@ -186,13 +194,13 @@ class PieceRange {
 
 IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
                                                           const Diagram& diagram, const ParallelChunks& parallel,
-                                                          int divisions) {
+                                                          const Density& density, int divisions) {
   const Departures departures(working, diagram.generators);
   const SplitFaces split(working);
   const std::vector<Bary> points = quadrature_points(divisions);
   const auto sums = parallel.collect(
       cut_into_chunks(diagram.face_label.size(), kScanChunk), {steps::kCells}, [&](const Chunk& chunk) {
-        FaceIntegrator integrator(working, field, departures, split, points);
+        FaceIntegrator integrator(working, field, departures, split, density, points);
         PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunk.begin)));
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
           const FaceId face(static_cast<std::int64_t>(i));
@@ -206,26 +214,29 @@ IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& wor
   for (const CellSum& sum : sums) {
     CellMoments& cell = moments[sum.generator];
     cell.area += sum.moments.area;
+    cell.mass += sum.moments.mass;
     cell.energy += sum.moments.energy;
     cell.centroid += sum.moments.centroid;
   }
   for (CellMoments& cell : moments) {
-    if (cell.area > 0) cell.centroid /= cell.area;
+    if (cell.mass > 0) cell.centroid /= cell.mass;
   }
   return moments;
 }
 
-IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads) {
+IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,
+                                                        const Density& density) {
   if (diagram.face_label.size() != static_cast<std::size_t>(mesh.face_count())) {
     throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
   }
+  check_density(mesh, density);
   const Progress silent;
   const WorkingMesh working(mesh, diagram.generators);
   PropagationOptions propagation;
   propagation.departures = true;
   propagation.threads = threads;
   const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
-  return integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent));
+  return integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent), density);
 }
 
 }  // namespace gvd

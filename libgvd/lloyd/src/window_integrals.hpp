@@ -17,6 +17,6 @@ namespace gvd {
 /// generators, 5e-6 with one division, 3e-8 with three. Does not depend on the number of threads. Cost: O(windows).
 IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
                                                           const Diagram& diagram, const ParallelChunks& parallel,
-                                                          int divisions = 1);
+                                                          const Density& density = {}, int divisions = 1);
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "gvd/density.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
@@ -15,9 +16,10 @@ namespace gvd {
 /// Integrals over one cell.
 struct CellMoments {
   double area = 0;    ///< square mesh units
-  double energy = 0;  ///< integral of the squared distance to the generator, mesh units to the fourth
-  /// Mean of the log map at the generator: the tangent vector to the cell's centroid, mesh units (see
-  /// geodesic_tracing.hpp). The energy's gradient with respect to the generator is -2 area centroid.
+  double mass = 0;    ///< integral of the density; the area where that is 1
+  double energy = 0;  ///< integral of density times squared distance to the generator, mesh units to the fourth
+  /// Mean of the log map, weighted by the density, at the generator: the tangent vector to the cell's centroid, mesh
+  /// units (see geodesic_tracing.hpp). The energy's gradient with respect to the generator is -2 mass centroid.
   Vec2 centroid = Vec2::Zero();
 };
 
@@ -32,7 +34,8 @@ struct CellMoments {
 /// gradient. `threads` >= 1, or 0 for one a core: the result does not depend on it.
 /// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n), some half of that of the exact
 /// diagram.
-IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads = 0);
+IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads = 0,
+                                                        const Density& density = {});
 
 /// How the steps of an iteration are found.
 enum class Acceleration {
@@ -42,6 +45,7 @@ enum class Acceleration {
 };
 
 struct LloydOptions {
+  Density density;  ///< weight of the surface in the energy; of the mesh's faces, or uniform
   Acceleration acceleration = Acceleration::lbfgs;
   std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration
   /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
