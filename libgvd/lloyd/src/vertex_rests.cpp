@@ -81,7 +81,8 @@ std::vector<Rest> find_rests(const Mesh& mesh, const RelaxationState& state, dou
     if (!v) continue;
     const auto energy = [&](const SurfacePoint& p) { return integrals.compute(p, cells.of(g)).energy; };
     const SurfacePoint vertex = vertex_point(mesh, *v);
-    if (energy(vertex) < state.moments[g].energy && is_lowest(mesh, vertex, radius, energy)) rests.push_back({i, *v});
+    if (energy(vertex) < energy(state.generators[i]) && is_lowest(mesh, vertex, radius, energy))
+      rests.push_back({i, *v});
   }
   return rests;
 }
