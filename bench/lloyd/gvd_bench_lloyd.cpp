@@ -1,0 +1,283 @@
+// gvd-bench-lloyd: what relaxations cost, and how low their energies get, beside the goals that are set for them.
+//
+// Times are processor times of one thread, and those of the generators' drawing are not included. E is measured with
+// exact distances. The plain Dijkstra of the same mesh and number of generators is the yardstick for other machines.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "cpu_clock.hpp"
+#include "dijkstra.hpp"
+#include "draw_vertices.hpp"
+#include "flat_square.hpp"
+#include "gvd/sampling.hpp"
+#include "median.hpp"
+#include "refine_flat.hpp"
+#include "relaxation_run.hpp"
+
+namespace gvd::bench {
+namespace {
+
+struct Settings {
+  std::vector<std::string> meshes;
+  std::string large;  ///< path of a mesh that is refined once; may be empty
+  std::vector<int> generator_counts{100, 1000};
+  std::vector<std::string> starts{"farthest", "random"};
+  std::vector<std::string> parts{"energies", "iteration", "threads", "large", "square"};
+  std::vector<double> targets{0.1650, 0.1638, 0.1630};
+  int iterations = 60;
+  int short_iterations = 10;  ///< of the runs that measure one iteration
+  int runs = 3;
+  int threads = 2;
+  int square = 150;
+  int square_generators = 2000;
+};
+
+/// The seconds in which runs from the farthest points have to get to E.
+struct Goal {
+  int generators;
+  double energy, seconds;
+};
+constexpr Goal kGoals[]{{100, 0.1650, 1.2}, {100, 0.1630, 4}, {1000, 0.1638, 2}, {1000, 0.1630, 6}};
+constexpr double kIterationGoal = 1.3;       ///< diagrams
+constexpr double kThreadsGoal = 1.7;         ///< two threads are this much faster
+constexpr double kLargeGoal = 8;             ///< seconds to within kClose of the last energy
+constexpr double kClose = 1.01;              ///< as a factor of the energy
+constexpr double kHoneycomb = 0.1603750748;  ///< 5 / (18 sqrt(3))
+constexpr double kMargin = 4;                ///< cell widths at the boundary of the square that are left out
+
+const char* verdict(bool met) { return met ? "met" : "missed"; }
+
+double seconds_of(const std::function<void()>& work) {
+  const double start = cpu_milliseconds();
+  work();
+  return (cpu_milliseconds() - start) / 1e3;
+}
+
+double median_seconds(int runs, const std::function<void()>& work) {
+  std::vector<double> seconds;
+  while (std::ssize(seconds) < runs) seconds.push_back(seconds_of(work));
+  return median(seconds);
+}
+
+std::vector<SurfacePoint> draw(const Mesh& mesh, int count, const std::string& start) {
+  SamplingOptions options;
+  options.kind = start == "random" ? Sampling::random : Sampling::farthest;
+  options.count = count;
+  return sample_generators(mesh, options);
+}
+
+double dijkstra_seconds(const Mesh& mesh, int count, int runs) {
+  const EdgeGraph graph = build_edge_graph(mesh);
+  const std::vector<VertexId> vertices = draw_vertices(mesh, count, 0);
+  return median_seconds(runs, [&] { compute_edge_distances(graph, vertices); });
+}
+
+void print_trace(const RelaxationRun& run) {
+  std::cout << "  iteration (seconds, E):";
+  for (std::size_t i = 0; i < run.trace.size(); ++i) {
+    const TracePoint& point = run.trace[i];
+    const bool is_last = i + 1 == run.trace.size();
+    // An energy that is measured anew replaces the one before.
+    if (!is_last && run.trace[i + 1].iteration == point.iteration) continue;
+    const int k = point.iteration;
+    if (is_last || k <= 3 || k == 5 || k % 10 == 0) {
+      std::cout << fmt::format(" {} ({:.2f}, {:.4f})", k, point.seconds, point.energy);
+    }
+  }
+  std::cout << "\n";
+}
+
+void print_goal(double energy, int generators, const std::string& start, double seconds) {
+  for (const Goal& goal : kGoals) {
+    if (start != "farthest" || goal.generators != generators || goal.energy != energy) continue;
+    std::cout << fmt::format("   goal {:.1f} s: {}", goal.seconds, verdict(seconds <= goal.seconds));
+  }
+  std::cout << std::endl;
+}
+
+void measure_energies(const Mesh& mesh, int count, const std::string& start, const Settings& settings) {
+  const std::vector<SurfacePoint> generators = draw(mesh, count, start);
+  const double unit = dijkstra_seconds(mesh, count, settings.runs);
+  LloydOptions options;
+  options.max_iterations = settings.iterations;
+  const RelaxationRun run = run_relaxation(mesh, generators, options);
+  std::cout << fmt::format("m = {}, {}: Dijkstra {:.4f} s; {} iterations, {} diagrams, {:.2f} s, E = {:.5f}\n", count,
+                           start, unit, run.result.iterations.size(), run.result.diagrams, run.seconds, run.energy);
+  print_trace(run);
+  for (const double target : settings.targets) {
+    const auto shortest = shortest_run_to(target, mesh, generators, run.trace, settings.runs);
+    std::cout << fmt::format("  E <= {:.4f}:", target);
+    if (shortest) {
+      std::cout << fmt::format(" {:3} iterations, {:6.2f} s ({:.0f} x), E = {:.5f}", shortest->iterations,
+                               shortest->seconds, shortest->seconds / unit, shortest->energy);
+    } else {
+      std::cout << fmt::format(" not in {} iterations", run.result.iterations.size());
+    }
+    print_goal(target, count, start, shortest ? shortest->seconds : HUGE_VAL);
+  }
+}
+
+LloydOptions exact_options(int iterations) {
+  LloydOptions options;
+  options.early_approximation = false;
+  options.max_iterations = iterations;
+  options.diagram.threads = 1;
+  return options;
+}
+
+void measure_iteration(const Mesh& mesh, int count, const Settings& settings) {
+  const std::vector<SurfacePoint> generators = draw(mesh, count, "farthest");
+  DiagramOptions diagram;
+  diagram.threads = 1;
+  std::vector<double> diagrams, evaluations, iterations;
+  double trials = 1;
+  for (int run = 0; run < settings.runs; ++run) {
+    const RelaxationRun none = run_relaxation(mesh, generators, exact_options(0));
+    const RelaxationRun some = run_relaxation(mesh, generators, exact_options(settings.short_iterations));
+    const auto made = static_cast<double>(std::max<std::size_t>(1, some.result.iterations.size()));
+    diagrams.push_back(seconds_of([&] { compute_diagram(mesh, some.result.generators, diagram); }));
+    evaluations.push_back(none.seconds);
+    iterations.push_back((some.seconds - none.seconds) / made);
+    trials = static_cast<double>(some.result.diagrams - 1) / made;
+  }
+  const double unit = median(diagrams), cost = median(iterations) / unit;
+  std::cout << fmt::format(
+      "m = {}: a diagram {:.3f} s; with its integrals {:.2f} diagrams; an exact iteration {:.2f} diagrams, of which it "
+      "computes {:.2f}   goal {:.1f}: {}\n",
+      count, unit, median(evaluations) / unit, cost, trials, kIterationGoal, verdict(cost <= kIterationGoal));
+}
+
+void measure_threads(const Mesh& mesh, int count, const Settings& settings) {
+  const std::vector<SurfacePoint> generators = draw(mesh, count, "farthest");
+  const auto wall_seconds = [&](int threads) {
+    LloydOptions options;
+    options.max_iterations = settings.short_iterations;
+    options.diagram.threads = threads;
+    const auto start = std::chrono::steady_clock::now();
+    relax_generators(mesh, generators, options);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::vector<double> one, many;
+  for (int run = 0; run < settings.runs; ++run) {
+    one.push_back(wall_seconds(1));
+    many.push_back(wall_seconds(settings.threads));
+  }
+  const double gain = median(one) / median(many);
+  std::cout << fmt::format("m = {}: {:.2f} s of wall-clock time with one thread, {:.2f} s with {}: {:.2f} times faster",
+                           count, median(one), median(many), settings.threads, gain);
+  if (settings.threads == 2)
+    std::cout << fmt::format("   goal {:.1f}: {}", kThreadsGoal, verdict(gain >= kThreadsGoal));
+  std::cout << std::endl;
+}
+
+void measure_large(const Settings& settings) {
+  const auto [name, coarse] = read_named_mesh(settings.large);
+  const Mesh mesh = refine_flat(coarse);
+  const int count = settings.generator_counts.back();
+  const std::vector<SurfacePoint> generators = draw(mesh, count, "farthest");
+  LloydOptions options;
+  options.max_iterations = settings.iterations;
+  const RelaxationRun run = run_relaxation(mesh, generators, options);
+  std::cout << fmt::format("{}, refined once: {} faces, m = {}, farthest: {} iterations, {:.2f} s, E = {:.5f}\n", name,
+                           mesh.face_count(), count, run.result.iterations.size(), run.seconds, run.energy);
+  print_trace(run);
+  if (const auto shortest = shortest_run_to(kClose * run.energy, mesh, generators, run.trace, settings.runs)) {
+    std::cout << fmt::format("  within 1 % of that: {} iterations, {:.2f} s, E = {:.5f}   goal {:.1f} s: {}\n",
+                             shortest->iterations, shortest->seconds, shortest->energy, kLargeGoal,
+                             verdict(shortest->seconds <= kLargeGoal));
+  }
+}
+
+void measure_square(const Settings& settings) {
+  const Mesh mesh = make_flat_square(settings.square);
+  for (const std::string& start : settings.starts) {
+    const std::vector<SurfacePoint> generators = draw(mesh, settings.square_generators, start);
+    const RelaxationRun run = run_relaxation(mesh, generators, {});
+    const InteriorEnergy interior = interior_energy(mesh, settings.square, run.result.diagram, kMargin);
+    const double excess = interior.energy / kHoneycomb - 1;
+    std::cout << fmt::format(
+                     "flat square, {} faces, m = {}, {}: {} iterations, {:.1f} s; {} interior cells, E = {:.5f}, "
+                     "{:.2f} % above the "
+                     "honeycomb   goal 1 %: {}\n",
+                     mesh.face_count(), settings.square_generators, start, run.result.iterations.size(), run.seconds,
+                     interior.cells, interior.energy, 100 * excess, verdict(excess <= kClose - 1))
+              << std::flush;
+  }
+}
+
+void measure_mesh(const Mesh& mesh, const Settings& settings) {
+  const auto has = [&](const char* part) {
+    return std::find(settings.parts.begin(), settings.parts.end(), part) != settings.parts.end();
+  };
+  for (const int count : settings.generator_counts) {
+    for (const std::string& start : settings.starts) {
+      if (has("energies")) measure_energies(mesh, count, start, settings);
+    }
+  }
+  for (const int count : settings.generator_counts) {
+    if (has("iteration")) measure_iteration(mesh, count, settings);
+    if (has("threads")) measure_threads(mesh, count, settings);
+  }
+}
+
+void run_all(const Settings& settings) {
+  const auto has = [&](const char* part) {
+    return std::find(settings.parts.begin(), settings.parts.end(), part) != settings.parts.end();
+  };
+  if (has("energies") || has("iteration") || has("threads")) {
+    for (const std::string& path : settings.meshes) {
+      const auto [name, mesh] = read_named_mesh(path);
+      std::cout << fmt::format("{}: {} faces\n", name, mesh.face_count());
+      measure_mesh(mesh, settings);
+    }
+  }
+  if (has("large") && !settings.large.empty()) measure_large(settings);
+  if (has("square")) measure_square(settings);
+}
+
+void add_options(CLI::App& app, Settings& settings) {
+  const auto some_of = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    app.add_option(name, values, what)->delimiter(',')->check(CLI::IsMember(values));
+  };
+  add_mesh_arguments(app, settings.meshes);
+  app.add_option("--large", settings.large,
+                 "a mesh that is refined once and relaxed with the last number of generators")
+      ->check(CLI::ExistingFile);
+  app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  some_of("--starts", settings.starts, "farthest, random, or both");
+  some_of("--parts", settings.parts, "energies, iteration, threads, large, square, or several (default: all)");
+  app.add_option("--targets", settings.targets, "values of E, to which the times are measured")->delimiter(',');
+  app.add_option("--iterations", settings.iterations, "largest number of iterations")->check(CLI::PositiveNumber);
+  app.add_option("--runs", settings.runs, "runs; each time is their median")->check(CLI::PositiveNumber);
+  app.add_option("--threads", settings.threads, "threads to compare with one")->check(CLI::PositiveNumber);
+  app.add_option("--square", settings.square, "the flat square has this many squares along each side")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--square-generators", settings.square_generators, "generators on the flat square")
+      ->check(CLI::PositiveNumber);
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("Times relaxations of gvd-lloyd, and measures how low their energies get");
+  add_options(app, settings);
+  CLI11_PARSE(app, argc, argv);
+  run_all(settings);
+  return 0;
+}
+
+}  // namespace
+}  // namespace gvd::bench
+
+int main(int argc, char** argv) { return gvd::bench::run_program("gvd-bench-lloyd", gvd::bench::run, argc, argv); }

@@ -1,0 +1,74 @@
+#include "gvd/sampling.hpp"
+#include "relaxation_run.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+using namespace gvd::bench;
+
+namespace {
+
+const Mesh& sphere() {
+  static const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  return mesh;
+}
+std::vector<SurfacePoint> start() {
+  SamplingOptions options;
+  options.kind = Sampling::random;
+  options.count = 12;
+  return sample_generators(sphere(), options);
+}
+
+}  // namespace
+
+TEST_CASE("E of a diagram does not depend on the size of the mesh, and is that of its relaxation") {
+  LloydOptions options;
+  options.max_iterations = 3;
+  const RelaxationRun run = run_relaxation(sphere(), start(), options);
+  CHECK(run.energy == Approx(run.trace.back().energy).epsilon(1e-6));
+  CHECK(run.energy > 0.155);
+  CHECK(run.energy < 0.25);
+  std::vector<Vec3> positions = sphere().positions();
+  for (Vec3& p : positions) p *= 10;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < sphere().face_count(); ++f) faces.push_back(sphere().vertices(FaceId(f)));
+  const Mesh large(std::move(positions), std::move(faces));
+  const Diagram diagram = compute_diagram(large, run.result.generators);
+  CHECK(scaled_energy(large, diagram) == Approx(run.energy).epsilon(1e-9));
+}
+
+TEST_CASE("a run is traced from its start to its end, in ascending time") {
+  LloydOptions options;
+  options.max_iterations = 4;
+  const RelaxationRun run = run_relaxation(sphere(), start(), options);
+  REQUIRE(run.trace.size() >= 5);
+  CHECK(run.trace.front().iteration == 0);
+  CHECK(run.trace.back().iteration == 4);
+  for (std::size_t i = 1; i < run.trace.size(); ++i) {
+    CHECK(run.trace[i - 1].seconds <= run.trace[i].seconds);
+    CHECK(run.trace[i - 1].iteration <= run.trace[i].iteration);
+  }
+  CHECK(run.trace.back().seconds <= run.seconds);
+}
+
+TEST_CASE("the shortest run to an energy is the first whose result has it") {
+  LloydOptions options;
+  options.max_iterations = 8;
+  const RelaxationRun run = run_relaxation(sphere(), start(), options);
+  const double between = 0.5 * (run.trace.front().energy + run.energy);
+  const auto shortest = shortest_run_to(between, sphere(), start(), run.trace, 1);
+  REQUIRE(shortest);
+  CHECK(shortest->energy <= between);
+  CHECK(shortest->seconds > 0);
+  REQUIRE(shortest->iterations > 0);
+  options.max_iterations = shortest->iterations - 1;
+  CHECK(run_relaxation(sphere(), start(), options).energy > between);
+}
+
+TEST_CASE("an energy that no run reaches has no shortest run") {
+  LloydOptions options;
+  options.max_iterations = 2;
+  const RelaxationRun run = run_relaxation(sphere(), start(), options);
+  CHECK_FALSE(shortest_run_to(0.1, sphere(), start(), run.trace, 1));
+  CHECK_FALSE(shortest_run_to(run.energy - 1e-6, sphere(), start(), run.trace, 1));
+}
