@@ -60,7 +60,7 @@ PUBLIC = {
     "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",
-    "libgvd/lloyd": "density lloyd",
+    "libgvd/lloyd": "density features lloyd",
     "libgvd/remesh": "dual remesh",
     "libgvd/verify": "verify",
 }

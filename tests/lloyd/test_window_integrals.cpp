@@ -25,7 +25,8 @@ Moments integrate(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   Moments moments;
   Diagram traced = compute_diagram_and_read(
       mesh, generators, options, [&](const auto& working, const auto& field, const auto& diagram) {
-        moments = integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent), density, divisions);
+        moments =
+            integrate_over_windows(working, field, diagram, {density, divisions}, ParallelChunks(threads, silent));
       });
   if (out) *out = std::move(traced);
   return moments;

@@ -32,9 +32,11 @@ bool has_curvature(const StepPair& pair, const std::vector<double>& masses) {
 
 }  // namespace
 
-Accelerator::Accelerator(const Mesh& mesh, const Density& density, Acceleration kind)
+Accelerator::Accelerator(const Mesh& mesh, const Density& density, const GeneratorConstraints& constraints,
+                         Acceleration kind)
     : mesh_(mesh),
       density_(density),
+      constraints_(constraints),
       kind_(kind),
       history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
 
@@ -48,7 +50,7 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
     if (!step.allFinite()) return std::nullopt;
     if (step.norm() > longest) step *= longest / step.norm();
     if (state.is_resting[i]) step = Vec2::Zero();
-    step = project_to_surface(mesh_, state.generators[i], step);
+    step = constraints_.project(mesh_, i, state.generators[i], step);
   }
   proposed.slope = dot(gradient, proposed.steps);
   if (!(proposed.slope < 0)) return std::nullopt;

@@ -28,6 +28,7 @@ class CellIntegrals {
   explicit CellIntegrals(const Mesh& mesh, const Density& density = kUniform)
       : mesh_(mesh), density_(density), solver_(mesh) {}
 
+  const Mesh& mesh() const { return mesh_; }
   const Density& density() const { return density_; }
 
   /// The moments of the cell with these faces about `generator`, which need not be the cell's own. The log map covers

@@ -72,7 +72,8 @@ void limit_gradation(const Mesh& mesh, double gradation, VertexValues& sizes) {
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) queue.emplace(sizes[VertexId(i)], VertexId(i));
   while (!queue.empty()) {
-    const auto [size, v] = queue.top();
+    const double size = queue.top().first;
+    const VertexId v = queue.top().second;
     queue.pop();
     if (size > sizes[v]) continue;
     for_each_neighbour(mesh, v, [&](VertexId w, HalfedgeId h) {

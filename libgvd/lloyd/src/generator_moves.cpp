@@ -16,8 +16,7 @@ constexpr double kGap = 1e-6;
 /// The same in distances at which two points coincide. It counts on surfaces with hardly any area.
 constexpr double kGapOfCoincident = 2;
 
-void add_path(const Mesh& mesh, const SurfacePoint& from, const Vec2& step, GeneratorMove& move) {
-  const GeodesicTrace trace = trace_geodesic(mesh, from, step);
+void add_path(const GeodesicTrace& trace, const Vec2& step, GeneratorMove& move) {
   move.to.push_back(trace.points.back());
   move.length.push_back(trace.length);
   move.step.push_back(trace.length * trace.direction);
@@ -33,9 +32,9 @@ void undo_path(std::size_t i, GeneratorMove& move) {
 }  // namespace
 
 GeneratorMove move_generators(const Mesh& mesh, const std::vector<SurfacePoint>& from, const TangentField& steps,
-                              double mean_cell_radius) {
+                              double mean_cell_radius, const GeneratorConstraints& constraints) {
   GeneratorMove move;
-  for (std::size_t i = 0; i < steps.size(); ++i) add_path(mesh, from[i], steps[i], move);
+  for (std::size_t i = 0; i < steps.size(); ++i) add_path(constraints.move(mesh, i, from[i], steps[i]), steps[i], move);
   const double gap = std::max(kGap * mean_cell_radius, kGapOfCoincident * coincidence(mesh));
   move.held = keep_apart(mesh, from, gap, move.to);
   for (std::size_t i = 0; i < steps.size(); ++i) {

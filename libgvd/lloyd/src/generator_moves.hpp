@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "generator_constraints.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
@@ -22,10 +23,10 @@ struct GeneratorMove {
   Acceleration by = Acceleration::none;  ///< what proposed the steps
 };
 
-/// Moves each generator along the straight geodesic of its step. One that would come nearer than a small gap to another
-/// one stays (see keep_apart).
+/// Moves each generator along the straight geodesic of its step, or along its crease. One that would come nearer than a
+/// small gap to another one stays (see keep_apart).
 /// Cost: O(faces crossed) and O(m log m).
 GeneratorMove move_generators(const Mesh& mesh, const std::vector<SurfacePoint>& from, const TangentField& steps,
-                              double mean_cell_radius);
+                              double mean_cell_radius, const GeneratorConstraints& constraints = {});
 
 }  // namespace gvd

@@ -53,16 +53,19 @@ void check_options(const LloydOptions& o) {
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
 }
 
+/// Long because every rule of the iteration reads the same state: levels, record, constraints and accelerator.
 class Relaxer {
  public:
   Relaxer(const Mesh& mesh, const LloydOptions& options)
       : mesh_(mesh),
         options_(options),
+        constraints_(mesh, options.freedom, options.creases),
         integrals_(mesh, options.density),
-        accelerator_(mesh, options.density, options.acceleration) {}
+        accelerator_(mesh, options.density, constraints_, options.acceleration) {}
 
   LloydResult run(const std::vector<SurfacePoint>& generators) {
     report();
+    constraints_.check(generators);
     levels_ = make_precision_levels(mesh_, generators.size(), options_);
     start_ = generators;
     RelaxationState state = evaluate(generators);
@@ -145,7 +148,7 @@ class Relaxer {
       return true;
     };
     ++result_.diagrams;
-    RelaxationState state = evaluate_generators(mesh_, generators, diagram_options, integrals_);
+    RelaxationState state = evaluate_generators(mesh_, generators, diagram_options, integrals_, constraints_);
     if (finds_rests()) mark_rests(mesh_, rest_radius(state), integrals_, state);
     return state;
   }
@@ -161,7 +164,7 @@ class Relaxer {
   /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
   bool relocate(RelaxationState& state) {
     if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
-    const std::vector<Relocation> plan = plan_relocations(mesh_, state);
+    const std::vector<Relocation> plan = plan_relocations(mesh_, state, constraints_);
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
     for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {
@@ -179,6 +182,7 @@ class Relaxer {
     if (!proposed) return false;
     std::vector<Rest> rests;
     if (finds_rests()) rests = find_rests(mesh_, state, rest_radius(state), integrals_);
+    std::erase_if(rests, [&](const Rest& rest) { return !constraints_.is_free(rest.generator); });
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
@@ -202,7 +206,7 @@ class Relaxer {
     };
     std::vector<double> scales(state.generators.size(), options_.step);
     if (takes(move(state, state.to_centroids, scales))) return true;
-    scales = find_own_scales(mesh_, state, options_.step, integrals_, [this] { report(); });
+    scales = find_own_scales(constraints_, state, options_.step, integrals_, [this] { report(); });
     for (int halving = 0; halving <= kCommonHalvings; ++halving) {
       GeneratorMove next = move(state, state.to_centroids, scales);
       next.scale = std::ldexp(1.0, -halving);
@@ -214,7 +218,7 @@ class Relaxer {
 
   GeneratorMove move(const RelaxationState& state, TangentField steps, const std::vector<double>& scales) const {
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i] *= scales[i];
-    GeneratorMove next = move_generators(mesh_, state.generators, steps, state.mean_cell_radius);
+    GeneratorMove next = move_generators(mesh_, state.generators, steps, state.mean_cell_radius, constraints_);
     next.held += static_cast<std::int32_t>(std::count(scales.begin(), scales.end(), 0.0));
     return next;
   }
@@ -249,6 +253,7 @@ class Relaxer {
 
   const Mesh& mesh_;
   const LloydOptions& options_;
+  const GeneratorConstraints constraints_;
   CellIntegrals integrals_;
   Accelerator accelerator_;
   std::vector<DiagramOptions> levels_;

@@ -1,7 +1,6 @@
 #include "own_scales.hpp"
 
 #include "cell_faces.hpp"
-#include "gvd/geodesic_tracing.hpp"
 
 namespace gvd {
 namespace {
@@ -11,7 +10,7 @@ constexpr int kHalvings = 10;
 
 }  // namespace
 
-std::vector<double> find_own_scales(const Mesh& mesh, const RelaxationState& state, double step,
+std::vector<double> find_own_scales(const GeneratorConstraints& constraints, const RelaxationState& state, double step,
                                     CellIntegrals& integrals, const std::function<void()>& report) {
   const CellFaces cells(state.diagram);
   std::vector<double> scales;
@@ -22,7 +21,8 @@ std::vector<double> find_own_scales(const Mesh& mesh, const RelaxationState& sta
     int halvings = 0;
     const double before = integrals.compute(state.generators[i], cells.of(g)).energy;
     const auto lowers = [&] {
-      const SurfacePoint to = trace_geodesic(mesh, state.generators[i], scale * state.to_centroids[i]).points.back();
+      const SurfacePoint to =
+          constraints.move(integrals.mesh(), i, state.generators[i], scale * state.to_centroids[i]).points.back();
       return integrals.compute(to, cells.of(g)).energy < before;
     };
     while (scale > 0 && !lowers()) scale = ++halvings > kHalvings ? 0 : 0.5 * scale;

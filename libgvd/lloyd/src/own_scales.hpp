@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cell_integrals.hpp"
-#include "gvd/mesh.hpp"
+#include "generator_constraints.hpp"
 #include "relaxation_state.hpp"
 
 namespace gvd {
@@ -13,7 +13,7 @@ namespace gvd {
 /// lowers the energy of its cell while the cell stays fixed. The diagram of the moved generators has at most the energy
 /// of these fixed cells, up to the errors of the distances. `report` is called before each generator.
 /// Cost: up to eleven times the integrals of every cell.
-std::vector<double> find_own_scales(const Mesh& mesh, const RelaxationState& state, double step,
+std::vector<double> find_own_scales(const GeneratorConstraints& constraints, const RelaxationState& state, double step,
                                     CellIntegrals& integrals, const std::function<void()>& report);
 
 }  // namespace gvd

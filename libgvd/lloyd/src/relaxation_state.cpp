@@ -21,14 +21,14 @@ void march_moments(CellIntegrals& integrals, RelaxationState& state) {
   }
 }
 
-void add_sums(const Mesh& mesh, RelaxationState& state) {
+void add_sums(const Mesh& mesh, const GeneratorConstraints& constraints, RelaxationState& state) {
   state.is_resting.assign(state.generators.size(), 0);
   double area = 0;
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
     state.energy += state.moments[g].energy;
     area += state.moments[g].area;
-    state.to_centroids.push_back(project_to_surface(mesh, state.generators[i], state.moments[g].centroid));
+    state.to_centroids.push_back(constraints.project(mesh, i, state.generators[i], state.moments[g].centroid));
     state.residual = std::max(state.residual, state.to_centroids.back().norm());
   }
   state.mean_cell_radius = std::sqrt(area / (std::numbers::pi * static_cast<double>(state.generators.size())));
@@ -37,20 +37,21 @@ void add_sums(const Mesh& mesh, RelaxationState& state) {
 }  // namespace
 
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                    const DiagramOptions& options, CellIntegrals& integrals) {
+                                    const DiagramOptions& options, CellIntegrals& integrals,
+                                    const GeneratorConstraints& constraints) {
   RelaxationState state;
   state.generators = generators;
   if (options.method == Method::exact) {
     const ParallelChunks parallel(options.threads, options.progress);
     const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
-      state.moments = integrate_over_windows(working, field, diagram, parallel, integrals.density());
+      state.moments = integrate_over_windows(working, field, diagram, {integrals.density()}, parallel);
     };
     state.diagram = compute_diagram_and_read(mesh, generators, options, read);
   } else {
     state.diagram = compute_diagram(mesh, generators, options);
     march_moments(integrals, state);
   }
-  add_sums(mesh, state);
+  add_sums(mesh, constraints, state);
   return state;
 }
 

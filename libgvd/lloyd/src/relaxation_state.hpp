@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cell_integrals.hpp"
+#include "generator_constraints.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/lloyd.hpp"
 #include "tangent_field.hpp"
@@ -15,7 +16,7 @@ struct RelaxationState {
   Diagram diagram;
   IdVector<GeneratorId, CellMoments> moments;
   double energy = 0;
-  /// The ways to the centroids, projected to the boundary where they would leave the surface; mesh units.
+  /// The ways to the centroids, projected to where the generators may go; mesh units.
   TangentField to_centroids;
   double residual = 0;  ///< length of the longest way
   /// Whether each generator is at a vertex where every short step raises the energy of its cell. Its way is then zero.
@@ -25,7 +26,8 @@ struct RelaxationState {
 
 /// Diagram, integrals and ways to the centroids of these generators.
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                    const DiagramOptions& options, CellIntegrals& integrals);
+                                    const DiagramOptions& options, CellIntegrals& integrals,
+                                    const GeneratorConstraints& constraints = {});
 
 /// The gradient of the energy: -2 mass centroid for each generator; mesh units cubed.
 TangentField energy_gradient(const RelaxationState& state);

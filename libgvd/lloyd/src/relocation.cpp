@@ -92,7 +92,8 @@ class FarVertices {
 
 }  // namespace
 
-std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState& state) {
+std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState& state,
+                                         const GeneratorConstraints& constraints) {
   const IdVector<FaceId, std::int32_t> components = compute_face_components(mesh);
   FarVertices places(mesh, state);
   PoorCells poor(state);
@@ -100,6 +101,7 @@ std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState
   while (plan.size() + 1 < state.generators.size()) {
     const std::size_t i = poor.take();
     if (i == state.generators.size()) break;
+    if (!constraints.is_free(i)) continue;
     const VertexId v = places.farthest();
     const double distance = places.distance(v);
     const double gain = kSplitGain * std::pow(distance, 4) - kRemovalCost * poor.energy(i);

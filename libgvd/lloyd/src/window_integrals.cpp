@@ -98,14 +98,21 @@ class SplitFaces {
   std::vector<Part> parts_;
 };
 
+/// What the threads read.
+struct Paths {
+  const WorkingMesh& working;
+  const WindowField& field;
+  Departures departures;
+  SplitFaces split;
+};
+
 /// Integrates over faces of the input, one after the other.
 class FaceIntegrator {
  public:
-  FaceIntegrator(const WorkingMesh& working, const WindowField& field, const Departures& departures,
-                 const SplitFaces& split, const Density& density, const std::vector<Bary>& points)
-      : input_(working.input()),
-        paths_(working.mesh(), field, departures),
-        split_(split),
+  FaceIntegrator(const Paths& paths, const Density& density, const std::vector<Bary>& points)
+      : input_(paths.working.input()),
+        paths_(paths.working.mesh(), paths.field, paths.departures),
+        split_(paths.split),
         density_(density),
         points_(points) {}
 
@@ -193,14 +200,13 @@ class PieceRange {
 }  // namespace
 
 IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
-                                                          const Diagram& diagram, const ParallelChunks& parallel,
-                                                          const Density& density, int divisions) {
-  const Departures departures(working, diagram.generators);
-  const SplitFaces split(working);
-  const std::vector<Bary> points = quadrature_points(divisions);
+                                                          const Diagram& diagram, const Quadrature& quadrature,
+                                                          const ParallelChunks& parallel) {
+  const Paths paths{working, field, Departures(working, diagram.generators), SplitFaces(working)};
+  const std::vector<Bary> points = quadrature_points(quadrature.divisions);
   const auto sums = parallel.collect(
       cut_into_chunks(diagram.face_label.size(), kScanChunk), {steps::kCells}, [&](const Chunk& chunk) {
-        FaceIntegrator integrator(working, field, departures, split, density, points);
+        FaceIntegrator integrator(paths, quadrature.density, points);
         PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunk.begin)));
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
           const FaceId face(static_cast<std::int64_t>(i));
@@ -236,7 +242,7 @@ IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const 
   propagation.departures = true;
   propagation.threads = threads;
   const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
-  return integrate_over_windows(working, field, diagram, ParallelChunks(threads, silent), density);
+  return integrate_over_windows(working, field, diagram, {density}, ParallelChunks(threads, silent));
 }
 
 }  // namespace gvd

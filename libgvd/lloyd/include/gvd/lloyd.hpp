@@ -7,6 +7,7 @@
 
 #include "gvd/density.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
@@ -45,7 +46,10 @@ enum class Acceleration {
 };
 
 struct LloydOptions {
-  Density density;  ///< weight of the surface in the energy; of the mesh's faces, or uniform
+  /// How each generator may move, one for each; empty: all are free.
+  std::vector<Freedom> freedom;
+  std::vector<EdgeId> creases;  ///< of the generators that stay on creases (see features.hpp)
+  Density density;              ///< weight of the surface in the energy; of the mesh's faces, or uniform
   Acceleration acceleration = Acceleration::lbfgs;
   std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration
   /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
@@ -82,7 +86,7 @@ inline double energy_tolerance(const LloydOptions& options) {
 }
 
 inline bool relocates(const LloydOptions& options) {
-  return options.relocate.value_or(options.acceleration != Acceleration::none);
+  return options.relocate.value_or(options.acceleration != Acceleration::none && options.density.is_uniform());
 }
 
 /// Why a relaxation ended.

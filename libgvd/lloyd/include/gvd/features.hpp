@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// How a generator may move while it is relaxed.
+enum class Freedom {
+  free,       ///< over the whole surface
+  on_crease,  ///< along the creases, up to their corners
+  fixed,      ///< not at all
+};
+
+struct CreaseOptions {
+  /// Angle between the normals of two faces, degrees, in (0, 180]: a sharper edge is a crease. 180: none is.
+  double angle = 180;
+  bool with_boundary = false;  ///< edges on the boundary are creases, too
+};
+
+/// The creases of a mesh, ascending. A face without area makes no crease.
+/// Throws Error{invalid_option} for an angle out of its range. Cost: O(n).
+std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options);
+
+/// Generators on the creases.
+struct FeatureGenerators {
+  std::vector<SurfacePoint> points;  ///< corners first
+  std::vector<Freedom> freedom;      ///< of the points: fixed at corners, on_crease between them
+};
+
+/// The largest angle by which a crease turns at a vertex that is no corner, degrees.
+inline constexpr double kCornerTurn = 45;
+
+/// Puts a generator on each corner, and along each crease between two corners as many as keep about this distance.
+///
+/// A corner is a vertex with one crease edge or more than two, or where a crease turns by more than kCornerTurn. A
+/// closed crease without a corner has at least three generators. Those between corners are evenly spaced by length.
+/// `spacing`: mesh units, > 0. Throws Error{invalid_option} if it is not. Cost: O(n).
+FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing);
+
+}  // namespace gvd

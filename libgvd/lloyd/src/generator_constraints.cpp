@@ -1,0 +1,43 @@
+#include "generator_constraints.hpp"
+
+#include <fmt/format.h>
+
+#include "gvd/counted.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd {
+
+void GeneratorConstraints::check(const std::vector<SurfacePoint>& generators) const {
+  if (freedom_.empty()) return;
+  if (freedom_.size() != generators.size()) {
+    throw Error(ErrorCode::precondition,
+                fmt::format("{} given for {}", counted(std::ssize(freedom_), "freedom is", "freedoms are"),
+                            counted(std::ssize(generators), "generator", "generators")));
+  }
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    if (freedom_[i] != Freedom::on_crease || network_->contains(generators[i])) continue;
+    throw Error(ErrorCode::precondition, fmt::format("generator {} has to stay on a crease and lies on none", i),
+                static_cast<std::int64_t>(i));
+  }
+}
+
+Vec2 GeneratorConstraints::project(const Mesh& mesh, std::size_t generator, const SurfacePoint& point,
+                                   const Vec2& tangent) const {
+  switch (of(generator)) {
+    case Freedom::free:
+      return project_to_surface(mesh, point, tangent);
+    case Freedom::on_crease:
+      return network_->project(point, tangent);
+    case Freedom::fixed:
+      break;
+  }
+  return Vec2::Zero();
+}
+
+GeodesicTrace GeneratorConstraints::move(const Mesh& mesh, std::size_t generator, const SurfacePoint& point,
+                                         const Vec2& step) const {
+  if (of(generator) == Freedom::on_crease) return network_->follow(point, network_->project(point, step));
+  return trace_geodesic(mesh, point, of(generator) == Freedom::fixed ? Vec2(0, 0) : step);
+}
+
+}  // namespace gvd

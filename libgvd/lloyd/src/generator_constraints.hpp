@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "crease_network.hpp"
+#include "gvd/features.hpp"
+#include "gvd/geodesic_tracing.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Where generators may go.
+class GeneratorConstraints {
+ public:
+  /// All generators are free.
+  GeneratorConstraints() = default;
+  /// `freedom`: one for each generator, or empty. The mesh has to outlive this.
+  GeneratorConstraints(const Mesh& mesh, std::vector<Freedom> freedom, const std::vector<EdgeId>& creases)
+      : freedom_(std::move(freedom)) {
+    if (!freedom_.empty()) network_.emplace(mesh, creases);
+  }
+
+  bool is_free(std::size_t generator) const { return of(generator) == Freedom::free; }
+  /// Throws Error{precondition} where the freedoms are not one for each generator, or a generator that has to stay on a
+  /// crease lies on none.
+  void check(const std::vector<SurfacePoint>& generators) const;
+  /// The tangent vector nearest to `tangent` among those in which the generator at this point may go.
+  Vec2 project(const Mesh& mesh, std::size_t generator, const SurfacePoint& point, const Vec2& tangent) const;
+  /// The path of the generator from this point: a geodesic, or along a crease.
+  GeodesicTrace move(const Mesh& mesh, std::size_t generator, const SurfacePoint& point, const Vec2& step) const;
+
+ private:
+  Freedom of(std::size_t generator) const { return freedom_.empty() ? Freedom::free : freedom_[generator]; }
+
+  std::vector<Freedom> freedom_;
+  std::optional<CreaseNetwork> network_;  // if there are freedoms
+};
+
+}  // namespace gvd
