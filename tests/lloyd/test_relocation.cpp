@@ -32,7 +32,7 @@ std::vector<SurfacePoint> clustered(FaceId face, int count) {
 TEST_CASE("relocation: a clustered start is evened out, and only far better places are taken") {
   const Mesh mesh = test::make_sphere(3);
   const RelaxationState state = evaluate(mesh, clustered(FaceId(17), 20));
-  const std::vector<Relocation> plan = plan_relocations(mesh, state);
+  const std::vector<Relocation> plan = plan_relocations(mesh, {}, state);
   REQUIRE_FALSE(plan.empty());
   const GeneratorMove move = relocate_generators(mesh, state, plan, plan.size());
   CHECK(move.relocated == static_cast<std::int32_t>(plan.size()));
@@ -50,7 +50,7 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
       std::set<VertexId> places;
       double given_up = 0, area = 0;
       for (const CellMoments& m : state.moments) area += m.area;
-      for (const Relocation& relocation : plan_relocations(mesh, state)) {
+      for (const Relocation& relocation : plan_relocations(mesh, {}, state)) {
         const CellMoments& cell = state.moments[GeneratorId(static_cast<std::int64_t>(relocation.generator))];
         CHECK(leaving.insert(relocation.generator).second);
         CHECK(places.insert(vertex(mesh, relocation.to)).second);
@@ -66,7 +66,7 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
 TEST_CASE("relocation: relaxed generators stay where they are") {
   const Mesh mesh = test::make_torus(24, 12);
   const LloydResult relaxed = relax_generators(mesh, test::random_generators(mesh, 12, 2));
-  CHECK(plan_relocations(mesh, evaluate(mesh, relaxed.generators)).empty());
+  CHECK(plan_relocations(mesh, {}, evaluate(mesh, relaxed.generators)).empty());
 }
 
 TEST_CASE("relocation: from one face, generators spread over the surface in a few iterations") {

@@ -164,7 +164,7 @@ class Relaxer {
   /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
   bool relocate(RelaxationState& state) {
     if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
-    const std::vector<Relocation> plan = plan_relocations(mesh_, state, constraints_);
+    const std::vector<Relocation> plan = plan_relocations(mesh_, options_.density, state, constraints_);
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
     for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {

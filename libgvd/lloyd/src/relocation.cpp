@@ -16,17 +16,31 @@ constexpr double kSplitGain = 0.34;
 /// A cell that is given up costs its neighbours about so many times its energy, before they have moved.
 constexpr double kRemovalCost = 4;
 
-/// Largest area of adjacent cells that are given up, in mean areas.
+/// Largest size of adjacent cells that are given up, in mean sizes.
 constexpr double kLargestHole = 0.5;
 
-/// Least distance between a relocated generator and the nearest one, in mean cell radii. Relaxed cells reach to 1.3.
+/// Least distance between a relocated generator and the nearest one, in radii of a disc of the mean size. Relaxed cells
+/// reach to 1.3.
 constexpr double kLeastDistance = 1.5;
+
+/// The area of a cell where the density is 1. In the best diagrams the integral of the root of the density is the same
+/// for all cells.
+double size_of(const CellMoments& moments) { return std::sqrt(moments.mass * moments.area); }
+
+double mean_size(const RelaxationState& state) {
+  double sum = 0;
+  for (const CellMoments& moments : state.moments) sum += size_of(moments);
+  return sum / static_cast<double>(state.generators.size());
+}
 
 /// Chooses the cells to give up, by ascending energy.
 class PoorCells {
  public:
   explicit PoorCells(const RelaxationState& state)
-      : state_(state), order_(state.generators.size()), hole_(state.generators.size(), 0) {
+      : state_(state),
+        largest_hole_(kLargestHole * mean_size(state)),
+        order_(state.generators.size()),
+        hole_(state.generators.size(), 0) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::sort(order_.begin(), order_.end(),
               [&](std::size_t a, std::size_t b) { return std::pair(energy(a), a) < std::pair(energy(b), b); });
@@ -34,12 +48,11 @@ class PoorCells {
 
   /// The next cell without too large a hole round it; the number of cells if there is none.
   std::size_t take() {
-    const double largest = kLargestHole * std::numbers::pi * state_.mean_cell_radius * state_.mean_cell_radius;
     for (; next_ < order_.size(); ++next_) {
       const std::size_t i = order_[next_];
-      double hole = moments(i).area;
+      double hole = size_of(moments(i));
       for (const GeneratorId g : neighbours(i)) hole += hole_[g.index()];
-      if (hole > largest) continue;
+      if (hole > largest_hole_) continue;
       hole_[i] = hole;
       for (const GeneratorId g : neighbours(i)) hole_[g.index()] = hole_[g.index()] > 0 ? hole : 0;
       return order_[next_++];
@@ -55,19 +68,26 @@ class PoorCells {
   }
 
   const RelaxationState& state_;
+  double largest_hole_;
   std::vector<std::size_t> order_;
-  std::vector<double> hole_;  // area of the cells given up about it; 0 for a cell that stays
+  std::vector<double> hole_;  // size of the cells given up about it; 0 for a cell that stays
   std::size_t next_ = 0;
 };
 
-/// Chooses vertices far from all generators.
+/// Chooses vertices far from all generators. Distances count times the fourth root of the density, as the radii of the
+/// best cells do.
 class FarVertices {
  public:
-  FarVertices(const Mesh& mesh, const RelaxationState& state)
-      : mesh_(mesh), distance_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
+  FarVertices(const Mesh& mesh, const Density& density, const RelaxationState& state)
+      : mesh_(mesh),
+        scale_(static_cast<std::size_t>(mesh.vertex_count()), 1),
+        distance_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       if (!state.diagram.vertex_label[VertexId(v)].valid()) continue;
-      distance_[static_cast<std::size_t>(v)] = state.diagram.vertex_distance[VertexId(v)];
+      const SurfacePoint point = vertex_point(mesh, VertexId(v));
+      scale_[static_cast<std::size_t>(v)] = std::pow(density.at(point.face, point.bary), 0.25);
+      distance_[static_cast<std::size_t>(v)] =
+          scale_[static_cast<std::size_t>(v)] * state.diagram.vertex_distance[VertexId(v)];
     }
   }
 
@@ -80,22 +100,25 @@ class FarVertices {
     const Vec3& p = mesh_.position(taken);
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
       double& distance = distance_[static_cast<std::size_t>(v)];
-      const double squared = (mesh_.position(VertexId(v)) - p).squaredNorm();
+      const double scale = scale_[static_cast<std::size_t>(v)];
+      const double squared = scale * scale * (mesh_.position(VertexId(v)) - p).squaredNorm();
       if (squared < distance * distance) distance = std::sqrt(squared);
     }
   }
 
  private:
   const Mesh& mesh_;
-  std::vector<double> distance_;  // of every vertex, to the nearest generator
+  std::vector<double> scale_;     // fourth root of the density, of every vertex
+  std::vector<double> distance_;  // of every vertex, to the nearest generator, scaled
 };
 
 }  // namespace
 
-std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState& state,
+std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,
                                          const GeneratorConstraints& constraints) {
   const IdVector<FaceId, std::int32_t> components = compute_face_components(mesh);
-  FarVertices places(mesh, state);
+  FarVertices places(mesh, density, state);
+  const double least_distance = kLeastDistance * std::sqrt(mean_size(state) / std::numbers::pi);
   PoorCells poor(state);
   std::vector<Relocation> plan;
   while (plan.size() + 1 < state.generators.size()) {
@@ -105,7 +128,7 @@ std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState
     const VertexId v = places.farthest();
     const double distance = places.distance(v);
     const double gain = kSplitGain * std::pow(distance, 4) - kRemovalCost * poor.energy(i);
-    if (!(distance > kLeastDistance * state.mean_cell_radius && gain > 0)) break;
+    if (!(distance > least_distance && gain > 0)) break;
     const SurfacePoint to = vertex_point(mesh, v);
     if (components[state.generators[i].face] != components[to.face]) continue;
     plan.push_back({i, to, gain});

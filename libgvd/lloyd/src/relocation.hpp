@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "generator_moves.hpp"
+#include "gvd/density.hpp"
 #include "gvd/mesh.hpp"
 #include "relaxation_state.hpp"
 
@@ -24,7 +25,7 @@ struct Relocation {
 /// adjoin, so that no holes arise. Every generator stays in its component of the mesh, and those
 /// that are not free stay where they are.
 /// Cost: O(n) for each relocation, for n vertices, and O(m log m) for m generators.
-std::vector<Relocation> plan_relocations(const Mesh& mesh, const RelaxationState& state,
+std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,
                                          const GeneratorConstraints& constraints = {});
 
 /// The sum of the estimates.
