@@ -35,11 +35,6 @@ const std::string& name_of(Acceleration acceleration) {
   return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
 }
 
-std::string step_name(const LloydIteration& iteration) {
-  if (iteration.relocated > 0) return "relocation";
-  return iteration.by == Acceleration::none ? "lloyd" : name_of(iteration.by);
-}
-
 /// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
   Json energies = Json::array({result.initial_energy});
@@ -66,6 +61,11 @@ void add_iterations(Json& results, const LloydResult& result) {
 }
 
 }  // namespace
+
+std::string step_name(const LloydIteration& iteration) {
+  if (iteration.relocated > 0) return "relocation";
+  return iteration.by == Acceleration::none ? "lloyd" : name_of(iteration.by);
+}
 
 const char* name_of(LloydStop stop) {
   switch (stop) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
+#include <string>
 
 #include "common/options/typed_options.hpp"
 #include "common/run/run.hpp"
@@ -17,15 +17,6 @@ struct OwnOptions {
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
 };
 
-/// The time since it was made.
-class Timer {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// The values of --accelerate, which the report gives for each iteration too.
 const Choices<Acceleration>& acceleration_names();
 
@@ -33,6 +24,9 @@ void report_lloyd_options(Run& run, const OwnOptions& own);
 
 /// The iterations, why they ended, and the generators that the run leaves, in place of those that it started from.
 void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result);
+
+/// How the step of an iteration was found, in one word.
+std::string step_name(const LloydIteration& iteration);
 
 /// The reason of the end in one word, as reports and pages name it.
 const char* name_of(LloydStop stop);

@@ -15,6 +15,8 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/lloyd.hpp"
 #include "lloyd/lloyd_report.hpp"
+#include "lloyd/relaxation_trace.hpp"
+#include "lloyd/timer.hpp"
 
 namespace {
 
@@ -83,13 +85,17 @@ void register_time_limit(app::CommandLine& line, std::optional<double>& seconds)
       seconds, app::kNotNegative);
 }
 
-LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, const app::OwnOptions& own) {
+LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, const app::OwnOptions& own,
+                  app::RelaxationTrace& trace) {
   LloydOptions options = own.relaxation;
   options.diagram = app::make_diagram_options(run.options().compute);
   const app::Timer timer;
+  trace = {};
   if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
   options.progress = run.progress();
-  options.on_iteration = [&run, most = max_iterations(options)](std::int64_t iterations, double energy) {
+  options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
+                                                             const std::vector<SurfacePoint>&) {
+    trace.note(iterations);
     run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
@@ -128,9 +134,12 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const std::vector<SurfacePoint> start = app::make_generators(run, input);
-  const LloydResult relaxed = relax(run, mesh, start, own);
+  app::RelaxationTrace trace;
+  const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
   app::write_diagram_file(run, mesh, relaxed.diagram);
+  app::write_own_file(run, "--trace",
+                      [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
   app::write_view_file(run, "gvd-lloyd", [&] {
     DiagramOptions start_options = app::make_diagram_options(run.options().compute);
     start_options.progress = run.progress();
@@ -150,5 +159,6 @@ int main(int argc, char** argv) {
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_options(command.line(), own.relaxation);
   register_time_limit(command.line(), own.time_limit);
+  command.add_target({"--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV"});
   return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
 }

@@ -272,7 +272,7 @@ TEST_CASE("lloyd: each iteration is told with its energy, the start too, and aga
     options.max_iterations = 5;
     options.early_approximation = early;
     std::vector<double> energies;
-    options.on_iteration = [&](std::int64_t iterations, double energy) {
+    options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>&) {
       CHECK((iterations == std::ssize(energies) || (early && iterations < std::ssize(energies))));
       energies.resize(static_cast<std::size_t>(iterations) + 1);
       energies.back() = energy;

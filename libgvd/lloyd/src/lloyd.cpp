@@ -53,6 +53,16 @@ void check_options(const LloydOptions& o) {
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
 }
 
+/// Keeps the state in which a relaxation ends.
+void keep(RelaxationState&& state, LloydResult& result) {
+  result.generators = std::move(state.generators);
+  result.diagram = std::move(state.diagram);
+  result.moments = std::move(state.moments);
+  result.final_energy = state.energy;
+  result.residual = state.residual;
+  result.mean_cell_radius = state.mean_cell_radius;
+}
+
 /// Long because every rule of the iteration reads the same state: levels, record, constraints and accelerator.
 class Relaxer {
  public:
@@ -70,19 +80,15 @@ class Relaxer {
     start_ = generators;
     RelaxationState state = evaluate(generators);
     record_.initial_energy = state.energy;
-    report_iteration(state.energy);
+    report_iteration(state);
     result_.stop = iterate(state);
     if (!is_last_level()) {
       level_ = levels_.size() - 2;
       state = raise_level(state);
     }
-    result_.generators = std::move(state.generators);
-    result_.diagram = std::move(state.diagram);
     result_.initial_energy = record_.initial_energy;
-    result_.final_energy = state.energy;
     result_.iterations = std::move(record_.iterations);
-    result_.residual = state.residual;
-    result_.mean_cell_radius = state.mean_cell_radius;
+    keep(std::move(state), result_);
     return std::move(result_);
   }
 
@@ -126,7 +132,7 @@ class Relaxer {
       state = lower_of(std::move(state), evaluate(start_));
     }
     record_.restate(state.energy, levels_[level_].method);
-    report_iteration(state.energy);
+    report_iteration(state);
     return state;
   }
 
@@ -230,7 +236,7 @@ class Relaxer {
     const double energy = moved.energy;
     if (!(energy < limit)) return energy;
     record_.add(next, state.energy, energy, levels_[level_].method);
-    report_iteration(energy);
+    report_iteration(moved);
     if (next.relocated > 0) {
       accelerator_.forget();
     } else {
@@ -247,8 +253,8 @@ class Relaxer {
                     std::min(1.0, done / std::max(1.0, double(max_iterations(options_)))));
   }
 
-  void report_iteration(double energy) const {
-    if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), energy);
+  void report_iteration(const RelaxationState& state) const {
+    if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), state.energy, state.generators);
   }
 
   const Mesh& mesh_;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
@@ -112,6 +113,37 @@ TEST_CASE("gvd-lloyd: a limit of time ends the relaxation, and a valid result is
   const auto usual = report_of(mesh + "--iterations 2", scratch / "report.json");
   CHECK(usual["options"]["time_limit"].is_null());
   CHECK(usual["results"]["energies"] == ample["results"]["energies"]);
+}
+
+TEST_CASE("gvd-lloyd: the trace has a row for the start and for each iteration, and only its seconds differ") {
+  const ScratchFolder scratch;
+  std::vector<std::string> traces;
+  for (const std::string name : {"a.csv", "b.csv"}) {
+    const auto report = report_of(data_file("figure.obj") + kVertices + "--iterations 9 --trace " + scratch / name,
+                                  scratch / "report.json");
+    const auto& results = report["results"];
+    std::istringstream lines(read_text(scratch / name));
+    std::string line, kept;
+    std::getline(lines, line);
+    CHECK(line == "iteration,energy,largest_move,mean_move,method,step,seconds");
+    std::size_t rows = 0;
+    for (double before = 0; std::getline(lines, line); ++rows) {
+      std::istringstream fields(line);
+      std::vector<std::string> row;
+      for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+      REQUIRE(row.size() == 7);
+      CHECK(row[0] == std::to_string(rows));
+      CHECK(std::stod(row[1]) == results["energies"][rows].get<double>());
+      CHECK(std::stod(row[2]) == (rows == 0 ? 0 : results["largest_moves"][rows - 1].get<double>()));
+      CHECK(row[5] == (rows == 0 ? "start" : results["steps"][rows - 1].get<std::string>()));
+      CHECK(std::stod(row[6]) >= before);
+      before = std::stod(row[6]);
+      kept += line.substr(0, line.rfind(',')) + '\n';
+    }
+    CHECK(rows == results["energies"].size());
+    traces.push_back(kept);
+  }
+  CHECK(traces[0] == traces[1]);
 }
 
 TEST_CASE("gvd-lloyd: options out of range are usage errors") {

@@ -69,9 +69,10 @@ struct LloydOptions {
   bool early_approximation = true;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
-  /// Called with the number of iterations so far and the energy after them, at first for the given generators; may be
-  /// empty. Called again for the same generators when their energy is measured anew, with better diagrams.
-  std::function<void(std::int64_t iterations, double energy)> on_iteration;
+  /// Called with the number of iterations so far, the energy and the generators after them, at first for the given
+  /// generators; may be empty. Called again when the energy is measured anew, with better diagrams: then, iterations
+  /// that count as one with those before are fewer.
+  std::function<void(std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators)> on_iteration;
   /// Asked before each iteration; the relaxation ends where it returns true. May be empty. The library reads no clock:
   /// with a predicate that does, for a limit of time, the result is not the same in every run.
   std::function<bool()> is_time_over;
@@ -112,10 +113,11 @@ struct LloydIteration {
 
 struct LloydResult {
   std::vector<SurfacePoint> generators;
-  Diagram diagram;            ///< of these generators
-  double initial_energy = 0;  ///< measured as that of the first iteration, mesh units to the fourth
-  double final_energy = 0;    ///< of `diagram`
-  double residual = 0;        ///< largest distance from a generator to its centroid, mesh units
+  Diagram diagram;                             ///< of these generators
+  IdVector<GeneratorId, CellMoments> moments;  ///< of the cells of `diagram`
+  double initial_energy = 0;                   ///< measured as that of the first iteration, mesh units to the fourth
+  double final_energy = 0;                     ///< of `diagram`
+  double residual = 0;                         ///< largest distance from a generator to its centroid, mesh units
   double mean_cell_radius = 0;
   std::vector<LloydIteration> iterations;
   std::int64_t diagrams = 0;  ///< number of diagrams computed, including those of rejected steps
