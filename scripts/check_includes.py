@@ -57,7 +57,7 @@ PUBLIC = {
     "libgvd/src/diagram": "diagram",
     "libgvd/src/diagram/evaluation": "check error_measure",
     "libgvd/src/io/generators": "generator_list",
-    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer",
+    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/point_writer",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",
     "libgvd/lloyd": "density features lloyd",

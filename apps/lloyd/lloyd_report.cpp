@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/options/options_json.hpp"
@@ -60,6 +61,16 @@ void add_iterations(Json& results, const LloydResult& result) {
   results["held_generators"] = std::move(held);
 }
 
+/// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
+double area_variation(const IdVector<GeneratorId, Cell>& cells) {
+  double sum = 0, squares = 0;
+  for (const Cell& cell : cells) sum += cell.area;
+  const double mean = sum / static_cast<double>(cells.size());
+  if (!(mean > 0)) return 0;
+  for (const Cell& cell : cells) squares += (cell.area / mean - 1) * (cell.area / mean - 1);
+  return std::sqrt(squares / static_cast<double>(cells.size()));
+}
+
 }  // namespace
 
 std::string step_name(const LloydIteration& iteration) {
@@ -109,10 +120,13 @@ void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result) {
   results["residual"] = result.residual;
   results["mean_cell_radius"] = result.mean_cell_radius;
   results["diagrams"] = result.diagrams;
+  const double variation = area_variation(result.diagram.cells);
+  results["area_variation"] = variation;
   run.figures().energy = result.final_energy;
   run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
                                  counted(std::ssize(result.iterations), "iteration", "iterations"),
                                  result.initial_energy, result.final_energy, describe(result.stop)));
+  run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
   run.report().generators().clear();
   for (const SurfacePoint& p : result.generators) {
     run.report().generators().push_back({p, position(mesh, p), std::nullopt});

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
+#include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run/command.hpp"
 #include "common/steps/build_diagram.hpp"
@@ -13,6 +15,7 @@
 #include "common/steps/verify.hpp"
 #include "common/steps/write_outputs.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
 #include "lloyd/lloyd_report.hpp"
 #include "lloyd/relaxation_trace.hpp"
@@ -85,6 +88,13 @@ void register_time_limit(app::CommandLine& line, std::optional<double>& seconds)
       seconds, app::kNotNegative);
 }
 
+/// The progress of a relaxation that also ends after `limit` seconds.
+Progress limit_progress(const Progress& progress, const app::Timer& timer, double limit) {
+  return [progress, &timer, limit](std::string_view step, double fraction) {
+    return progress(step, std::max(fraction, std::min(1.0, timer.seconds() / limit)));
+  };
+}
+
 LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, const app::OwnOptions& own,
                   app::RelaxationTrace& trace) {
   LloydOptions options = own.relaxation;
@@ -92,7 +102,7 @@ LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoin
   const app::Timer timer;
   trace = {};
   if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
-  options.progress = run.progress();
+  options.progress = own.time_limit ? limit_progress(run.progress(), timer, *own.time_limit) : run.progress();
   options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
                                                              const std::vector<SurfacePoint>&) {
     trace.note(iterations);
@@ -117,6 +127,17 @@ void write_outputs(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   app::write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
+void write_points_file(app::Run& run, const Mesh& mesh, const LloydResult& relaxed) {
+  const auto format = parse_point_format(app::file_extension(run.options().output.own.at("--points")));
+  if (!format) return;
+  std::vector<SurfaceSample> samples;
+  for (const SurfacePoint& point : relaxed.generators) {
+    const CellMoments& moments = relaxed.moments[GeneratorId(std::ssize(samples))];
+    samples.push_back({point, moments.area, moments.energy});
+  }
+  app::write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
+}
+
 /// The diagrams of the relaxed generators and of those at the start.
 std::vector<ViewScene> scenes(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydResult& relaxed,
                               const DiagramOptions& options) {
@@ -138,6 +159,7 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
   app::write_diagram_file(run, mesh, relaxed.diagram);
+  write_points_file(run, mesh, relaxed);
   app::write_own_file(run, "--trace",
                       [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
   app::write_view_file(run, "gvd-lloyd", [&] {
@@ -159,6 +181,10 @@ int main(int argc, char** argv) {
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_options(command.line(), own.relaxation);
   register_time_limit(command.line(), own.time_limit);
+  command.add_target(
+      {"--points", "FILE",
+       "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)"},
+      {"ply", "xyz", "npy"});
   command.add_target({"--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV"});
   return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
 }

@@ -1,8 +1,12 @@
 #include "common/run/command.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <ostream>
 
 #include "common/options/check_options.hpp"
+#include "common/options/file_extension.hpp"
 #include "common/options/plan_runs.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
@@ -35,10 +39,18 @@ Command::Command(CommandInfo info)
   register_options(line_, options_, info_.output_formats);
 }
 
-void Command::add_target(OptionText option) {
+void Command::add_target(OptionText option, const std::vector<std::string>& extensions) {
   option.group = "Output";
   option.excludes.emplace_back("--output-dir");
-  add_file(line_, option, options_.output.own[option.names]);
+  std::string& target = options_.output.own[option.names];
+  if (extensions.empty()) return add_file(line_, option, target);
+  line_.add_value(option, [&target, extensions](const std::string& text) -> std::optional<std::string> {
+    if (std::find(extensions.begin(), extensions.end(), file_extension(text)) == extensions.end()) {
+      return fmt::format("'{}': the extension must be one of .{}", printable(text), fmt::join(extensions, ", ."));
+    }
+    target = text;
+    return std::nullopt;
+  });
 }
 
 void Command::check() const { check_options(options_, {info_.output_formats, info_.materials}); }

@@ -35,8 +35,8 @@ class Command {
   CommandLine& line() { return line_; }
 
   /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
-  /// checked as the files of all commands are.
-  void add_target(OptionText option);
+  /// checked as the files of all commands are. `extensions`, without their dots: of the names that it takes, or any.
+  void add_target(OptionText option, const std::vector<std::string>& extensions = {});
 
   /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
   /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.

@@ -1,5 +1,8 @@
 // gvd-lloyd on files: what it writes, and that the other commands read it back.
 
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -144,6 +147,54 @@ TEST_CASE("gvd-lloyd: the trace has a row for the start and for each iteration, 
     traces.push_back(kept);
   }
   CHECK(traces[0] == traces[1]);
+}
+
+TEST_CASE("gvd-lloyd: samples have normals, areas and energies, and other extensions are refused") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("figure.obj") + kVertices;
+  const auto report = report_of(mesh + "--iterations 3 --points " + scratch / "a.npy", scratch / "report.json");
+  const std::string bytes = read_text(scratch / "a.npy");
+  CHECK_THAT(bytes.substr(0, 128), Contains("'shape': (8, 12)"));
+  REQUIRE(bytes.size() == 128 + 8 * 12 * sizeof(double));
+  std::array<double, 8 * 12> values{};
+  std::memcpy(values.data(), bytes.data() + 128, sizeof(values));
+  double area = 0, energy = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto& generator = report["generators"][i];
+    for (std::size_t k = 0; k < 3; ++k) CHECK(values[12 * i + k] == generator["position"][k].get<double>());
+    CHECK(values[12 * i + 6] == generator["face"].get<double>());
+    for (std::size_t k = 0; k < 3; ++k) CHECK(values[12 * i + 7 + k] == generator["bary"][k].get<double>());
+    area += values[12 * i + 10];
+    energy += values[12 * i + 11];
+  }
+  CHECK(area == Approx(report["input"]["area"].get<double>()));
+  CHECK(energy == Approx(report["results"]["energies"].back().get<double>()));
+  for (const std::string bad : {"a.txt", "a", "a.ply.gz"}) {
+    const CommandResult result = run_command("gvd-lloyd", mesh + "--points " + scratch / bad);
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("the extension must be one of .ply, .xyz, .npy"));
+  }
+}
+
+TEST_CASE("gvd-lloyd: the coefficient of variation of the areas is that of the cells, and relaxation lowers it") {
+  const ScratchFolder scratch;
+  double before = 0;
+  for (const int iterations : {0, 60}) {
+    const std::string arguments = data_file("figure.obj") + kVertices + "--iterations " + std::to_string(iterations);
+    const auto report = report_of(arguments + " --diagram " + scratch / "d.json", scratch / "report.json");
+    const auto diagram = nlohmann::json::parse(read_text(scratch / "d.json"));
+    double sum = 0, squares = 0;
+    for (const auto& cell : diagram["cells"]) {
+      const double area = cell["area"];
+      sum += area;
+      squares += area * area;
+    }
+    const double cells = double(diagram["cells"].size()), mean = sum / cells;
+    const double variation = report["results"]["area_variation"];
+    CHECK(variation == Approx(std::sqrt(squares / cells - mean * mean) / mean));
+    if (iterations > 0) CHECK(variation < before);
+    before = variation;
+  }
 }
 
 TEST_CASE("gvd-lloyd: options out of range are usage errors") {

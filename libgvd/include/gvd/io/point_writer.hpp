@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// The file formats of points on a surface.
+enum class PointFormat { ply, xyz, npy };
+
+/// The format of an extension, with or without its dot, in upper or lower case.
+std::optional<PointFormat> parse_point_format(std::string_view extension);
+
+/// A generator and integrals over its cell.
+struct SurfaceSample {
+  SurfacePoint point;
+  double area = 0;    ///< square mesh units
+  double energy = 0;  ///< integral of the squared distance, mesh units to the fourth
+};
+
+/// Writes samples in their order, each with its position, the unit normal of the surface there (see
+/// surface_normal.hpp), its face, its barycentric coordinates, and area and energy of its cell.
+///
+/// PLY: binary, with the properties of docs/guide/formats.md. XYZ: text, a line of position and normal each. NPY: a
+/// little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
+/// energy. Numbers are complete: the same doubles are read back. The stream is flushed and checked.
+/// Throws Error{unwritable_output} where it fails. Cost: O(samples).
+void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format);
+
+}  // namespace gvd

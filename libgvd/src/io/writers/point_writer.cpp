@@ -1,0 +1,93 @@
+// Points on a surface as PLY, XYZ and NPY.
+#include "gvd/io/point_writer.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "gvd/surface_normal.hpp"
+#include "io/writers/byte_writer.hpp"
+
+namespace gvd {
+namespace {
+
+using io::ByteWriter;
+
+/// The bytes of an NPY file up to its numbers are a multiple of this (version 1.0 of the format).
+constexpr std::size_t kNpyAlignment = 64;
+
+/// Position and normal.
+std::array<double, 6> oriented_position(const Mesh& mesh, const SurfacePoint& point) {
+  const Vec3 p = position(mesh, point), n = surface_normal(mesh, point);
+  return {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
+}
+
+void write_ply(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples) {
+  out.print("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", samples.size());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out.print("property double {}\n", name);
+  out.text("property int face\n");
+  for (const char* name : {"b0", "b1", "b2", "area", "energy"}) out.print("property double {}\n", name);
+  out.text("end_header\n");
+  for (const SurfaceSample& sample : samples) {
+    for (const double value : oriented_position(mesh, sample.point)) out.binary(value);
+    out.binary(static_cast<std::int32_t>(sample.point.face.value()));
+    for (const double b : sample.point.bary) out.binary(b);
+    out.binary(sample.area);
+    out.binary(sample.energy);
+  }
+}
+
+void write_xyz(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples) {
+  for (const SurfaceSample& sample : samples) {
+    out.print("{}\n", fmt::join(oriented_position(mesh, sample.point), " "));
+  }
+}
+
+void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples) {
+  const std::string magic("\x93NUMPY\x01\x00", 8);
+  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, 12), }}", samples.size());
+  const std::size_t before = magic.size() + sizeof(std::uint16_t);
+  header.append(kNpyAlignment - 1 - (before + header.size()) % kNpyAlignment, ' ');
+  header.push_back('\n');
+  out.text(magic);
+  out.binary(static_cast<std::uint16_t>(header.size()));
+  out.text(header);
+  for (const SurfaceSample& sample : samples) {
+    for (const double value : oriented_position(mesh, sample.point)) out.binary(value);
+    out.binary(static_cast<double>(sample.point.face.value()));
+    for (const double b : sample.point.bary) out.binary(b);
+    out.binary(sample.area);
+    out.binary(sample.energy);
+  }
+}
+
+}  // namespace
+
+std::optional<PointFormat> parse_point_format(std::string_view extension) {
+  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (lower == "ply") return PointFormat::ply;
+  if (lower == "xyz") return PointFormat::xyz;
+  if (lower == "npy") return PointFormat::npy;
+  return std::nullopt;
+}
+
+void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
+  ByteWriter writer(out);
+  switch (format) {
+    case PointFormat::ply:
+      write_ply(writer, mesh, samples);
+      break;
+    case PointFormat::xyz:
+      write_xyz(writer, mesh, samples);
+      break;
+    case PointFormat::npy:
+      write_npy(writer, mesh, samples);
+      break;
+  }
+  writer.finish();
+}
+
+}  // namespace gvd
