@@ -27,7 +27,7 @@ RelaxationRun run_relaxation(const Mesh& mesh, const std::vector<SurfacePoint>& 
   RelaxationRun run;
   const double scale = energy_scale(mesh, generators.size()), start = cpu_milliseconds();
   options.diagram.threads = 1;
-  options.on_iteration = [&](std::int64_t iteration, double energy) {
+  options.on_iteration = [&](std::int64_t iteration, double energy, const std::vector<SurfacePoint>&) {
     run.trace.push_back({static_cast<int>(iteration), (cpu_milliseconds() - start) / 1e3, energy * scale});
   };
   run.result = relax_generators(mesh, generators, options);
