@@ -32,6 +32,13 @@ run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
 run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.html"
 run gvd-lloyd   data/figure.obj -n 100 --sampling random --view "$work/relaxed.html"
 
+# The energies of that relaxation by each kind of steps.
+for steps in lbfgs anderson none; do
+  run gvd-lloyd data/figure.obj -n 100 --sampling random --accelerate $steps --relocate off -o "$work/$steps.txt" \
+    --report "$work/$steps.json"
+done
+"$(dirname "$0")"/plot_energies.py "$pictures/energies.svg" "$work/lbfgs.json" "$work/anderson.json" "$work/none.json"
+
 # A mesh that is cut along its bisectors.
 run gvd-segment data/figure.obj -n 24 --cut --view "$work/cut.html"
 
