@@ -17,6 +17,7 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
+#include "lloyd/iteration_scenes.hpp"
 #include "lloyd/lloyd_report.hpp"
 #include "lloyd/relaxation_trace.hpp"
 #include "lloyd/timer.hpp"
@@ -104,8 +105,8 @@ LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoin
   if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
   options.progress = own.time_limit ? limit_progress(run.progress(), timer, *own.time_limit) : run.progress();
   options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
-                                                             const std::vector<SurfacePoint>&) {
-    trace.note(iterations);
+                                                             const std::vector<SurfacePoint>& generators) {
+    trace.note(iterations, generators);
     run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
@@ -138,18 +139,6 @@ void write_points_file(app::Run& run, const Mesh& mesh, const LloydResult& relax
   app::write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
 }
 
-/// The diagrams of the relaxed generators and of those at the start.
-std::vector<ViewScene> scenes(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydResult& relaxed,
-                              const DiagramOptions& options) {
-  std::vector<ViewScene> both{make_view_scene("Relaxed", mesh, relaxed.diagram),
-                              make_view_scene("Start", mesh, compute_diagram(mesh, start, options))};
-  both[0].figures.push_back({"Energy", fmt::format("{:.6g}", relaxed.final_energy)});
-  both[1].figures.push_back({"Energy", fmt::format("{:.6g}", relaxed.initial_energy)});
-  both[0].figures.push_back({"Iterations", fmt::format("{}", relaxed.iterations.size())});
-  both[0].figures.push_back({"Stopped by", app::name_of(relaxed.stop)});
-  return both;
-}
-
 void lloyd(app::Run& run, const app::OwnOptions& own) {
   app::report_lloyd_options(run, own);
   const CheckedMesh input = app::load_input(run);
@@ -163,9 +152,9 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
   app::write_own_file(run, "--trace",
                       [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
   app::write_view_file(run, "gvd-lloyd", [&] {
-    DiagramOptions start_options = app::make_diagram_options(run.options().compute);
-    start_options.progress = run.progress();
-    return scenes(mesh, start, relaxed, start_options);
+    DiagramOptions early = app::make_diagram_options(run.options().compute);
+    early.progress = run.progress();
+    return app::make_iteration_scenes(mesh, relaxed, trace, early);
   });
   app::verify(run, mesh, relaxed.diagram);
   app::write_report_file(run);

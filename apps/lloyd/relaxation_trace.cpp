@@ -9,9 +9,12 @@
 
 namespace gvd::app {
 
-void RelaxationTrace::note(std::int64_t iterations) {
-  seconds_.resize(static_cast<std::size_t>(iterations) + 1);
+void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
+  const std::size_t count = static_cast<std::size_t>(iterations) + 1;
+  seconds_.resize(count);
   seconds_.back() = timer_.seconds();
+  generators_.resize(count);
+  generators_.back() = generators;
 }
 
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {

@@ -68,7 +68,8 @@ class Viewer {
     this.stage.at_rest = () => this.pick();  // the surface has moved under the pointer
     this.inputs = panel.make_toggles(kToggles, (key, value) => this.toggle(key, value));
     this.colours = panel.make_colour_choice(kColourings, (key) => this.colour_by(key));
-    this.choose_first = panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
+    this.mark_scene = panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
+    this.mark_iteration = panel.make_iteration_slider(manifest.scenes, (i) => this.choose(i));
     this.listen();
     this.choose(0);
     this.follow_theme();
@@ -112,12 +113,15 @@ class Viewer {
 
   choose(i) {
     if (this.picture) this.stage.scene.remove(this.picture.group);
+    const is_iteration = (scene) => Number.isInteger(this.manifest.scenes[scene]?.iteration);
+    if (!is_iteration(i) || !is_iteration(this.current)) this.pinned = null;
     this.current = i;
+    this.mark_scene(i);
+    this.mark_iteration(i);
     this.pictures[i] ??= new Picture(this.manifest.scenes[i], this.manifest.scale, this.materials);
     this.picture = this.pictures[i];
     this.stage.scene.add(this.picture.group);
     panel.show_figures(this.manifest.scenes[i].figures);
-    this.pinned = null;
     this.apply();
   }
 
@@ -229,7 +233,7 @@ class Viewer {
   reset() {
     this.set_defaults();
     this.table.reset();
-    this.choose_first();
+    this.choose(0);
     open_first_panels();
     this.stage.reset();
   }

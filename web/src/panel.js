@@ -29,20 +29,41 @@ function fill_rows(body, rows) {
   );
 }
 
-// The buttons that choose a scene, if there are several. Calls `choose` with the scene's index. Returns a function that
-// chooses the first.
+// The buttons that choose a scene, if there are several. Scenes of iterations without a name have none: the slider
+// chooses them. Calls `choose` with the scene's index. Returns a function that marks the button of a scene, if any.
 export function make_scene_switch(scenes, choose) {
   const box = by_id('scenes');
-  box.hidden = scenes.length < 2;
   const inputs = scenes.map((scene, i) => {
-    const input = element('input', { type: 'radio', name: 'scene', value: String(i), checked: i === 0 });
+    if (!scene.name && Number.isInteger(scene.iteration)) return null;
+    const input = element('input', { type: 'radio', name: 'scene', value: String(i) });
     input.addEventListener('change', () => choose(i));
     box.append(element('label', {}, input, scene.name || `Picture ${i + 1}`));
     return input;
   });
-  return () => {
-    inputs[0].checked = true;
-    choose(0);
+  box.hidden = inputs.filter(Boolean).length < 2;
+  return (chosen) => inputs.forEach((input, i) => input && (input.checked = i === chosen));
+}
+
+// The indices of the scenes that have an iteration, in its order.
+export function order_by_iteration(scenes) {
+  const order = [...scenes.keys()].filter((i) => Number.isInteger(scenes[i].iteration));
+  return order.sort((a, b) => scenes[a].iteration - scenes[b].iteration);
+}
+
+// The slider over the scenes that have an iteration, if there are several. Calls `choose` with the scene's index.
+// Returns a function that sets the slider to a scene.
+export function make_iteration_slider(scenes, choose) {
+  const order = order_by_iteration(scenes), box = by_id('iterations');
+  const input = box.querySelector('input'), text = box.querySelector('output');
+  box.hidden = order.length < 2;
+  input.max = String(Math.max(0, order.length - 1));
+  input.addEventListener('input', () => choose(order[Number(input.value)]));
+  return (chosen) => {
+    const at = order.indexOf(chosen);
+    if (at < 0) return;
+    input.value = String(at);
+    text.textContent = `Iteration ${scenes[chosen].iteration} of ${scenes[order.at(-1)].iteration}`;
+    input.setAttribute('aria-valuetext', text.textContent);
   };
 }
 

@@ -122,7 +122,8 @@ async function count_differing([first, second, least = 0]) {
 }
 
 // A page with one scene in place of the sample's; returns its address. `points` are generators.
-function write_page(name, { positions, faces, points = [], up = 'y' }) {
+// `iterations`: of further scenes without a name, beside that of the first.
+function write_page(name, { positions, faces, points = [], up = 'y', iterations = [] }) {
   const arrays = [Float32Array.from(positions), Uint32Array.from(faces), Float32Array.from(points)];
   const blobs = arrays.map((array, k) => {
     const text = Buffer.from(array.buffer).toString('base64');
@@ -133,6 +134,10 @@ function write_page(name, { positions, faces, points = [], up = 'y' }) {
   scene.faces = { blob: 1, type: 'u32', count: arrays[1].length };
   if (points.length) scene.generators = { blob: 2, type: 'f32', count: points.length };
   const manifest = { schema: 'gvd-view/1', title: name, up, scale: 1, origin: [0, 0, 0], scenes: [scene] };
+  if (iterations.length) scene.iteration = iterations.shift();
+  for (const iteration of iterations) {
+    manifest.scenes.push({ ...scene, name: '', iteration, figures: [['Energy', String(iteration)]] });
+  }
   const page = readFileSync(page_file, 'utf8'), kData = '<script type="application/';
   const tail = page.slice(page.indexOf('</script>', page.lastIndexOf(kData)) + 9);
   const data = `${kData}json" id="manifest">${JSON.stringify(manifest)}</script>${blobs.join('')}`;
@@ -314,6 +319,23 @@ const tests = {
     await page.getByText('24 generators').click();
     assert.equal(await page.locator('#toggle-wireframe').isChecked(), false);
     assert.equal(await page.locator('#colour').inputValue(), 'regions');
+    await close(page);
+  },
+
+  async 'has a slider over the iterations, in their order'() {
+    const torus = make_torus(12, 8);
+    const page = await open({ page_address: write_page('iterations', { ...torus, iterations: [30, 0, 20, 10] }) });
+    const slider = page.locator('#iterations input'), text = page.locator('#iterations output');
+    assert.ok(await page.locator('#scenes').isHidden());
+    assert.equal(await text.innerText(), 'Iteration 30 of 30');
+    await slider.focus();
+    for (const iteration of [20, 10, 0]) {
+      await page.keyboard.press('ArrowLeft');
+      assert.equal(await text.innerText(), `Iteration ${iteration} of 30`);
+      assert.match(await page.locator('#figures').innerText(), new RegExp(`Energy\\s+${iteration}`));
+    }
+    await page.locator('#reset').click();
+    assert.equal(await text.innerText(), 'Iteration 30 of 30');
     await close(page);
   },
 

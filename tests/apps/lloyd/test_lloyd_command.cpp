@@ -101,6 +101,17 @@ TEST_CASE("gvd-lloyd: its page shows the relaxed generators and those of the sta
   for (const char* part : {"\"name\":\"Relaxed\"", "\"name\":\"Start\"", "Energy", "Stopped by"}) {
     CHECK(page.find(part) != std::string::npos);
   }
+  const std::size_t begin = page.find('{', page.find("id=\"manifest\""));
+  const auto manifest = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const auto& scenes = manifest["scenes"];
+  REQUIRE(scenes.size() == 12);
+  CHECK(scenes[1]["iteration"] == 0);
+  for (std::size_t i = 2; i < 12; ++i) {
+    CHECK(scenes[i]["name"] == "");
+    const int step = int(scenes[i]["iteration"]) - int(scenes[i - 1]["iteration"]);
+    CHECK(std::abs(step - int(scenes[0]["iteration"]) / 11.0) <= 1);
+  }
+  CHECK(scenes[0]["iteration"] > scenes[11]["iteration"]);
 }
 
 TEST_CASE("gvd-lloyd: a limit of time ends the relaxation, and a valid result is written") {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,7 @@ struct ViewFigure {
 /// One picture of a page: a surface, and what lies on it. Positions and distances are in mesh units.
 /// Everything but the mesh may be empty; the page has no switch for what is empty.
 struct ViewScene {
-  std::string name;                            ///< for the switch of a page with several scenes
+  std::string name;  ///< for the switch of a page with several scenes; without one, the slider alone chooses it
   const Mesh* mesh = nullptr;                  ///< not owned; must outlive the call that makes the page
   IdVector<FaceId, GeneratorId> face_label;    ///< invalid where the face is cut or no generator reaches it
   std::vector<FacePiece> pieces;               ///< of the cut faces, drawn in place of the faces
@@ -32,6 +34,7 @@ struct ViewScene {
   IdVector<GeneratorId, Cell> cells;          ///< for the figures of regions and, where faces are cut, their colours
   IdVector<GeneratorId, double> cell_energy;  ///< integral of the squared distance per cell, mesh units to the fourth
   std::vector<ViewFigure> figures;            ///< in the order of the table
+  std::optional<std::int64_t> iteration;      ///< >= 0; for the slider of a page with scenes of several iterations
   bool wireframe = false;                     ///< draw the edges of the mesh at the start
   bool smooth = true;                         ///< interpolate normals across edges flatter than 40 degrees at the start
 };

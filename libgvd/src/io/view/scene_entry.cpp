@@ -29,6 +29,7 @@ class SceneEncoder {
   json run() {
     json entry;
     entry["name"] = scene_.name;
+    if (scene_.iteration) entry["iteration"] = *scene_.iteration;
     entry["wireframe"] = scene_.wireframe;
     entry["smooth"] = scene_.smooth;
     entry["positions"] = points(scene_.mesh->positions());
