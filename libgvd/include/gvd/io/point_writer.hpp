@@ -26,7 +26,7 @@ struct SurfaceSample {
 /// Writes samples in their order, each with its position, the unit normal of the surface there (see
 /// surface_normal.hpp), its face, its barycentric coordinates, and area and energy of its cell.
 ///
-/// PLY: binary, with the properties of docs/guide/formats.md. XYZ: text, a line of position and normal each. NPY: a
+/// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, a line of position and normal each. NPY: a
 /// little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
 /// energy. Numbers are complete: the same doubles are read back. The stream is flushed and checked.
 /// Throws Error{unwritable_output} where it fails. Cost: O(samples).
