@@ -109,6 +109,11 @@ void report_lloyd_options(Run& run, const OwnOptions& own) {
   reported["tolerance"] = energy_tolerance(options);
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
+  reported["fixed"] = own.constraints.fixed.empty() ? Json() : Json(own.constraints.fixed);
+  reported["features"] = own.constraints.features ? Json(*own.constraints.features) : Json();
+  reported["keep_boundary"] = own.constraints.keep_boundary;
+  reported["density"] = own.constraints.density.empty() ? Json() : Json(own.constraints.density);
+  reported["gradation"] = own.constraints.gradation;
   reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
 }
 

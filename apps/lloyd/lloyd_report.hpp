@@ -7,6 +7,7 @@
 #include "common/run/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
+#include "lloyd/constraint_options.hpp"
 
 // What gvd-lloyd notes and reports: the report's `results` and `generators`, and its own options.
 namespace gvd::app {
@@ -14,6 +15,7 @@ namespace gvd::app {
 /// The command's own options.
 struct OwnOptions {
   LloydOptions relaxation;
+  ConstraintOptions constraints;
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
 };
 

@@ -11,12 +11,12 @@
 #include "common/run/command.hpp"
 #include "common/steps/build_diagram.hpp"
 #include "common/steps/load_input.hpp"
-#include "common/steps/make_generators.hpp"
 #include "common/steps/verify.hpp"
 #include "common/steps/write_outputs.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
+#include "lloyd/constrain_start.hpp"
 #include "lloyd/iteration_scenes.hpp"
 #include "lloyd/lloyd_report.hpp"
 #include "lloyd/relaxation_trace.hpp"
@@ -97,9 +97,12 @@ Progress limit_progress(const Progress& progress, const app::Timer& timer, doubl
   };
 }
 
-LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& start, const app::OwnOptions& own,
+LloydResult relax(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start, const app::OwnOptions& own,
                   app::RelaxationTrace& trace) {
   LloydOptions options = own.relaxation;
+  options.freedom = start.freedom;
+  options.creases = start.creases;
+  options.density = start.density;
   options.diagram = app::make_diagram_options(run.options().compute);
   const app::Timer timer;
   trace = {};
@@ -110,7 +113,7 @@ LloydResult relax(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoin
     trace.note(iterations, generators);
     run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
+  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");
   app::report_relaxation(run, mesh, result);
   app::report_diagram(run, result.diagram);
@@ -144,7 +147,7 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
   app::report_lloyd_options(run, own);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
-  const std::vector<SurfacePoint> start = app::make_generators(run, input);
+  const app::ConstrainedStart start = app::make_start(run, input, own.constraints);
   app::RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
@@ -170,6 +173,7 @@ int main(int argc, char** argv) {
                         kExamples,
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_options(command.line(), own.relaxation);
+  app::register_constraints(command.line(), own.constraints);
   register_time_limit(command.line(), own.time_limit);
   command.add_target(
       {"--points", "FILE",

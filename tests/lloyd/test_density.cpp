@@ -45,7 +45,6 @@ TEST_CASE("density: a uniform one changes nothing, and its unit does not matter"
   LloydOptions options;
   options.max_iterations = 8;
   options.early_approximation = false;
-  options.relocate = false;  // the default with a density
   const LloydResult plain = relax_generators(mesh, start, options);
   options.density = make_vertex_density(mesh, std::vector<double>(mesh.positions().size(), 4));
   const LloydResult heavy = relax_generators(mesh, start, options);

@@ -40,7 +40,17 @@ struct PolygonSoup {
 /// Cost: O(bytes).
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// A number for each vertex, or for each polygon, of a file.
+struct SoupProperty {
+  bool of_vertices = true;  ///< otherwise of polygons
+  std::vector<double> values;
+};
+
+/// The property of this name of a PLY file's vertices, or else of its faces. None where the file has no such property,
+/// or is no PLY file. Throws Error{unreadable_input} where it can't be read. Cost: O(bytes).
+std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property);
+
+/// `read_soup` from bytes in memory; `name` stands for the file in messages.
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
 
 }  // namespace gvd

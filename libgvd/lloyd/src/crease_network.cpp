@@ -9,6 +9,13 @@
 #include "gvd/features.hpp"
 
 namespace gvd {
+namespace {
+
+/// Number of edges on both sides of a corner, over which the crease turns, too. The boundary of a scan goes to and fro
+/// at every vertex.
+constexpr int kChordEdges = 5;
+
+}  // namespace
 
 CreaseNetwork::CreaseNetwork(const Mesh& mesh, const std::vector<EdgeId>& creases)
     : mesh_(mesh),
@@ -18,6 +25,10 @@ CreaseNetwork::CreaseNetwork(const Mesh& mesh, const std::vector<EdgeId>& crease
     is_crease_[e] = true;
     for (const bool forwards : {true, false}) leaving_[start({e, forwards})].push_back({e, forwards});
   }
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    is_corner_.push_back(leaving_[v].size() != 2 || (turns(v, 1) && turns(v, kChordEdges)));
+  }
 }
 
 bool CreaseNetwork::contains(const SurfacePoint& point) const {
@@ -25,12 +36,20 @@ bool CreaseNetwork::contains(const SurfacePoint& point) const {
   return point.kind() == SurfacePoint::Kind::edge && is_crease_[mesh_.edge(halfedge(point))];
 }
 
-bool CreaseNetwork::is_corner(VertexId v) const {
-  const std::vector<Step>& steps = leaving_[v];
-  if (steps.size() != 2) return true;
-  const Vec3 a = mesh_.position(end(steps[0])) - mesh_.position(v),
-             b = mesh_.position(end(steps[1])) - mesh_.position(v);
+/// Whether the chords over so many edges on both sides turn by more than kCornerTurn.
+bool CreaseNetwork::turns(VertexId v, int edges) const {
+  const Vec3 a = chord(leaving_[v][0], edges), b = chord(leaving_[v][1], edges);
   return -a.dot(b) < std::cos(kCornerTurn * std::numbers::pi / 180) * a.norm() * b.norm();
+}
+
+/// From the start of the step to the end of the last of so many edges, or to the end of the curve.
+Vec3 CreaseNetwork::chord(Step step, int edges) const {
+  const VertexId from = start(step);
+  for (; edges > 1 && leaving_[end(step)].size() == 2; --edges) {
+    const std::vector<Step>& steps = leaving_[end(step)];
+    step = steps[steps[0].edge == step.edge ? 1 : 0];
+  }
+  return mesh_.position(end(step)) - mesh_.position(from);
 }
 
 VertexId CreaseNetwork::start(const Step& step) const {

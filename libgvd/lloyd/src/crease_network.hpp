@@ -20,7 +20,7 @@ class CreaseNetwork {
   /// Whether the point lies on a crease.
   bool contains(const SurfacePoint& point) const;
   /// Whether a vertex ends a curve: it has one crease edge or more than two, or the crease turns sharply there.
-  bool is_corner(VertexId v) const;
+  bool is_corner(VertexId v) const { return is_corner_[v]; }
 
   /// The tangent vector at a point of a crease nearest to `tangent` among those along the crease. Zero at a corner.
   Vec2 project(const SurfacePoint& point, const Vec2& tangent) const;
@@ -43,6 +43,8 @@ class CreaseNetwork {
   SurfacePoint at(const Step& step, double distance) const;
 
  private:
+  bool turns(VertexId v, int edges) const;
+  Vec3 chord(Step step, int edges) const;
   Vec2 direction(const SurfacePoint& point, const Step& step) const;
   Vec2 end_direction(const SurfacePoint& point, const Step& step) const;
   /// The two ways along the crease from a point that is no corner.
@@ -51,6 +53,7 @@ class CreaseNetwork {
   const Mesh& mesh_;
   IdVector<EdgeId, bool> is_crease_;
   IdVector<VertexId, std::vector<Step>> leaving_;
+  IdVector<VertexId, bool> is_corner_;
 };
 
 }  // namespace gvd

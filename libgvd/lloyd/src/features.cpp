@@ -91,6 +91,18 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options)
   return creases;
 }
 
+std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
+                                         const std::vector<SurfacePoint>& points) {
+  const CreaseNetwork network(mesh, creases);
+  std::vector<Freedom> freedoms;
+  for (const SurfacePoint& p : points) {
+    const bool is_vertex = p.kind() == SurfacePoint::Kind::vertex;
+    const bool is_corner = is_vertex && network.contains(p) && network.is_corner(vertex(mesh, p));
+    freedoms.push_back(is_corner ? Freedom::fixed : network.contains(p) ? Freedom::on_crease : Freedom::free);
+  }
+  return freedoms;
+}
+
 FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing) {
   if (!(spacing > 0)) throw Error(ErrorCode::invalid_option, "the spacing of generators on creases must be above 0");
   const CreaseNetwork network(mesh, creases);

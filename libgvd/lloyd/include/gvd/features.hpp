@@ -37,9 +37,15 @@ inline constexpr double kCornerTurn = 45;
 
 /// Puts a generator on each corner, and along each crease between two corners as many as keep about this distance.
 ///
-/// A corner is a vertex with one crease edge or more than two, or where a crease turns by more than kCornerTurn. A
+/// A corner is a vertex with one crease edge or more than two, or where a crease turns by more than
+/// kCornerTurn, both at the vertex and over five edges on its two sides: small zigzags are none. A
 /// closed crease without a corner has at least three generators. Those between corners are evenly spaced by length.
 /// `spacing`: mesh units, > 0. Throws Error{invalid_option} if it is not. Cost: O(n).
 FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing);
+
+/// What each of these points may do by where it lies: fixed at a corner of a crease, on_crease beside it on the crease,
+/// free elsewhere. Cost: O(n).
+std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
+                                         const std::vector<SurfacePoint>& points);
 
 }  // namespace gvd

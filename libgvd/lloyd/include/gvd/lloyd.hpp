@@ -87,7 +87,7 @@ inline double energy_tolerance(const LloydOptions& options) {
 }
 
 inline bool relocates(const LloydOptions& options) {
-  return options.relocate.value_or(options.acceleration != Acceleration::none && options.density.is_uniform());
+  return options.relocate.value_or(options.acceleration != Acceleration::none);
 }
 
 /// Why a relaxation ended.

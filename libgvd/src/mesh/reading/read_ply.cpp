@@ -131,6 +131,23 @@ class BodyParser {
   BodyParser(std::string_view bytes, std::string_view name, const PlyHeader& header)
       : header_(header), source_(bytes, name, header), name_(name) {}
 
+  /// The numbers of one property of the element of this name.
+  std::vector<double> parse_property(const PlyElement& wanted, std::size_t index) {
+    std::vector<double> values;
+    for (const PlyElement& element : header_.elements) {
+      check_count(element);
+      if (element.properties.empty()) continue;
+      for (std::int64_t i = 0; i < element.count; ++i) {
+        read_element(element, i, [&](int p) {
+          if (&element != &wanted || p != static_cast<int>(index)) return false;
+          values.push_back(source_.read(element.properties[index].type, element.properties[index]));
+          return true;
+        });
+      }
+    }
+    return values;
+  }
+
   PolygonSoup parse() {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") vertices_ = element.count;
@@ -276,6 +293,21 @@ class BodyParser {
 };
 
 }  // namespace
+
+std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
+                                               std::string_view name) {
+  const PlyHeader header = parse_ply_header(bytes, name);
+  for (const PlyElement& element : header.elements) {
+    const int index = element.name == "vertex" || element.name == "face" ? element.find(property) : -1;
+    if (index < 0 || element.properties[static_cast<std::size_t>(index)].count_type) continue;
+    const auto read = [&](auto parser) { return parser.parse_property(element, static_cast<std::size_t>(index)); };
+    SoupProperty found{element.name == "vertex", {}};
+    found.values = header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))
+                                                         : read(BodyParser<BinarySource>(bytes, name, header));
+    return found;
+  }
+  return std::nullopt;
+}
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
   const PlyHeader header = parse_ply_header(bytes, name);

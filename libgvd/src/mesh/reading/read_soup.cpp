@@ -75,6 +75,13 @@ PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_vi
   return soup;
 }
 
+std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property) {
+  const std::string name = path.string();
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return std::nullopt;
+  return parse_ply_property(bytes, property, name);
+}
+
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
   const std::string bytes = read_bytes(path);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "common/run/run.hpp"
+#include "gvd/density.hpp"
+#include "gvd/features.hpp"
+#include "gvd/soup.hpp"
+#include "gvd/surface_point.hpp"
+#include "lloyd/constraint_options.hpp"
+
+namespace gvd::app {
+
+/// Generators to begin with, and what they may do.
+struct ConstrainedStart {
+  std::vector<SurfacePoint> points;
+  std::vector<Freedom> freedom;  ///< of the points; empty if all are free
+  std::vector<EdgeId> creases;
+  Density density;
+};
+
+/// The density and the generators that the options ask for. Sampled ones make room, each the nearest one, for those
+/// that are fixed or lie on features, so that their number stays. Listed ones stay, and those on creases are kept
+/// there.
+/// Throws Error{precondition} where there are fewer generators than places on features.
+ConstrainedStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& options);
+
+}  // namespace gvd::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/options/command_line.hpp"
+
+namespace gvd::app {
+
+/// What restricts and weighs the relaxation.
+struct ConstraintOptions {
+  std::string fixed;               ///< a list of generators that stay; empty: none
+  std::optional<double> features;  ///< angle of creases, degrees
+  bool keep_boundary = false;
+  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
+  double gradation = 0.3;
+};
+
+void register_constraints(CommandLine& line, ConstraintOptions& options);
+
+}  // namespace gvd::app

@@ -1,0 +1,110 @@
+#include "lloyd/read_density.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gvd/counted.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/read_to_end.hpp"
+#include "gvd/read_soup.hpp"
+
+namespace gvd::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
+
+/// Numbers between blanks and line ends.
+std::vector<double> parse_numbers(std::string_view text, const std::string& name) {
+  std::vector<double> values;
+  std::int64_t line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '\n') ++line;
+    if (std::string_view(" \t\r\n,").find(text[i]) != std::string_view::npos) {
+      ++i;
+      continue;
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+    if (error != std::errc()) refuse(fmt::format("{}:{}: this is no number", name, line));
+    values.push_back(value);
+    i = static_cast<std::size_t>(end - text.data());
+  }
+  return values;
+}
+
+std::vector<double> read_numbers(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) refuse(fmt::format("{}: the file can't be opened; check its permissions", file));
+  return parse_numbers(std::string(std::istreambuf_iterator<char>(in), {}), file);
+}
+
+/// The value of each vertex of the mesh. The midpoint of a split edge takes the mean of its neighbours.
+std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {
+  std::vector<double> of_mesh;
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  for (const std::int32_t v : input.input_vertex) {
+    of_mesh.push_back(v < 0 ? mean : values[static_cast<std::size_t>(v)]);
+  }
+  return of_mesh;
+}
+
+std::int64_t least_polygons(const CheckedMesh& input) {
+  return 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end());
+}
+
+bool lost_polygons(const CheckedMesh& input) {
+  return input.defects.count(DefectKind::degenerate_faces) + input.defects.count(DefectKind::duplicate_faces) +
+             input.defects.count(DefectKind::dropped_components) >
+         0;
+}
+
+Density make_density(const CheckedMesh& input, const SoupProperty& property, const std::string& name) {
+  try {
+    if (property.of_vertices) return make_vertex_density(input.mesh, to_vertices(input, property.values));
+    std::vector<double> of_faces;
+    for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[static_cast<std::size_t>(p)]);
+    return make_face_density(input.mesh, of_faces);
+  } catch (const Error& error) {
+    throw Error(error.code(), name + ": " + error.what(), error.element());
+  }
+}
+
+/// Whether a list has a number for each vertex of the input or for each of its polygons.
+SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const std::string& name) {
+  const auto count = std::ssize(values);
+  if (count == std::ssize(input.mesh_vertex)) return {true, std::move(values)};
+  const std::int64_t polygons = least_polygons(input);
+  if (count == polygons || (count > polygons && lost_polygons(input))) return {false, std::move(values)};
+  refuse(fmt::format("{}: {}; give one for each vertex ({}) or each face ({})", name,
+                     counted(count, "number", "numbers"), input.mesh_vertex.size(), polygons));
+}
+
+}  // namespace
+
+Density read_density(Run& run, const CheckedMesh& input, const ConstraintOptions& options) {
+  const std::string& name = options.density;
+  if (name.empty()) return {};
+  if (name == "curvature") return make_curvature_density(input.mesh, {options.gradation});
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(name, ignored)) {
+    return make_density(input, assign(input, read_numbers(name), name), name);
+  }
+  const std::string& path = run.options().input.path;
+  const std::optional<SoupProperty> property = path == "-" ? std::nullopt : read_soup_property(path, name);
+  if (property) return make_density(input, *property, fmt::format("{}: property {}", path, name));
+  refuse(fmt::format("--density {}: there is no such file, and {} has no such property", name,
+                     path == "-" ? "standard input" : path));
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/run/run.hpp"
+#include "gvd/density.hpp"
+#include "gvd/soup.hpp"
+#include "lloyd/constraint_options.hpp"
+
+namespace gvd::app {
+
+/// The density that the options ask for. Throws Error where there is neither a file nor a property of that name, where
+/// a number is missing or too much, and where one is not above 0.
+Density read_density(Run& run, const CheckedMesh& input, const ConstraintOptions& options);
+
+}  // namespace gvd::app

@@ -1,0 +1,94 @@
+// gvd-lloyd with generators that stay, on features, and with densities.
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+CommandResult lloyd(const std::string& arguments) { return run_command("gvd-lloyd", arguments); }
+
+/// The lines of a list of generators, without the first one.
+std::vector<std::string> lines_of(const std::string& path) {
+  std::vector<std::string> lines;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty() && line[0] != '#') lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("gvd-lloyd --fixed: these generators come first and stay, and -n counts them") {
+  const ScratchFolder scratch;
+  write_text(scratch / "fixed.txt", "5\n77\n200\n");
+  const std::string fixed = " --fixed " + scratch / "fixed.txt" + " --iterations 8 -q -o ";
+  REQUIRE(lloyd(data_file("figure.obj") + " -n 12" + fixed + scratch / "a.txt").exit_code == 0);
+  REQUIRE(lloyd(data_file("figure.obj") + " -n 12 --seed 5" + fixed + scratch / "b.txt").exit_code == 0);
+  const auto a = lines_of(scratch / "a.txt"), b = lines_of(scratch / "b.txt");
+  REQUIRE(a.size() == 12);
+  REQUIRE(b.size() == 12);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(a[i] == b[i]);
+  CHECK(a[4] != b[4]);
+  const CommandResult few = lloyd(data_file("figure.obj") + " -n 2" + fixed + scratch / "c.txt");
+  CHECK(few.exit_code == 4);
+  CHECK_THAT(few.err, Contains("2 generators are asked for, and 3 are fixed or on features; ask for more with -n"));
+}
+
+TEST_CASE("gvd-lloyd --features, --keep-boundary: corners and creases have their generators") {
+  const ScratchFolder scratch;
+  const std::string run = " -n 60 --iterations 5 -o " + scratch / "out.txt";
+  const CommandResult plate = lloyd(data_file("plate.stl") + " --features 40" + run);
+  REQUIRE(plate.exit_code == 0);
+  CHECK_THAT(plate.err, Contains("8 fixed"));
+  CHECK(lines_of(scratch / "out.txt").size() == 60);
+  const CommandResult half = lloyd(data_file("half_sphere.off") + " --keep-boundary" + run);
+  REQUIRE(half.exit_code == 0);
+  CHECK_THAT(half.err, Contains("0 fixed"));
+  CHECK_THAT(half.err, !Contains(" 0 on creases"));
+  // A list says where generators are; those on features stay there.
+  const CommandResult again = lloyd(data_file("half_sphere.off") + " --keep-boundary --generators " +
+                                    scratch / "out.txt" + " --iterations 5 -o " + scratch / "again.txt");
+  REQUIRE(again.exit_code == 0);
+  CHECK(half.err.substr(0, half.err.find('\n')) == again.err.substr(0, again.err.find('\n')));
+  CHECK_THAT(lloyd(data_file("plate.stl") + " --features 0" + run).err, Contains("above 0 and at most 180"));
+}
+
+TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and properties of a PLY file") {
+  const ScratchFolder scratch;
+  const std::string run = " -n 20 --iterations 4 -q -o " + scratch / "out.txt" + " --density ";
+  CHECK(lloyd(data_file("figure.obj") + run + "curvature").exit_code == 0);
+  write_text(scratch / "triangle.off", "OFF 4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const std::string few = " -n 2 --iterations 4 -q -o " + scratch / "out.txt" + " --density ";
+  write_text(scratch / "vertices.txt", "1 2\n3.5 4\n");
+  write_text(scratch / "faces.txt", "1\n5\n");
+  for (const std::string file : {"vertices.txt", "faces.txt"}) {
+    CHECK(lloyd(scratch / "triangle.off" + few + scratch / file).exit_code == 0);
+  }
+  write_text(scratch / "wrong.txt", "1 2 3\n");
+  const CommandResult wrong = lloyd(scratch / "triangle.off" + few + scratch / "wrong.txt");
+  CHECK(wrong.exit_code == 3);
+  CHECK_THAT(wrong.err, Contains("wrong.txt: 3 numbers; give one for each vertex (4) or each face (2)"));
+  write_text(scratch / "zero.txt", "1 0\n");
+  CHECK_THAT(lloyd(scratch / "triangle.off" + few + scratch / "zero.txt").err,
+             Contains("the density of face 1 is 0; give finite numbers above 0"));
+  write_text(scratch / "word.txt", "1\ntwo\n");
+  CHECK_THAT(lloyd(scratch / "triangle.off" + few + scratch / "word.txt").err,
+             Contains("word.txt:2: this is no number"));
+  write_text(scratch / "q.ply",
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+             "property float quality\nelement face 2\nproperty list uchar int vertex_indices\nproperty float weight\n"
+             "end_header\n0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n3 0 1 2 7\n3 0 2 3 8\n");
+  CHECK(lloyd(scratch / "q.ply" + few + "quality").exit_code == 0);
+  CHECK(lloyd(scratch / "q.ply" + few + "weight").exit_code == 0);
+  const CommandResult none = lloyd(scratch / "q.ply" + few + "mass");
+  CHECK(none.exit_code == 3);
+  CHECK_THAT(none.err, Contains("--density mass: there is no such file, and"));
+}
