@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cell_faces.hpp"
+#include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/geodesic_tracing.hpp"
 
 namespace gvd {
@@ -22,6 +23,12 @@ constexpr int kDirections = 12;
 /// Largest distance of a generator from the vertex where it goes to rest, in mean cell radii. From farther away the
 /// vertex is reached by steps as usual, without the cost of the tests.
 constexpr double kReach = 0.1;
+
+/// Whether the energy can have a minimum with a kink at a vertex: paths bend there. Elsewhere no test is needed.
+bool can_rest_at(const Mesh& mesh, const SurfacePoint& vertex) {
+  const TangentFan fan(mesh, vertex);
+  return !fan.closed() || fan.scale() < 1;
+}
 
 /// Whether no step of the length `radius` from the vertex lowers the energy.
 bool is_lowest(const Mesh& mesh, const SurfacePoint& vertex, double radius,
@@ -64,7 +71,8 @@ void mark_rests(const Mesh& mesh, double radius, CellIntegrals& integrals, Relax
       return integrals.compute(p, cells.of(GeneratorId(static_cast<std::int64_t>(i)))).energy;
     };
     const bool is_at_vertex = state.generators[i].kind() == SurfacePoint::Kind::vertex;
-    state.is_resting[i] = is_at_vertex && is_lowest(mesh, state.generators[i], radius, energy);
+    state.is_resting[i] =
+        is_at_vertex && can_rest_at(mesh, state.generators[i]) && is_lowest(mesh, state.generators[i], radius, energy);
     if (state.is_resting[i]) state.to_centroids[i] = Vec2::Zero();
     state.residual = std::max(state.residual, state.to_centroids[i].norm());
   }
@@ -78,7 +86,7 @@ std::vector<Rest> find_rests(const Mesh& mesh, const RelaxationState& state, dou
     if (state.to_centroids[i].norm() <= radius) continue;
     const std::optional<VertexId> v =
         find_vertex_ahead(mesh, state.generators[i], state.to_centroids[i], kReach * state.mean_cell_radius);
-    if (!v) continue;
+    if (!v || !can_rest_at(mesh, vertex_point(mesh, *v))) continue;
     const auto energy = [&](const SurfacePoint& p) { return integrals.compute(p, cells.of(g)).energy; };
     const SurfacePoint vertex = vertex_point(mesh, *v);
     if (energy(vertex) < energy(state.generators[i]) && is_lowest(mesh, vertex, radius, energy))
