@@ -123,10 +123,15 @@ class FaceIntegrator {
   }
   /// Adds a piece of the face. Its triangles lie within the piece: beyond it, no path of its generator may be known.
   void add(const FacePiece& piece) {
-    std::vector<Vec2> corners;
-    for (const Bary& corner : piece.corners) corners.push_back(affine_point(corner));
-    for (const auto& [a, b, c] : triangulate_plane_polygon(corners)) {
+    corners_.clear();
+    for (const Bary& corner : piece.corners) corners_.push_back(affine_point(corner));
+    const auto add_corners = [&](std::size_t a, std::size_t b, std::size_t c) {
       add({piece.corners[a], piece.corners[b], piece.corners[c]}, piece.generator);
+    };
+    if (is_convex()) {
+      for (std::size_t k = 1; k + 1 < corners_.size(); ++k) add_corners(0, k, k + 1);
+    } else {
+      for (const auto& [a, b, c] : triangulate_plane_polygon(corners_)) add_corners(a, b, c);
     }
   }
   /// Adds a triangle of the face, which belongs to generator g.
@@ -150,6 +155,13 @@ class FaceIntegrator {
   std::vector<CellSum> take_sums() { return std::move(sums_); }
 
  private:
+  bool is_convex() const {
+    const std::size_t n = corners_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (twice_signed_area(corners_[i], corners_[(i + 1) % n], corners_[(i + 2) % n]) < 0) return false;
+    }
+    return true;
+  }
   static Bary interpolate_bary(const Triangle& t, const Bary& local) {
     Bary point{};
     for (std::size_t i = 0; i < 3; ++i) point[i] = local[0] * t[0][i] + local[1] * t[1][i] + local[2] * t[2][i];
@@ -177,6 +189,7 @@ class FaceIntegrator {
   FaceId face_;
   bool is_split_ = false;
   std::vector<CellSum> sums_;
+  std::vector<Vec2> corners_;  // of the current piece; an affine map of the face
 };
 
 /// The pieces of each face follow each other, ascending by face.

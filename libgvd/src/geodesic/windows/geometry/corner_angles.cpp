@@ -8,24 +8,25 @@
 namespace gvd {
 
 CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel)
-    : corner_(static_cast<std::size_t>(mesh.halfedge_count())), side_(corner_.size()) {
-  const auto angle = [&](HalfedgeId h) {
-    const FaceFrame& f = frames.frame[Mesh::face(h)];
-    const auto i = static_cast<std::size_t>(Mesh::corner(h));
-    return std::atan2(f.sine[i], f.cosine[i]);
-  };
-  const auto vertices = cut_into_chunks(static_cast<std::size_t>(mesh.vertex_count()), kScanChunk);
-  parallel.run(vertices.size(), {steps::kDistances}, [&](std::size_t chunk) {
-    for (std::size_t v = vertices[chunk].begin; v < vertices[chunk].end; ++v) {
-      double sum = 0;
-      for_each_outgoing(mesh, VertexId(static_cast<std::int64_t>(v)), [&](HalfedgeId h) {
-        const double here = angle(h);
-        side_[h] = Departure::of_side(sum);
-        corner_[h] = Departure::of_angle(here);
-        sum += here;
-      });
+    : mesh_(&mesh), corner_(static_cast<std::size_t>(mesh.halfedge_count())) {
+  const auto faces = cut_into_chunks(static_cast<std::size_t>(mesh.face_count()), kScanChunk);
+  parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
+    for (std::size_t i = faces[chunk].begin; i < faces[chunk].end; ++i) {
+      const FaceId face(static_cast<std::int64_t>(i));
+      const FaceFrame& f = frames.frame[face];
+      for (std::size_t k = 0; k < 3; ++k) {
+        corner_[Mesh::halfedge(face, static_cast<int>(k))] = Departure::of_angle(std::atan2(f.sine[k], f.cosine[k]));
+      }
     }
   });
+}
+
+Departure CornerAngles::side(HalfedgeId h) const {
+  double sum = 0;
+  for (HalfedgeId before = mesh_->halfedge(mesh_->from(h)); before != h; before = next_outgoing(*mesh_, before)) {
+    sum += corner_[before].turned();
+  }
+  return Departure::of_side(sum);
 }
 
 }  // namespace gvd

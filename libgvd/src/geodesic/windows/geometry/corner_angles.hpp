@@ -7,21 +7,23 @@
 
 namespace gvd {
 
-/// The angles of all corners, and the angles of the sides round each vertex, as departures count them.
+/// The angles of all corners, and those of the sides round a vertex, as departures count them.
 class CornerAngles {
  public:
   CornerAngles() = default;
-  /// Cost: O(n).
+  /// The mesh has to outlive this. Cost: O(n).
   CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel);
 
   bool empty() const { return corner_.empty(); }
   /// The angle of the corner that a halfedge leaves.
   Departure corner(HalfedgeId h) const { return corner_[h]; }
   /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex.
-  Departure side(HalfedgeId h) const { return side_[h]; }
+  /// Only generators need it. Cost: O(degree of the vertex).
+  Departure side(HalfedgeId h) const;
 
  private:
-  IdVector<HalfedgeId, Departure> corner_, side_;
+  const Mesh* mesh_ = nullptr;
+  IdVector<HalfedgeId, Departure> corner_;
 };
 
 }  // namespace gvd

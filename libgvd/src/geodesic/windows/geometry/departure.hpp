@@ -42,8 +42,9 @@ class Departure {
  private:
   explicit Departure(std::uint32_t bits) : bits_(bits) {}
   static std::uint32_t units(double angle) {
-    const auto turns = static_cast<std::int64_t>(std::nearbyint(angle * (kFullTurn / (2 * std::numbers::pi))));
-    return static_cast<std::uint32_t>(turns) << kShift;
+    const double turns = angle * (kFullTurn / (2 * std::numbers::pi));
+    // Rounded half away from zero, without a call of the library.
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(turns + (turns < 0 ? -0.5 : 0.5))) << kShift;
   }
 
   static constexpr int kShift = 2;
