@@ -25,7 +25,10 @@ TangentField scaled(TangentField field, double factor) {
 /// Two rounds make the vector orthogonal to the basis up to rounding.
 TangentField orthogonalised(TangentField w, const std::vector<TangentField>& basis) {
   for (int round = 0; round < 2; ++round) {
-    for (const TangentField& v : basis) w = add_scaled(std::move(w), -dot(w, v), v);
+    for (const TangentField& v : basis) {
+      const double along = dot(w, v);  // before w is moved: arguments are evaluated in any order
+      w = add_scaled(std::move(w), -along, v);
+    }
   }
   return w;
 }
