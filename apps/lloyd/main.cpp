@@ -30,7 +30,7 @@ constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
     "  gvd-lloyd bunny.obj --generators samples.csv --iterations 200 -o relaxed.json\n"
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt -o cells.ply --view cells.html\n"
-    "  gvd-lloyd bunny.obj -n 100 --time-limit 5 --points samples.ply --trace trace.csv\n"
+    "  gvd-lloyd bunny.obj -n 100 --time-limit 5 --points samples.ply\n"
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt &&\n"
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
