@@ -6,7 +6,6 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,10 +43,12 @@ std::vector<double> parse_numbers(std::string_view text, const std::string& name
 std::vector<double> read_numbers(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(fmt::format("{}: the file can't be opened; check its permissions", file));
-  return parse_numbers(std::string(std::istreambuf_iterator<char>(in), {}), file);
+  const std::string text = read_to_end(in);
+  if (in.bad()) refuse(fmt::format("{}: the file can't be read to its end", file));
+  return parse_numbers(text, file);
 }
 
-/// The value of each vertex of the mesh. The midpoint of a split edge takes the mean of its neighbours.
+/// The value of each vertex of the mesh. The midpoint of a split edge, which the file does not know, takes the mean.
 std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {
   std::vector<double> of_mesh;
   double sum = 0;
@@ -80,6 +81,13 @@ Density make_density(const CheckedMesh& input, const SoupProperty& property, con
   }
 }
 
+/// Refuses a property that some polygons lack: strips of triangles have none.
+void check_count(const CheckedMesh& input, const SoupProperty& property, const std::string& name) {
+  if (property.of_vertices || std::ssize(property.values) >= least_polygons(input)) return;
+  refuse(fmt::format("{}: {} for {}", name, counted(std::ssize(property.values), "number", "numbers"),
+                     counted(least_polygons(input), "polygon", "polygons")));
+}
+
 /// Whether a list has a number for each vertex of the input or for each of its polygons.
 SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const std::string& name) {
   const auto count = std::ssize(values);
@@ -101,8 +109,12 @@ Density read_density(Run& run, const CheckedMesh& input, const ConstraintOptions
     return make_density(input, assign(input, read_numbers(name), name), name);
   }
   const std::string& path = run.options().input.path;
-  const std::optional<SoupProperty> property = path == "-" ? std::nullopt : read_soup_property(path, name);
-  if (property) return make_density(input, *property, fmt::format("{}: property {}", path, name));
+  std::optional<SoupProperty> property = path == "-" ? std::nullopt : read_soup_property(path, name);
+  if (property) {
+    const std::string title = fmt::format("{}: property {}", path, name);
+    check_count(input, *property, title);
+    return make_density(input, *property, title);
+  }
   refuse(fmt::format("--density {}: there is no such file, and {} has no such property", name,
                      path == "-" ? "standard input" : path));
 }

@@ -88,6 +88,14 @@ TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and pro
              "end_header\n0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n3 0 1 2 7\n3 0 2 3 8\n");
   CHECK(lloyd(scratch / "q.ply" + few + "quality").exit_code == 0);
   CHECK(lloyd(scratch / "q.ply" + few + "weight").exit_code == 0);
+  write_text(scratch / "strips.ply",
+             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 1\nproperty list uchar int vertex_indices\nproperty float weight\n"
+             "element tristrips 1\nproperty list int int vertex_indices\n"
+             "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n3 0 1 2 7\n4 0 2 3 4\n");
+  const CommandResult strips = lloyd(scratch / "strips.ply" + few + "weight");
+  CHECK(strips.exit_code == 3);
+  CHECK_THAT(strips.err, Contains("property weight: 1 number for"));
   const CommandResult none = lloyd(scratch / "q.ply" + few + "mass");
   CHECK(none.exit_code == 3);
   CHECK_THAT(none.err, Contains("--density mass: there is no such file, and"));
