@@ -71,8 +71,9 @@ void mark_rests(const Mesh& mesh, double radius, CellIntegrals& integrals, Relax
       return integrals.compute(p, cells.of(GeneratorId(static_cast<std::int64_t>(i)))).energy;
     };
     const bool is_at_vertex = state.generators[i].kind() == SurfacePoint::Kind::vertex;
-    state.is_resting[i] =
-        is_at_vertex && can_rest_at(mesh, state.generators[i]) && is_lowest(mesh, state.generators[i], radius, energy);
+    const bool has_way = state.to_centroids[i] != Vec2::Zero();  // fixed generators have none, and need no test
+    state.is_resting[i] = is_at_vertex && has_way && can_rest_at(mesh, state.generators[i]) &&
+                          is_lowest(mesh, state.generators[i], radius, energy);
     if (state.is_resting[i]) state.to_centroids[i] = Vec2::Zero();
     state.residual = std::max(state.residual, state.to_centroids[i].norm());
   }
