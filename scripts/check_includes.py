@@ -40,6 +40,7 @@ FLOORS = [
     ["apps/common/options"],
     ["apps/common/run"],
     ["apps/common/steps"],
+    ["apps/common/relaxation"],
     ["apps/segment", "apps/lloyd", "apps/remesh"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}

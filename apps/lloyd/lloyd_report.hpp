@@ -4,10 +4,10 @@
 #include <string>
 
 #include "common/options/typed_options.hpp"
+#include "common/relaxation/constraint_options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
-#include "lloyd/constraint_options.hpp"
 
 // What gvd-lloyd notes and reports: the report's `results` and `generators`, and its own options.
 namespace gvd::app {

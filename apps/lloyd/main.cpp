@@ -8,6 +8,7 @@
 
 #include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
+#include "common/relaxation/constrain_start.hpp"
 #include "common/run/command.hpp"
 #include "common/steps/build_diagram.hpp"
 #include "common/steps/load_input.hpp"
@@ -16,7 +17,6 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
-#include "lloyd/constrain_start.hpp"
 #include "lloyd/iteration_scenes.hpp"
 #include "lloyd/lloyd_report.hpp"
 #include "lloyd/relaxation_trace.hpp"

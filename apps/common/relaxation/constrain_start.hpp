@@ -2,12 +2,12 @@
 
 #include <vector>
 
+#include "common/relaxation/constraint_options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/density.hpp"
 #include "gvd/features.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
-#include "lloyd/constraint_options.hpp"
 
 namespace gvd::app {
 

@@ -1,4 +1,4 @@
-#include "lloyd/read_density.hpp"
+#include "common/relaxation/read_density.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lloyd/constrain_start.hpp"
+#include "common/relaxation/constrain_start.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <numbers>
 #include <utility>
 
+#include "common/relaxation/read_density.hpp"
 #include "common/steps/make_generators.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
-#include "lloyd/read_density.hpp"
 
 namespace gvd::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "lloyd/constraint_options.hpp"
+#include "common/relaxation/constraint_options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "common/relaxation/constraint_options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/density.hpp"
 #include "gvd/soup.hpp"
-#include "lloyd/constraint_options.hpp"
 
 namespace gvd::app {
 
