@@ -36,6 +36,8 @@ FLOORS = [
     ["libgvd/src/io/generators", "libgvd/src/io/writers"],
     ["libgvd/src/io/view"],
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
+    ["libgvd/remesh/src/dual"],
+    ["libgvd/remesh/src/repair", "libgvd/remesh/src/certificate"],
     ["libgvd/remesh"],
     ["apps/common/options"],
     ["apps/common/run"],
@@ -62,7 +64,9 @@ PUBLIC = {
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",
     "libgvd/lloyd": "density features lloyd",
-    "libgvd/remesh": "dual remesh",
+    "libgvd/remesh/src/dual": "dual",
+    "libgvd/remesh/src/certificate": "remesh_certificate",
+    "libgvd/remesh": "remesh",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
@@ -89,7 +93,7 @@ def folder_of(path):
 
 def find_header(name, source):
     """The file that an include names."""
-    for base in (source.parent, ROOT / "libgvd/src", ROOT / "apps"):
+    for base in (source.parent, ROOT / "libgvd/src", ROOT / "libgvd/remesh/src", ROOT / "apps"):
         if (base / name).exists():
             return base / name
     public = [p for p in ROOT.glob(f"libgvd/**/include/{name}")]

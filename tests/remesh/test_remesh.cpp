@@ -6,13 +6,13 @@
 #endif
 #include <algorithm>
 
-#include "added_generators.hpp"
-#include "are_near.hpp"
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/sampling.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/are_near.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -7,7 +7,7 @@
 
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "propose_generators.hpp"
+#include "repair/propose_generators.hpp"
 
 namespace gvd {
 namespace {

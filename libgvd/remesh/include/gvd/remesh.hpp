@@ -10,6 +10,7 @@
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/quality.hpp"
+#include "gvd/remesh_certificate.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -36,25 +37,6 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 /// The largest number of rounds (diagrams). Measured on 850 remeshes of real meshes with 1 to 300 generators:
 /// those that succeeded took at most 50 rounds, nine of ten at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
-
-/// What holds for a remesh, measured on the returned mesh itself.
-struct RemeshCertificate {
-  MeshSummary input;
-  MeshSummary output;
-  bool manifold = false;         ///< OpenMesh accepts every face, and finds one fan round every vertex
-  bool closed_as_input = false;  ///< no boundary where the input has none, and a boundary where it has one
-  bool same_euler_characteristic = false;
-  bool same_components = false;  ///< the same number, and each has exactly the generators of one input component
-  bool same_boundary_loops = false;
-  /// Euler characteristic and boundary loops agree for each component, not only in sum.
-  bool same_in_each_component = false;
-  std::int64_t flipped_faces = 0;      ///< see find_flipped_faces
-  std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
-
-  bool ok() const;
-  /// The first property that does not hold, as part of a sentence; empty if all hold.
-  std::string first_failure() const;
-};
 
 struct RemeshResult {
   Mesh mesh;                              ///< vertex i is generator i
@@ -83,11 +65,5 @@ struct RemeshResult {
 /// `max_added` generators within kMaxRemeshRounds, or without `refine`; and what compute_diagram throws.
 /// Cost: one diagram a round, and some tens of rounds for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
-
-/// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` the branch points of
-/// the faces.
-/// Never throws on a finding. Cost: O(n).
-RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
-                                 const std::vector<SurfacePoint>& face_points);
 
 }  // namespace gvd

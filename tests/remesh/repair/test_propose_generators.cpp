@@ -1,8 +1,8 @@
 // Where new generators go: one small diagram for each property that fails.
 #include <algorithm>
 
-#include "added_generators.hpp"
-#include "propose_generators.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/propose_generators.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,4 @@
-#include "are_near.hpp"
+#include "repair/are_near.hpp"
 
 #include <algorithm>
 #include <set>

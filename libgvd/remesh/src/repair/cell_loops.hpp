@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "cell_tree.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
+#include "repair/cell_tree.hpp"
 
 namespace gvd {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cell_tree.hpp"
+#include "repair/cell_tree.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "added_generators.hpp"
-#include "boundary_arcs.hpp"
-#include "cell_loops.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
-#include "tip_rings.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/boundary_arcs.hpp"
+#include "repair/cell_loops.hpp"
+#include "repair/tip_rings.hpp"
 
 namespace gvd {
 

@@ -1,11 +1,11 @@
-#include "repair_defect.hpp"
+#include "repair/repair_defect.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
 
-#include "bisector_length.hpp"
 #include "gvd/error.hpp"
+#include "repair/bisector_length.hpp"
 
 namespace gvd {
 

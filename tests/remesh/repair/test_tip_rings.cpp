@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "repair/tip_rings.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
-#include "tip_rings.hpp"
 
 using namespace gvd;
 

@@ -1,5 +1,5 @@
 // Nearness along the surface: what lies in one place in space may be far apart.
-#include "are_near.hpp"
+#include "repair/are_near.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

@@ -1,9 +1,9 @@
-#include "propose_generators.hpp"
+#include "repair/propose_generators.hpp"
 
 #include <algorithm>
 
-#include "added_generators.hpp"
-#include "repair_defect.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/repair_defect.hpp"
 
 namespace gvd {
 namespace {

@@ -1,4 +1,4 @@
-#include "bisector_length.hpp"
+#include "repair/bisector_length.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

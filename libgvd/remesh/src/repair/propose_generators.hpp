@@ -8,7 +8,7 @@
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
-#include "tip_rings.hpp"
+#include "repair/tip_rings.hpp"
 
 namespace gvd {
 

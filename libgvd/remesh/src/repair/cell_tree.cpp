@@ -1,4 +1,4 @@
-#include "cell_tree.hpp"
+#include "repair/cell_tree.hpp"
 
 #include <functional>
 #include <queue>

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "cell_loops.hpp"
+#include "repair/cell_loops.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

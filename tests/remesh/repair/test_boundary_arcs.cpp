@@ -1,6 +1,6 @@
 #include <map>
 
-#include "boundary_arcs.hpp"
+#include "repair/boundary_arcs.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

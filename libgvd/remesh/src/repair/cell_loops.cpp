@@ -1,12 +1,12 @@
-#include "cell_loops.hpp"
+#include "repair/cell_loops.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
 
-#include "dual_graph.hpp"
 #include "gvd/closest_point.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/dual_graph.hpp"
 
 namespace gvd {
 namespace {

@@ -1,9 +1,9 @@
-#include "added_generators.hpp"
+#include "repair/added_generators.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "are_near.hpp"
+#include "repair/are_near.hpp"
 
 namespace gvd {
 

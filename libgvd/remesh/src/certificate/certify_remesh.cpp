@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <map>
 
+#include "gvd/dual.hpp"
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
-#include "gvd/remesh.hpp"
+#include "gvd/remesh_certificate.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

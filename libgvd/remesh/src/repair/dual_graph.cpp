@@ -1,4 +1,4 @@
-#include "dual_graph.hpp"
+#include "repair/dual_graph.hpp"
 
 namespace gvd {
 

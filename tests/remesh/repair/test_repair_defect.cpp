@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "repair_defect.hpp"
+#include "repair/repair_defect.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

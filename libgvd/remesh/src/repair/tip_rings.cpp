@@ -1,12 +1,12 @@
-#include "tip_rings.hpp"
+#include "repair/tip_rings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "added_generators.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/added_generators.hpp"
 
 namespace gvd {
 namespace {

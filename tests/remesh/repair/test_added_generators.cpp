@@ -1,4 +1,4 @@
-#include "added_generators.hpp"
+#include "repair/added_generators.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

@@ -1,4 +1,4 @@
-#include "boundary_arcs.hpp"
+#include "repair/boundary_arcs.hpp"
 
 #include <algorithm>
 #include <limits>

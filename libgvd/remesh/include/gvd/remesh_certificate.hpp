@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// What holds for a remesh, measured on the returned mesh itself.
+struct RemeshCertificate {
+  MeshSummary input;
+  MeshSummary output;
+  bool manifold = false;         ///< OpenMesh accepts every face, and finds one fan round every vertex
+  bool closed_as_input = false;  ///< no boundary where the input has none, and a boundary where it has one
+  bool same_euler_characteristic = false;
+  bool same_components = false;  ///< the same number, and each has exactly the generators of one input component
+  bool same_boundary_loops = false;
+  /// Euler characteristic and boundary loops agree for each component, not only in sum.
+  bool same_in_each_component = false;
+  std::int64_t flipped_faces = 0;      ///< see find_flipped_faces
+  std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
+
+  bool ok() const;
+  /// The first property that does not hold, as part of a sentence; empty if all hold.
+  std::string first_failure() const;
+};
+
+/// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` the branch points of
+/// the faces.
+/// Never throws on a finding. Cost: O(n).
+RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                                 const std::vector<SurfacePoint>& face_points);
+
+}  // namespace gvd
