@@ -35,6 +35,9 @@ FLOORS = [
     ["libgvd/src/diagram/evaluation"],
     ["libgvd/src/io/generators", "libgvd/src/io/writers"],
     ["libgvd/src/io/view"],
+    ["libgvd/lloyd/src/optimiser", "libgvd/lloyd/src/constraints", "libgvd/lloyd/src/integrals"],
+    ["libgvd/lloyd/src/state"],
+    ["libgvd/lloyd/src/steps"],
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
     ["libgvd/remesh/src/dual"],
     ["libgvd/remesh/src/repair", "libgvd/remesh/src/certificate"],
@@ -63,7 +66,10 @@ PUBLIC = {
     "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/point_writer",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",
-    "libgvd/lloyd": "density features lloyd",
+    "libgvd/lloyd/src/optimiser": "acceleration",
+    "libgvd/lloyd/src/constraints": "features",
+    "libgvd/lloyd/src/integrals": "cell_moments density",
+    "libgvd/lloyd": "lloyd",
     "libgvd/remesh/src/dual": "dual",
     "libgvd/remesh/src/certificate": "remesh_certificate",
     "libgvd/remesh": "remesh",
@@ -93,7 +99,8 @@ def folder_of(path):
 
 def find_header(name, source):
     """The file that an include names."""
-    for base in (source.parent, ROOT / "libgvd/src", ROOT / "libgvd/remesh/src", ROOT / "apps"):
+    top = ROOT.joinpath(*source.relative_to(ROOT).parts[:2])
+    for base in (source.parent, top / "src", ROOT / "libgvd/src", ROOT / "apps"):
         if (base / name).exists():
             return base / name
     public = [p for p in ROOT.glob(f"libgvd/**/include/{name}")]

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <random>
 
-#include "tangent_field.hpp"
+#include "optimiser/tangent_field.hpp"
 
 namespace gvd::test {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "generator_moves.hpp"
 #include "gvd/lloyd.hpp"
+#include "state/generator_moves.hpp"
 
 namespace gvd {
 

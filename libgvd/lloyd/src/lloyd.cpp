@@ -6,18 +6,18 @@
 #include <optional>
 #include <utility>
 
-#include "accelerator.hpp"
-#include "cell_integrals.hpp"
-#include "generator_moves.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
+#include "integrals/cell_integrals.hpp"
 #include "iteration_record.hpp"
-#include "line_search.hpp"
-#include "own_scales.hpp"
+#include "optimiser/line_search.hpp"
 #include "precision_levels.hpp"
-#include "relaxation_state.hpp"
-#include "relocation.hpp"
-#include "vertex_rests.hpp"
+#include "state/generator_moves.hpp"
+#include "state/relaxation_state.hpp"
+#include "steps/accelerator.hpp"
+#include "steps/own_scales.hpp"
+#include "steps/relocation.hpp"
+#include "steps/vertex_rests.hpp"
 
 namespace gvd {
 namespace {

@@ -11,7 +11,7 @@ namespace gvd::io {
 /// In each face the squared distance is a quadratic function of the barycentric coordinates. The distances of the
 /// corners and the lengths of the edges give it: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. That is exact where straight
 /// lines from one generator reach all three corners. Elsewhere, as in cut faces, whose corners may have another
-/// generator, it is an approximation for pictures; `compute_cell_moments` of gvd/lloyd.hpp is the exact one.
+/// generator, it is an approximation for pictures; `compute_cell_moments` of gvd/cell_moments.hpp is the exact one.
 /// A face with a corner that no generator reaches counts nothing.
 /// Throws nothing. Cost: O(n).
 IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraints/generator_constraints.hpp"
+#include "gvd/acceleration.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "optimiser/tangent_field.hpp"
+
+namespace gvd {
+
+/// A move of all generators, before its diagram is known.
+struct GeneratorMove {
+  std::vector<SurfacePoint> to;
+  std::vector<double> length;            ///< of every generator's path, mesh units
+  TangentField step;                     ///< of the paths, in the tangent planes at their ends
+  std::vector<Turn> turns;               ///< parallel transport along the paths
+  double scale = 1;                      ///< factor of all steps
+  std::int32_t held = 0;                 ///< generators that stay because they would collide
+  std::int32_t relocated = 0;            ///< generators that left their place for a distant one
+  Acceleration by = Acceleration::none;  ///< what proposed the steps
+};
+
+/// Moves each generator along the straight geodesic of its step, or along its crease. One that would come nearer than a
+/// small gap to another one stays (see keep_apart).
+/// Cost: O(faces crossed) and O(m log m).
+GeneratorMove move_generators(const Mesh& mesh, const std::vector<SurfacePoint>& from, const TangentField& steps,
+                              double mean_cell_radius, const GeneratorConstraints& constraints = {});
+
+}  // namespace gvd

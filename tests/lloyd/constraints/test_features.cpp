@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/crease_network.hpp"
+#include "constraints/generator_constraints.hpp"
+#include "gvd/error.hpp"
+#include "gvd/features.hpp"
+#include "gvd/lloyd.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// A closed box with sides of length 1, 1 and `thickness`: 12 creases and 8 corners.
+Mesh make_box(int n) { return test::make_plate(n, 0.5); }
+
+std::vector<EdgeId> all_boundary(const Mesh& mesh) { return find_creases(mesh, {180, true}); }
+
+}  // namespace
+
+TEST_CASE("creases: the edges of a box, none of a sphere, and the boundary on demand") {
+  const Mesh box = make_box(4);
+  for (const EdgeId e : find_creases(box, {30})) {
+    const HalfedgeId h = box.halfedge(e);
+    const Vec3 way = (box.position(box.to(h)) - box.position(box.from(h))).cwiseAbs();
+    CHECK(way.maxCoeff() == Approx(way.sum()));  // along an axis
+  }
+  CHECK_FALSE(find_creases(box, {30}).empty());
+  CHECK(find_creases(box, {95}).empty());
+  CHECK(find_creases(test::make_sphere(3), {30}).empty());
+  const Mesh grid = test::make_grid(3, 2);
+  CHECK(find_creases(grid, {30}).empty());
+  CHECK(all_boundary(grid).size() == 10);
+  CHECK_THROWS_AS(find_creases(grid, {0}), Error);
+  CHECK_THROWS_AS(find_creases(grid, {181}), Error);
+}
+
+TEST_CASE("creases: corners are fixed, and generators between them evenly spaced") {
+  const Mesh grid = test::make_grid(6, 3);
+  const FeatureGenerators placed = place_on_creases(grid, all_boundary(grid), 1.5);
+  // Four corners; four parts along each long side, two along each short one.
+  REQUIRE(placed.points.size() == 4 + 2 * 3 + 2 * 1);
+  CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::fixed) == 4);
+  CHECK(
+      std::is_partitioned(placed.freedom.begin(), placed.freedom.end(), [](Freedom f) { return f == Freedom::fixed; }));
+  for (const SurfacePoint& p : placed.points) {
+    const Vec3 at = position(grid, p);
+    CHECK(std::fmod(at.x() + 1e-9, 1.5) < 1e-6);
+    CHECK(std::fmod(at.y() + 1e-9, 1.5) < 1e-6);
+  }
+  CHECK_THROWS_AS(place_on_creases(grid, all_boundary(grid), 0), Error);
+  const FeatureGenerators of_box = place_on_creases(make_box(4), find_creases(make_box(4), {30}), 10);
+  CHECK(of_box.points.size() == 8);
+}
+
+TEST_CASE("creases: a closed one without a corner has at least three generators, each once") {
+  const Mesh ring = test::make_ring(40, 3);
+  const double round = 2 * std::acos(-1.0);
+  for (const double spacing : {100.0, round / 8}) {
+    const FeatureGenerators placed = place_on_creases(ring, all_boundary(ring), spacing);
+    CHECK(placed.points.size() == (spacing > 10 ? 6 : 16));
+    CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::on_crease) == std::ssize(placed.points));
+  }
+}
+
+TEST_CASE("creases: a path follows the crease by its length, over vertices, to the next corner") {
+  const Mesh grid = test::make_grid(6, 3);
+  const CreaseNetwork network(grid, all_boundary(grid));
+  for (const SurfacePoint& start : place_on_creases(grid, all_boundary(grid), 0.7).points) {
+    const Vec3 from = position(grid, start);
+    for (const Vec2& wish : {Vec2(0.9, 0.4), Vec2(-0.9, 0.4), Vec2(0.1, -1.3), Vec2(-5, -1)}) {
+      const Vec2 step = network.project(start, wish);
+      CHECK(step.norm() <= wish.norm() + 1e-12);
+      const GeodesicTrace trace = network.follow(start, step);
+      const Vec3 to = position(grid, trace.points.back());
+      CHECK((to - from).norm() == Approx(trace.length).margin(1e-12));
+      CHECK(network.contains(trace.points.back()));
+      CHECK(trace.complete == (trace.length >= step.norm()));
+      if (!(trace.length > 0) || !trace.complete) continue;
+      // Back the same way.
+      const GeodesicTrace back = network.follow(trace.points.back(), -trace.length * trace.direction);
+      CHECK((position(grid, back.points.back()) - from).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("lloyd: fixed generators stay, and those on creases stay on them") {
+  const Mesh box = make_box(6);
+  LloydOptions options;
+  options.creases = find_creases(box, {30});
+  const FeatureGenerators placed = place_on_creases(box, options.creases, 0.4);
+  auto start = placed.points;
+  options.freedom = placed.freedom;
+  for (const SurfacePoint& p : test::random_generators(box, 30, 3)) {
+    if (p.kind() != SurfacePoint::Kind::face) continue;
+    start.push_back(p);
+    options.freedom.push_back(start.size() % 4 == 0 ? Freedom::fixed : Freedom::free);
+  }
+  for (const Acceleration acceleration : {Acceleration::none, Acceleration::lbfgs, Acceleration::anderson}) {
+    options.acceleration = acceleration;
+    const LloydResult result = relax_generators(box, start, options);
+    CHECK(result.final_energy < result.initial_energy);
+    const CreaseNetwork network(box, options.creases);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      if (options.freedom[i] == Freedom::fixed) CHECK(result.generators[i] == start[i]);
+      if (options.freedom[i] == Freedom::on_crease) CHECK(network.contains(result.generators[i]));
+    }
+  }
+}
+
+TEST_CASE("lloyd: wrong numbers of freedoms, and generators beside their creases, are refused") {
+  const Mesh grid = test::make_grid(4, 4);
+  const auto start = test::random_generators(grid, 3, 1);
+  LloydOptions options;
+  options.freedom = {Freedom::free};
+  CHECK_THROWS_AS(relax_generators(grid, start, options), Error);
+  options.freedom = {Freedom::free, Freedom::free, Freedom::on_crease};
+  CHECK_THROWS_AS(relax_generators(grid, start, options), Error);
+}
