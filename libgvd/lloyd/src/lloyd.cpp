@@ -6,14 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
-#include "integrals/cell_integrals.hpp"
 #include "iteration_record.hpp"
 #include "optimiser/line_search.hpp"
-#include "precision_levels.hpp"
 #include "state/generator_moves.hpp"
 #include "state/relaxation_state.hpp"
+#include "state_evaluator.hpp"
 #include "steps/accelerator.hpp"
 #include "steps/own_scales.hpp"
 #include "steps/relocation.hpp"
@@ -63,33 +61,35 @@ void keep(RelaxationState&& state, LloydResult& result) {
   result.mean_cell_radius = state.mean_cell_radius;
 }
 
-/// Long because every rule of the iteration reads the same state: levels, record, constraints and accelerator.
+/// The rules of the iteration: what is tried, what is taken, and when to end.
 class Relaxer {
  public:
-  Relaxer(const Mesh& mesh, const LloydOptions& options)
+  /// All have to outlive this.
+  Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options)
       : mesh_(mesh),
         options_(options),
+        start_(start),
         constraints_(mesh, options.freedom, options.creases),
-        integrals_(mesh, options.density),
+        states_(mesh, options, constraints_, start.size()),
         accelerator_(mesh, options.density, constraints_, options.acceleration) {}
 
-  LloydResult run(const std::vector<SurfacePoint>& generators) {
+  LloydResult run() {
     report();
-    constraints_.check(generators);
-    levels_ = make_precision_levels(mesh_, generators.size(), options_);
-    start_ = generators;
-    RelaxationState state = evaluate(generators);
+    constraints_.check(start_);
+    RelaxationState state = evaluate(start_);
     record_.initial_energy = state.energy;
     report_iteration(state);
-    result_.stop = iterate(state);
-    if (!is_last_level()) {
-      level_ = levels_.size() - 2;
+    LloydResult result;
+    result.stop = iterate(state);
+    if (!states_.is_last_level()) {
+      states_.skip_early_levels();
       state = raise_level(state);
     }
-    result_.initial_energy = record_.initial_energy;
-    result_.iterations = std::move(record_.iterations);
-    keep(std::move(state), result_);
-    return std::move(result_);
+    result.initial_energy = record_.initial_energy;
+    result.iterations = std::move(record_.iterations);
+    result.diagrams = states_.diagrams();
+    keep(std::move(state), result);
+    return result;
   }
 
  private:
@@ -100,7 +100,7 @@ class Relaxer {
       const std::optional<LloydStop> stop = advance(state);
       if (!stop) continue;
       const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
-      if (is_used_up || is_last_level()) return *stop;
+      if (is_used_up || states_.is_last_level()) return *stop;
       state = raise_level(state);
     }
   }
@@ -114,24 +114,21 @@ class Relaxer {
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
     if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
-    const bool is_early = level_ + 2 < levels_.size();
-    const double least = is_early ? std::max(kEarlyFall, energy_tolerance(options_)) : energy_tolerance(options_);
+    const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
     const std::size_t window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
     return record_.falls_by(least, window) ? std::nullopt : std::optional(LloydStop::energy);
   }
 
-  bool is_last_level() const { return level_ + 1 == levels_.size(); }
-
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
   RelaxationState raise_level(const RelaxationState& early) {
     const bool has_moved = early.generators != start_;
-    const bool has_fallen = level_ > 0 || early.energy < kClearFall * record_.initial_energy;
-    ++level_;
+    const bool has_fallen = !states_.is_first_level() || early.energy < kClearFall * record_.initial_energy;
+    states_.raise_level();
     RelaxationState state = evaluate(early.generators);
     if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
       state = lower_of(std::move(state), evaluate(start_));
     }
-    record_.restate(state.energy, levels_[level_].method);
+    record_.restate(state.energy, states_.method());
     report_iteration(state);
     return state;
   }
@@ -147,24 +144,8 @@ class Relaxer {
   }
 
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
-    DiagramOptions diagram_options = levels_[level_];
-    diagram_options.progress = [this](std::string_view step, double fraction) {
-      const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
-      report((static_cast<double>(begun) + fraction) / static_cast<double>(steps::kAll.size()));
-      return true;
-    };
-    ++result_.diagrams;
-    RelaxationState state = evaluate_generators(mesh_, generators, diagram_options, integrals_, constraints_);
-    if (finds_rests()) mark_rests(mesh_, rest_radius(state), integrals_, state);
-    return state;
+    return states_.evaluate(generators, [this](double fraction) { report(fraction); });
   }
-
-  /// Rests are looked for once distances are as exact as the options ask for.
-  bool finds_rests() const {
-    return options_.acceleration != Acceleration::none && level_ + 2 >= levels_.size() &&
-           levels_[level_].method == options_.diagram.method;
-  }
-  double rest_radius(const RelaxationState& state) const { return gvd::rest_radius(state, options_.move_tolerance); }
 
   /// One iteration that relocates generators, if it promises more than the last iteration gave. If the energy does not
   /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
@@ -186,15 +167,13 @@ class Relaxer {
   bool descend_accelerated(RelaxationState& state) {
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (!proposed) return false;
-    std::vector<Rest> rests;
-    if (finds_rests()) rests = find_rests(mesh_, state, rest_radius(state), integrals_);
-    std::erase_if(rests, [&](const Rest& rest) { return !constraints_.is_free(rest.generator); });
+    const std::vector<Rest> rests = states_.find_rests(state);
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
       next.scale = scale;
       next.by = options_.acceleration;
-      for (const Rest& rest : rests) move_to_rest(mesh_, rest, rest_radius(state), state.generators, next);
+      for (const Rest& rest : rests) move_to_rest(mesh_, rest, states_.rest_radius(state), state.generators, next);
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
       const double energy = take_if_below(limit, state, next);
       if (energy < limit) return true;
@@ -212,7 +191,7 @@ class Relaxer {
     };
     std::vector<double> scales(state.generators.size(), options_.step);
     if (takes(move(state, state.to_centroids, scales))) return true;
-    scales = find_own_scales(constraints_, state, options_.step, integrals_, [this] { report(); });
+    scales = find_own_scales(constraints_, state, options_.step, states_.integrals(), [this] { report(); });
     for (int halving = 0; halving <= kCommonHalvings; ++halving) {
       GeneratorMove next = move(state, state.to_centroids, scales);
       next.scale = std::ldexp(1.0, -halving);
@@ -235,7 +214,7 @@ class Relaxer {
     RelaxationState moved = evaluate(next.to);
     const double energy = moved.energy;
     if (!(energy < limit)) return energy;
-    record_.add(next, state.energy, energy, levels_[level_].method);
+    record_.add(next, state.energy, energy, states_.method());
     report_iteration(moved);
     if (next.relocated > 0) {
       accelerator_.forget();
@@ -259,15 +238,12 @@ class Relaxer {
 
   const Mesh& mesh_;
   const LloydOptions& options_;
+  const std::vector<SurfacePoint>& start_;
   const GeneratorConstraints constraints_;
-  CellIntegrals integrals_;
+  StateEvaluator states_;
   Accelerator accelerator_;
-  std::vector<DiagramOptions> levels_;
-  std::size_t level_ = 0;
-  std::size_t next_relocation_ = 0;  // iterations before the next attempt
   IterationRecord record_;
-  std::vector<SurfacePoint> start_;
-  LloydResult result_;
+  std::size_t next_relocation_ = 0;  // iterations before the next attempt
 };
 
 }  // namespace
@@ -276,7 +252,7 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
                              const LloydOptions& options) {
   check_options(options);
   check_density(mesh, options.density);
-  return Relaxer(mesh, options).run(generators);
+  return Relaxer(mesh, generators, options).run();
 }
 
 }  // namespace gvd

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "gvd/lloyd.hpp"
+#include "gvd/mesh.hpp"
+#include "integrals/cell_integrals.hpp"
+#include "state/relaxation_state.hpp"
+#include "steps/vertex_rests.hpp"
+
+namespace gvd {
+
+/// Computes the states of a relaxation with the diagrams of one level of precision after the other.
+class StateEvaluator {
+ public:
+  /// Begins at the first level for so many generators. All have to outlive this.
+  StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints,
+                 std::size_t generators);
+
+  bool is_first_level() const { return level_ == 0; }
+  bool is_last_level() const { return level_ + 1 == levels_.size(); }
+  /// Whether more than one level follows.
+  bool is_early_level() const { return level_ + 2 < levels_.size(); }
+  void raise_level() { ++level_; }
+  /// Where more than one level follows, goes to the last but one.
+  void skip_early_levels() {
+    while (is_early_level()) raise_level();
+  }
+  const Method& method() const { return levels_[level_].method; }
+
+  /// The state with the diagram of this level. `report` is called with the fraction of the diagram that is done.
+  RelaxationState evaluate(const std::vector<SurfacePoint>& generators, const std::function<void(double)>& report);
+  /// The number of states, each of which took a diagram.
+  std::int64_t diagrams() const { return diagrams_; }
+
+  /// The vertices to which free generators can go to rest. Accelerated relaxations look for them once distances are as
+  /// exact as the options ask for.
+  std::vector<Rest> find_rests(const RelaxationState& state);
+  double rest_radius(const RelaxationState& state) const { return gvd::rest_radius(state, options_.move_tolerance); }
+
+  CellIntegrals& integrals() { return integrals_; }
+
+ private:
+  bool finds_rests() const {
+    return options_.acceleration != Acceleration::none && !is_early_level() && method() == options_.diagram.method;
+  }
+
+  const Mesh& mesh_;
+  const LloydOptions& options_;
+  const GeneratorConstraints& constraints_;
+  CellIntegrals integrals_;
+  std::vector<DiagramOptions> levels_;
+  std::size_t level_ = 0;
+  std::int64_t diagrams_ = 0;
+};
+
+}  // namespace gvd
