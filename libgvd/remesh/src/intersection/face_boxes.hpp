@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// A box whose sides are parallel to the axes, mesh units.
+struct Box3 {
+  Vec3 low, high;
+};
+
+Box3 face_box(const Mesh& mesh, FaceId f);
+
+/// Whether two closed boxes have a common point.
+inline bool overlap(const Box3& a, const Box3& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// A balanced tree of the bounding boxes of faces, split at the median of the longest axis. The mesh must outlive it.
+class FaceBoxes {
+ public:
+  /// Cost: O(n log n).
+  explicit FaceBoxes(const Mesh& mesh);
+
+  /// Calls visit(f) for every face whose box overlaps this one. Cost: O(log n) and O(1) a visit, as a rule.
+  template <class Visit>
+  void visit(const Box3& box, const Visit& visit) const {
+    if (!nodes_.empty()) visit_below(0, box, visit);
+  }
+
+ private:
+  static constexpr std::int32_t kLeafFaces = 4;
+  struct Node {
+    Box3 box;
+    std::int32_t first = 0, count = 0;  ///< into faces_
+    std::int32_t right = -1;            ///< second child; the first one follows its parent; -1 in a leaf
+  };
+
+  void build(std::int32_t first, std::int32_t count);
+
+  template <class Visit>
+  void visit_below(std::int32_t index, const Box3& box, const Visit& visit) const {
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (!overlap(node.box, box)) return;
+    if (node.right < 0) {
+      for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+        const FaceId f = faces_[static_cast<std::size_t>(i)];
+        if (overlap(boxes_[f], box)) visit(f);
+      }
+      return;
+    }
+    visit_below(index + 1, box, visit);
+    visit_below(node.right, box, visit);
+  }
+
+  IdVector<FaceId, Box3> boxes_;
+  std::vector<FaceId> faces_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,118 @@
+// Pairs of faces with small whole coordinates, against a search for a separating axis in whole numbers.
+#include <algorithm>
+#include <vector>
+
+#include "intersection/faces_intersect.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+#include "support/tiny_meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+using Polygon = std::vector<Vec3>;
+
+bool separates(const Vec3& axis, const Polygon& a, const Polygon& b) {
+  const auto range = [&](const Polygon& polygon) {
+    double low = axis.dot(polygon[0]), high = low;
+    for (const Vec3& p : polygon) low = std::min(low, axis.dot(p)), high = std::max(high, axis.dot(p));
+    return std::pair(low, high);
+  };
+  const auto [low_a, high_a] = range(a);
+  const auto [low_b, high_b] = range(b);
+  return high_a < low_b || high_b < low_a;
+}
+
+/// The normal of a polygon that is not degenerate; its corners are in a plane.
+Vec3 normal(const Polygon& p) { return (p[1] - p[0]).cross(p[2] - p[0]); }
+
+/// Whether two convex flat polygons have no common point. All numbers are whole and small, so nothing is rounded.
+bool are_apart(const Polygon& a, const Polygon& b) {
+  std::vector<Vec3> axes{normal(a), normal(b)};
+  const auto edge = [](const Polygon& p, std::size_t i) -> Vec3 { return p[(i + 1) % p.size()] - p[i]; };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    axes.push_back(normal(a).cross(edge(a, i)));
+    for (std::size_t j = 0; j < b.size(); ++j) axes.push_back(edge(a, i).cross(edge(b, j)));
+  }
+  for (std::size_t j = 0; j < b.size(); ++j) axes.push_back(normal(b).cross(edge(b, j)));
+  return std::any_of(axes.begin(), axes.end(), [&](const Vec3& axis) { return separates(axis, a, b); });
+}
+
+/// The triangle without the half that touches corner 0.
+Polygon without_corner(const Polygon& t) { return {t[1], t[2], (t[0] + t[2]) / 2, (t[0] + t[1]) / 2}; }
+
+Vec3 random_point(test::Random& random) { return 2 * Vec3(random.below(5), random.below(5), random.below(5)); }
+
+Polygon random_triangle(test::Random& random) {
+  while (true) {
+    Polygon t{random_point(random), random_point(random), random_point(random)};
+    if (normal(t) != Vec3(0, 0, 0)) return t;
+  }
+}
+
+bool intersect(const Polygon& positions, const std::array<int, 3>& f, const std::array<int, 3>& g) {
+  return faces_intersect(test::make_mesh(positions, {f, g}), FaceId(0), FaceId(1));
+}
+
+/// For faces with the common corner 0. A third face between them makes them one fan.
+bool intersect_beyond_corner(const Polygon& a, const Polygon& b) {
+  const std::vector<std::array<int, 3>> fan{{0, 1, 2}, {0, 3, 4}, {0, 2, 3}};
+  return faces_intersect(test::make_mesh({a[0], a[1], a[2], b[1], b[2]}, fan), FaceId(0), FaceId(1));
+}
+
+}  // namespace
+
+TEST_CASE("faces without a common vertex intersect where no axis separates them") {
+  test::Random random(1);
+  int found = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Polygon a = random_triangle(random), b = random_triangle(random);
+    const bool meet = intersect({a[0], a[1], a[2], b[0], b[1], b[2]}, {0, 1, 2}, {3, 4, 5});
+    REQUIRE(meet == !are_apart(a, b));
+    found += meet;
+  }
+  CHECK(found > 5000);
+  CHECK(found < 15000);
+}
+
+TEST_CASE("faces of one vertex intersect where an outer half of one meets the other") {
+  test::Random random(2);
+  int found = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Polygon a = random_triangle(random);
+    Polygon b = random_triangle(random);
+    b[0] = a[0];
+    if (normal(b) == Vec3(0, 0, 0) || b[1] == a[2]) continue;
+    const bool meet = intersect_beyond_corner(a, b);
+    REQUIRE(meet == !(are_apart(without_corner(a), b) && are_apart(a, without_corner(b))));
+    found += meet;
+  }
+  CHECK(found > 3000);
+  CHECK(found < 15000);
+}
+
+TEST_CASE("faces of one edge intersect only where they are folded onto each other") {
+  const Vec3 a(0, 0, 0), b(2, 0, 0), c(1, 1, 0);
+  const auto folds = [&](const Vec3& d) { return intersect({a, b, c, d}, {0, 1, 2}, {1, 0, 3}); };
+  CHECK(folds({1, 2, 0}));
+  CHECK(folds({-5, 0.5, 0}));
+  CHECK(folds(c));
+  CHECK_FALSE(folds({1, -1, 0}));
+  CHECK_FALSE(folds({1, 1, 1e-300}));
+  CHECK_FALSE(folds({1, 0, 1}));
+}
+
+TEST_CASE("faces of the same three vertices intersect") {
+  CHECK(faces_intersect(test::make_pillow(), FaceId(0), FaceId(1)));
+}
+
+TEST_CASE("a segment meets triangles without area, and a point of them") {
+  const Triangle line{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(3, 3, 3)}, point{Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1)};
+  CHECK(segment_meets_triangle({2, 2, 0}, {2, 2, 4}, line));
+  CHECK(segment_meets_triangle({2, 2, 2}, {9, 9, 9}, line));
+  CHECK_FALSE(segment_meets_triangle({4, 4, 4}, {9, 9, 9}, line));
+  CHECK_FALSE(segment_meets_triangle({2, 2.5, 0}, {2, 2.5, 4}, line));
+  CHECK(segment_meets_triangle({0, 0, 0}, {2, 2, 2}, point));
+  CHECK_FALSE(segment_meets_triangle({0, 0, 0}, {2, 2, 2.5}, point));
+}
