@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "lloyd/lloyd_report.hpp"
+#include "common/relaxation/relaxation_report.hpp"
 
 namespace gvd::app {
 namespace {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/options/options_json.hpp"
+#include "common/relaxation/relaxation_report.hpp"
 #include "gvd/counted.hpp"
 
 namespace gvd::app {
@@ -78,22 +79,6 @@ std::string step_name(const LloydIteration& iteration) {
   return iteration.by == Acceleration::none ? "lloyd" : name_of(iteration.by);
 }
 
-const char* name_of(LloydStop stop) {
-  switch (stop) {
-    case LloydStop::centroids:
-      return "centroids";
-    case LloydStop::energy:
-      return "energy";
-    case LloydStop::no_descent:
-      return "no descent";
-    case LloydStop::max_iterations:
-      return "iterations";
-    case LloydStop::time_limit:
-      return "time limit";
-  }
-  return "";
-}
-
 const Choices<Acceleration>& acceleration_names() {
   static const Choices<Acceleration> names{
       {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
@@ -109,11 +94,7 @@ void report_lloyd_options(Run& run, const OwnOptions& own) {
   reported["tolerance"] = energy_tolerance(options);
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
-  reported["fixed"] = own.constraints.fixed.empty() ? Json() : Json(own.constraints.fixed);
-  reported["features"] = own.constraints.features ? Json(*own.constraints.features) : Json();
-  reported["keep_boundary"] = own.constraints.keep_boundary;
-  reported["density"] = own.constraints.density.empty() ? Json() : Json(own.constraints.density);
-  reported["gradation"] = own.constraints.gradation;
+  report_constraints(reported, own.constraints);
   reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
 }
 

@@ -30,7 +30,4 @@ void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result);
 /// How the step of an iteration was found, in one word.
 std::string step_name(const LloydIteration& iteration);
 
-/// The reason of the end in one word, as reports and pages name it.
-const char* name_of(LloydStop stop);
-
 }  // namespace gvd::app

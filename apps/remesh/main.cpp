@@ -8,11 +8,11 @@
 #include "common/run/command.hpp"
 #include "common/run/step_times.hpp"
 #include "common/steps/load_input.hpp"
-#include "common/steps/make_generators.hpp"
 #include "common/steps/verify.hpp"
 #include "common/steps/write_outputs.hpp"
 #include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
+#include "remesh/relax_start.hpp"
 #include "remesh/remesh_json.hpp"
 #include "remesh/remesh_report.hpp"
 
@@ -22,8 +22,8 @@ using namespace gvd;
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
-    "  gvd-lloyd bunny.obj -n 2000 -o samples.json &&\n"
-    "    gvd-remesh bunny.obj --generators samples.json -o coarse.ply\n"
+    "  gvd-remesh bunny.obj -n 2000 --relax 40 --density curvature -o coarse.ply\n"
+    "  gvd-remesh bunny.obj --generators samples.json -o coarse.ply\n"
     "  gvd-remesh bunny.obj -n 500 --view coarse.html --report report.json\n"
     "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
     "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
@@ -32,6 +32,7 @@ constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from
 
 struct Settings {
   RemeshOptions remesh;
+  app::RelaxOptions relaxation;
   bool no_refine = false;
 };
 
@@ -106,10 +107,11 @@ void run_remesh(app::Run& run, const Settings& settings) {
   if (run.options().output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
+  app::check_relaxation(settings.relaxation, run.options().generators);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
-  const std::vector<SurfacePoint> generators = app::make_generators(run, input);
-  const RemeshResult result = make_remesh(run, mesh, generators, settings);
+  const app::ConstrainedStart start = app::make_relaxed_start(run, input, settings.relaxation);
+  const RemeshResult result = make_remesh(run, mesh, start.points, settings);
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
@@ -130,6 +132,7 @@ int main(int argc, char** argv) {
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
   info.materials = false;  // the coarse mesh has no labels
   app::Command command(info);
+  app::register_relaxation(command.line(), settings.relaxation);
   register_options(command.line(), settings);
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

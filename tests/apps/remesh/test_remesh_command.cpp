@@ -10,6 +10,65 @@
 using namespace gvd::test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+nlohmann::json report_of(const std::string& arguments) {
+  const ScratchFolder scratch;
+  const CommandResult result = run_command("gvd-remesh", arguments + " -q --report " + scratch / "report.json");
+  CAPTURE(arguments, result.err);
+  REQUIRE(result.exit_code == 0);
+  return nlohmann::json::parse(read_text(scratch / "report.json"));
+}
+
+}  // namespace
+
+TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none") {
+  const std::string run = data_file("figure.obj") + " -n 100";
+  const auto plain = report_of(run + " --relax none"), relaxed = report_of(run),
+             longer = report_of(run + " --relax 40");
+  CHECK(plain["options"]["relax"] == 0);
+  CHECK(plain["results"]["relaxation"].is_null());
+  CHECK(relaxed["options"]["relax"] == 20);
+  const int iterations = relaxed["results"]["relaxation"]["iterations"];
+  CHECK((iterations > 10 && iterations <= 20));
+  CHECK(longer["results"]["relaxation"]["iterations"] > iterations);
+  const auto& relaxation = relaxed["results"]["relaxation"];
+  CHECK(relaxation["final_energy"] < relaxation["initial_energy"]);
+  const auto quality = [](const auto& report) { return double(report["results"]["quality"]["output"]["q_average"]); };
+  CHECK(quality(relaxed) > quality(plain) + 0.05);
+}
+
+TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax asks to move them") {
+  const ScratchFolder scratch;
+  const std::string run = data_file("figure.obj") + " --generators " + scratch / "list.json";
+  write_text(scratch / "list.json", report_of(data_file("figure.obj") + " -n 60 --relax none").dump());
+  const auto given = nlohmann::json::parse(read_text(scratch / "list.json")), kept = report_of(run);
+  const auto first = [](const auto& report) { return report["generators"][0]["position"]; };
+  CHECK(kept["results"]["relaxation"].is_null());
+  CHECK(first(kept) == first(given));
+  CHECK(first(report_of(run + " --relax 3")) != first(given));
+}
+
+TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where nothing moves") {
+  const ScratchFolder scratch;
+  write_text(scratch / "fixed.txt", "5\n77\n");
+  const std::string fixed = " --fixed " + scratch / "fixed.txt", run = data_file("figure.obj") + " -n 60";
+  const auto report = report_of(run + fixed + " --density curvature");
+  CHECK(report["options"]["density"] == "curvature");
+  CHECK(report["generators"].size() >= 60);
+  CHECK(report["generators"][0]["position"] == report_of(run + fixed)["generators"][0]["position"]);
+  const CommandResult idle = run_command("gvd-remesh", run + fixed + " --relax none");
+  CHECK(idle.exit_code == 2);
+  CHECK_THAT(idle.err, Contains("--fixed: no generator is moved; leave out one of it and --relax none"));
+  const CommandResult listed =
+      run_command("gvd-remesh", data_file("figure.obj") + " --vertices 1,9 --density curvature");
+  CHECK(listed.exit_code == 2);
+  CHECK_THAT(listed.err, Contains("--density: no generator is moved; ask for it with --relax N"));
+  const CommandResult text = run_command("gvd-remesh", run + " --relax some");
+  CHECK(text.exit_code == 2);
+  CHECK_THAT(text.err, Contains("--relax: 'some' is not a whole number from 0 to 1000000, nor 'none'"));
+}
+
 TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators were added") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("torus.ply") + " -q ", path = scratch / "coarse.json";

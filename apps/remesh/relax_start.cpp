@@ -1,0 +1,67 @@
+#include "remesh/relax_start.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/relaxation/relaxation_report.hpp"
+#include "gvd/counted.hpp"
+#include "gvd/lloyd.hpp"
+
+namespace gvd::app {
+namespace {
+
+LloydOptions make_lloyd_options(Run& run, const ConstrainedStart& start, std::int32_t iterations) {
+  LloydOptions options;
+  options.max_iterations = iterations;
+  options.freedom = start.freedom;
+  options.creases = start.creases;
+  options.density = start.density;
+  options.diagram = make_diagram_options(run.options().compute);
+  options.progress = run.progress();
+  options.on_iteration = [&run, iterations](std::int64_t done, double energy, const std::vector<SurfacePoint>&) {
+    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", done, iterations, energy));
+  };
+  return options;
+}
+
+void relax(Run& run, const Mesh& mesh, ConstrainedStart& start, std::int32_t iterations) {
+  const LloydOptions options = make_lloyd_options(run, start, iterations);
+  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
+  run.console().set_status("");
+  run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
+                                   counted(std::ssize(result.iterations), "iteration", "iterations"),
+                                   result.initial_energy, result.final_energy));
+  run.report().results()["relaxation"] = {{"iterations", result.iterations.size()},
+                                          {"stop", name_of(result.stop)},
+                                          {"initial_energy", result.initial_energy},
+                                          {"final_energy", result.final_energy},
+                                          {"diagrams", result.diagrams}};
+  start.points = std::move(result.generators);
+}
+
+/// Those that are still where they were asked for keep their snap distances.
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<ReportedGenerator>& reported = run.report().generators();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i < reported.size() && reported[i].point == points[i]) continue;
+    reported.resize(std::max(reported.size(), i + 1));
+    reported[i] = {points[i], position(mesh, points[i]), std::nullopt};
+  }
+  reported.resize(points.size());
+}
+
+}  // namespace
+
+ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options) {
+  const std::int32_t iterations = relax_iterations(options, run.options().generators);
+  run.report().options()["relax"] = iterations;
+  report_constraints(run.report().options(), options.constraints);
+  run.report().results()["relaxation"] = nullptr;
+  ConstrainedStart start = make_start(run, input, options.constraints);
+  if (iterations > 0) relax(run, input.mesh, start, iterations);
+  report_generators(run, input.mesh, start.points);
+  return start;
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/relaxation/constrain_start.hpp"
+#include "common/run/run.hpp"
+#include "gvd/soup.hpp"
+#include "remesh/relax_options.hpp"
+
+namespace gvd::app {
+
+/// The generators that the options ask for, relaxed as they say, and reports both.
+/// Throws what make_start and relax_generators throw.
+ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options);
+
+}  // namespace gvd::app
