@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// Euclidean distances of the points of one surface from another one, mesh units.
+struct SurfaceDistance {
+  double hausdorff = 0;        ///< the largest distance found; the largest of all is between this and the bound
+  double hausdorff_bound = 0;  ///< no point is farther away than this
+  double rms = 0;              ///< root of the mean square distance over the surface's area
+};
+
+/// The largest number of times that triangles are cut in four.
+inline constexpr int kMaxHausdorffRounds = 20;
+
+/// The search for the largest distance ends where the bound exceeds the distance found by no more than this fraction of
+/// it. Dimensionless.
+inline constexpr double kHausdorffTolerance = 0.01;
+/// The same as a fraction of the bounding box's diagonal, for surfaces that agree.
+inline constexpr double kLeastHausdorffTolerance = 1e-6;
+
+/// Distances of the points of `from` from `to`: one of the two directions.
+///
+/// Each face of `from` is cut into equal triangles, at least 2^15 in all. RMS: a rule that is exact for quadratic
+/// functions sums the squares over them. Hausdorff distance: over a triangle, the distance from one face of `to` is
+/// convex, so its largest value is at a corner; that bounds the distance from `to`. Triangles whose bound is above the
+/// largest distance found are cut in four, at most kMaxHausdorffRounds times and while they are fewer than 2^18.
+/// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
+/// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
+SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);
+
+}  // namespace gvd
