@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
+#include "mesh/split_faces.hpp"
 
 namespace gvd {
 namespace {
@@ -48,55 +48,15 @@ std::vector<Bary> quadrature_points(int divisions) {
   return points;
 }
 
-/// The faces of the working mesh in each face of the input that it splits.
-class SplitFaces {
- public:
-  explicit SplitFaces(const WorkingMesh& working) {
-    for (std::int32_t f = 0; f < working.mesh().face_count(); ++f) {
-      if (!working.is_split(FaceId(f))) continue;
-      const FaceId face(f);
-      parts_.push_back({working.parent(face),
-                        face,
-                        {working.parent_bary(face, {1, 0, 0}), working.parent_bary(face, {0, 1, 0}),
-                         working.parent_bary(face, {0, 0, 1})}});
-    }
-    std::sort(parts_.begin(), parts_.end(),
-              [](const Part& a, const Part& b) { return std::pair(a.parent, a.face) < std::pair(b.parent, b.face); });
-  }
-
-  bool contains(FaceId parent) const {
-    const auto at = find(parent);
-    return at != parts_.end() && at->parent == parent;
-  }
-  /// The part of a face in which a point lies, with the point's coordinates there.
-  std::pair<FaceId, Bary> locate(FaceId parent, const Bary& point) const {
-    std::pair<FaceId, Bary> best;
-    double most = -std::numeric_limits<double>::infinity();
-    for (auto part = find(parent); part != parts_.end() && part->parent == parent; ++part) {
-      const Vec2 a = affine_point(part->corners[0]), b = affine_point(part->corners[1]),
-                 c = affine_point(part->corners[2]), p = affine_point(point);
-      const double area = twice_signed_area(a, b, c);
-      const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
-      const Bary local{1 - v - w, v, w};
-      const double least = std::min({local[0], local[1], local[2]});
-      if (!(least > most)) continue;
-      most = least;
-      best = {part->face, local};
-    }
-    return best;
-  }
-
- private:
-  struct Part {
-    FaceId parent, face;
-    Triangle corners;  // in the parent
-  };
-  std::vector<Part>::const_iterator find(FaceId parent) const {
-    return std::lower_bound(parts_.begin(), parts_.end(), parent,
-                            [](const Part& part, FaceId f) { return part.parent < f; });
-  }
-  std::vector<Part> parts_;
-};
+/// By the least barycentric coordinate. In a thin part it can be wrong by much, which no integral notices.
+PlacedInTriangle place_in_triangle(const Triangle& corners, const Bary& point) {
+  const Vec2 a = affine_point(corners[0]), b = affine_point(corners[1]), c = affine_point(corners[2]),
+             p = affine_point(point);
+  const double area = twice_signed_area(a, b, c);
+  const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
+  const Bary local{1 - v - w, v, w};
+  return {local, -std::min({local[0], local[1], local[2]})};
+}
 
 /// What the threads read.
 struct Paths {
@@ -118,8 +78,8 @@ class FaceIntegrator {
 
   void enter(FaceId face) {
     face_ = face;
-    is_split_ = split_.contains(face);
-    if (!is_split_) paths_.enter(face);
+    parts_ = split_.parts_of(face);
+    if (parts_.empty()) paths_.enter(face);
   }
   /// Adds a piece of the face. Its triangles lie within the piece: beyond it, no path of its generator may be known.
   void add(const FacePiece& piece) {
@@ -170,10 +130,11 @@ class FaceIntegrator {
   /// The nearest generator's path where no path of g comes near: in cells of approximate diagrams.
   NearestPath find(const Bary& point, GeneratorId g) {
     Vec2 at;
-    if (is_split_) {
-      const auto& [part, local] = split_.locate(face_, point);
-      paths_.enter(part);
-      at = paths_.position(local);
+    if (!parts_.empty()) {
+      const SurfacePoint inside =
+          locate_in_parts(parts_, [&](const Triangle& corners) { return place_in_triangle(corners, point); });
+      paths_.enter(inside.face);
+      at = paths_.position(inside.bary);
     } else {
       at = paths_.position(point);
     }
@@ -187,7 +148,7 @@ class FaceIntegrator {
   const Density& density_;
   const std::vector<Bary>& points_;
   FaceId face_;
-  bool is_split_ = false;
+  std::span<const SplitFaces::Part> parts_;  // of the face, if it is split
   std::vector<CellSum> sums_;
   std::vector<Vec2> corners_;  // of the current piece; an affine map of the face
 };

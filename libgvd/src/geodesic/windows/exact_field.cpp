@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/barycentric.hpp"
@@ -15,6 +15,7 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/trace_shortest_path.hpp"
 #include "gvd/error.hpp"
+#include "mesh/split_faces.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
@@ -36,16 +37,10 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   return options;
 }
 
-/// The barycentric coordinates of the point of a triangle that is nearest to another point, and their distance.
-struct NearestInside {
-  Bary local;
-  double apart;
-};
-
 /// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
 /// a thin triangle, areas tell only the distance of p from the longest side. The position along that side is measured
 /// on the side itself. So the point is right up to rounding although its coordinates may not be.
-NearestInside nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
+PlacedInTriangle nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
   const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
   const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
   std::size_t tip = 0;  // opposite the longest side
@@ -69,29 +64,16 @@ struct ExactField::State {
         working(mesh, points, options.progress),
         field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
                                 {KeepWindows::all, options.offsets, options.threads}, options.progress)),
-        offsets(options.offsets) {
-    for (std::int32_t f = 0; f < working.mesh().face_count(); ++f) {
-      if (working.is_split(FaceId(f))) children.emplace_back(working.parent(FaceId(f)), FaceId(f));
-    }
-    std::sort(children.begin(), children.end());
-  }
+        offsets(options.offsets),
+        split(working) {}
 
   /// The same point on the working mesh.
   SurfacePoint to_working(const SurfacePoint& point) const {
-    auto child = std::lower_bound(children.begin(), children.end(), std::pair(point.face, FaceId()));
-    if (child == children.end() || child->first != point.face) return point;
-    SurfacePoint best;
-    double least_apart = std::numeric_limits<double>::infinity();
-    for (; child != children.end() && child->first == point.face; ++child) {
-      const FaceId f = child->second;
-      const NearestInside nearest = nearest_inside(
-          {working.parent_bary(f, {1, 0, 0}), working.parent_bary(f, {0, 1, 0}), working.parent_bary(f, {0, 0, 1})},
-          point.bary);
-      if (!(nearest.apart < least_apart)) continue;
-      least_apart = nearest.apart;
-      best = {f, nearest.local};
-    }
-    return make_surface_point(best.face, best.bary);
+    const std::span<const SplitFaces::Part> parts = split.parts_of(point.face);
+    if (parts.empty()) return point;
+    const SurfacePoint inside =
+        locate_in_parts(parts, [&](const std::array<Bary, 3>& corners) { return nearest_inside(corners, point.bary); });
+    return make_surface_point(inside.face, inside.bary);
   }
   SurfacePoint to_input(const SurfacePoint& point) const {
     if (!working.is_split(point.face)) return point;
@@ -103,7 +85,7 @@ struct ExactField::State {
   WorkingMesh working;
   WindowField field;
   std::vector<double> offsets;
-  std::vector<std::pair<FaceId, FaceId>> children;  // split faces: (of the input, of the working mesh), ascending
+  SplitFaces split;
 };
 
 ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
