@@ -3,50 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/number_list.hpp"
 #include "gvd/read_soup.hpp"
 
 namespace gvd::app {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
-
-/// Numbers between blanks and line ends.
-std::vector<double> parse_numbers(std::string_view text, const std::string& name) {
-  std::vector<double> values;
-  std::int64_t line = 1;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == '\n') ++line;
-    if (std::string_view(" \t\r\n,").find(text[i]) != std::string_view::npos) {
-      ++i;
-      continue;
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
-    if (error != std::errc()) refuse(fmt::format("{}:{}: this is no number", name, line));
-    values.push_back(value);
-    i = static_cast<std::size_t>(end - text.data());
-  }
-  return values;
-}
-
-std::vector<double> read_numbers(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) refuse(fmt::format("{}: the file can't be opened; check its permissions", file));
-  const std::string text = read_to_end(in);
-  if (in.bad()) refuse(fmt::format("{}: the file can't be read to its end", file));
-  return parse_numbers(text, file);
-}
 
 /// The value of each vertex of the mesh. The midpoint of a split edge, which the file does not know, takes the mean.
 std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {

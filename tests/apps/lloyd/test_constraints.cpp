@@ -81,7 +81,7 @@ TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and pro
              Contains("the density of face 1 is 0; give finite numbers above 0"));
   write_text(scratch / "word.txt", "1\ntwo\n");
   CHECK_THAT(lloyd(scratch / "triangle.off" + few + scratch / "word.txt").err,
-             Contains("word.txt:2: this is no number"));
+             Contains("word.txt:2: 'two' is no number"));
   write_text(scratch / "q.ply",
              "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
              "property float quality\nelement face 2\nproperty list uchar int vertex_indices\nproperty float weight\n"

@@ -31,8 +31,12 @@ TEST_CASE("lines have their number, and no comment, byte order mark or outer bla
 }
 
 TEST_CASE("blanks separate fields, however many there are") {
-  CHECK(detail::split_blanks("a \t bc  d") == Fields{"a", "bc", "d"});
-  CHECK(detail::split_blanks("").empty());
+  CHECK(detail::split_fields("a \t bc  d") == Fields{"a", "bc", "d"});
+  CHECK(detail::split_fields("a,b ,c", ',') == Fields{"a", "b", "c"});
+  CHECK(detail::split_fields(",, a,,b\t,", ',') == Fields{"a", "b"});
+  CHECK(detail::split_fields("a,b") == Fields{"a,b"});
+  CHECK(detail::split_fields("").empty());
+  CHECK(detail::split_fields(" , ", ',').empty());
 }
 
 TEST_CASE("an entry is a vertex, a face or a position by its number of fields and its first one") {

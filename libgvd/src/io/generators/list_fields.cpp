@@ -67,12 +67,14 @@ GeneratorEntry parse_entry(const std::vector<std::string_view>& fields, const Li
 
 }  // namespace
 
-std::vector<std::string_view> split_blanks(std::string_view text) {
+std::vector<std::string_view> split_fields(std::string_view text, char separator) {
+  const auto is_between = [separator](char c) { return c == separator || kBlanks.find(c) != kBlanks.npos; };
   std::vector<std::string_view> fields;
-  for (std::size_t start = text.find_first_not_of(kBlanks); start != text.npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, start), text.size());
-    fields.push_back(text.substr(start, end - start));
-    start = text.find_first_not_of(kBlanks, end);
+  for (auto start = text.begin(); start != text.end();) {
+    start = std::find_if_not(start, text.end(), is_between);
+    const auto end = std::find_if(start, text.end(), is_between);
+    if (start != end) fields.emplace_back(start, end);
+    start = end;
   }
   return fields;
 }

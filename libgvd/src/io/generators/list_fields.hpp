@@ -23,8 +23,8 @@ struct ListLine {
 /// The lines that are not empty. A byte order mark is skipped; # starts a comment. Cost: O(length).
 std::vector<ListLine> split_lines(std::string_view content);
 
-/// The fields of a line, separated by blanks.
-std::vector<std::string_view> split_blanks(std::string_view text);
+/// The fields of a line between blanks, and between any number of `separator`.
+std::vector<std::string_view> split_fields(std::string_view text, char separator = ' ');
 
 /// The number that `text` spells in full, in any locale.
 template <class T>

@@ -10,7 +10,7 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
     if (text.find(',') != text.npos) {
       ListLocation{name, number}.refuse("has a comma; part the fields by blanks, or give the list as CSV");
     }
-    rows.push_back({split_blanks(text), number});
+    rows.push_back({split_fields(text), number});
   }
   return parse_entries(rows, name, ' ');
 }

@@ -1,32 +1,13 @@
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/io/read_to_end.hpp"
 #include "io/generators/list_fields.hpp"
 #include "io/generators/parse_csv.hpp"
 #include "io/generators/parse_json.hpp"
 #include "io/generators/parse_text.hpp"
+#include "io/generators/read_list_file.hpp"
 
 namespace gvd {
 namespace {
-
-std::string read_whole(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error(ErrorCode::unreadable_input, path.string() + ": is a directory; name a list of generators");
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw Error(ErrorCode::unreadable_input,
-                path.string() + ": " + std::strerror(errno) + "; name a list of generators");
-  std::string content = read_to_end(file);
-  if (file.bad()) throw Error(ErrorCode::unreadable_input, path.string() + ": could not be read to its end");
-  return content;
-}
 
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -65,7 +46,7 @@ GeneratorList parse_generators(std::string_view content, GeneratorFormat format,
 }
 
 GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format) {
-  const std::string content = read_whole(path);
+  const std::string content = detail::read_list_file(path, "generators");
   if (!format) format = format_of_extension(path);
   return parse_generators(content, format ? *format : detect_generator_format(content), path.string());
 }
