@@ -53,7 +53,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
     "libgvd/src/base": "vec ids error counted progress diagram_steps io/read_to_end",
-    "libgvd/src/mesh": "mesh surface_point surface_normal closest_point quality openmesh",
+    "libgvd/src/mesh": "mesh surface_point surface_normal surface_area closest_point quality openmesh",
     "libgvd/src/mesh/reading": "mesh_format read_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic/field": "front",
@@ -62,7 +62,7 @@ PUBLIC = {
     "libgvd/src/geodesic/windows": "exact_field",
     "libgvd/src/diagram": "diagram",
     "libgvd/src/diagram/evaluation": "check error_measure",
-    "libgvd/src/io/generators": "generator_list",
+    "libgvd/src/io/generators": "generator_list number_list",
     "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/point_writer",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",

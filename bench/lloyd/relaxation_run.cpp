@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cpu_clock.hpp"
+#include "gvd/surface_area.hpp"
 #include "median.hpp"
 
 namespace gvd::bench {
@@ -10,8 +11,7 @@ namespace {
 
 /// The factor that makes E of an energy.
 double energy_scale(const Mesh& mesh, std::size_t generators) {
-  double area = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
+  const double area = compute_area(mesh);
   return static_cast<double>(generators) / (area * area);
 }
 

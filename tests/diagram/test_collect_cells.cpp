@@ -5,6 +5,7 @@
 #include "base/barycentric.hpp"
 #include "diagram/collect_cells.hpp"
 #include "diagram/trace_bisectors.hpp"
+#include "gvd/surface_area.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -26,12 +27,6 @@ Diagram collect(const Mesh& mesh, const std::vector<SurfacePoint>& generators, i
   trace_bisectors(working, traced, parallel, diagram);
   collect_cells(working, traced, parallel, diagram);
   return diagram;
-}
-
-double mesh_area(const Mesh& mesh) {
-  double area = 0;
-  for (int f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
-  return area;
 }
 
 const Cell& cell(const Diagram& diagram, int g) { return diagram.cells[GeneratorId(g)]; }
@@ -77,7 +72,7 @@ TEST_CASE("two generators on a pillow: two discs with half of the area each, nei
     CHECK(cell(diagram, g).boundary_loops == 1);
     CHECK(cell(diagram, g).neighbours == std::vector<GeneratorId>{GeneratorId(1 - g)});
   }
-  CHECK(cell(diagram, 0).area + cell(diagram, 1).area == Approx(mesh_area(mesh)).epsilon(1e-14));
+  CHECK(cell(diagram, 0).area + cell(diagram, 1).area == Approx(compute_area(mesh)).epsilon(1e-14));
 }
 
 TEST_CASE("a component without a generator has neither labels nor pieces") {
@@ -87,7 +82,7 @@ TEST_CASE("a component without a generator has neither labels nor pieces") {
   for (const GeneratorId g : diagram.face_label) labelled += g.valid() ? 1 : 0;
   CHECK(labelled > 0);
   CHECK(labelled < diagram.face_label.size());
-  CHECK(cell(diagram, 0).area < mesh_area(mesh));
+  CHECK(cell(diagram, 0).area < compute_area(mesh));
 }
 
 TEST_CASE("faces are labelled or cut, never both, and the cells' areas are those of their faces and pieces") {
@@ -107,7 +102,7 @@ TEST_CASE("faces are labelled or cut, never both, and the cells' areas are those
       area[piece.generator] += area_share(piece.corners) * mesh.area(piece.face);
     }
     for (const Cell& c : diagram.cells)
-      REQUIRE(c.area == Approx(area[c.generator]).epsilon(1e-9).margin(1e-9 * mesh_area(mesh)));
+      REQUIRE(c.area == Approx(area[c.generator]).epsilon(1e-9).margin(1e-9 * compute_area(mesh)));
   }
 }
 

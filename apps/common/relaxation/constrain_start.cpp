@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "common/relaxation/read_density.hpp"
@@ -13,6 +11,8 @@
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/sampling.hpp"
+#include "gvd/surface_area.hpp"
 
 namespace gvd::app {
 namespace {
@@ -94,45 +94,49 @@ Placed all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
   return {points, std::vector<Freedom>(points.size(), freedom)};
 }
 
-/// Side of the triangles of a regular pattern with this many points.
-double even_distance(const Mesh& mesh, std::size_t count) {
-  double area = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
-  return std::sqrt(2 / std::numbers::sqrt3 * area / static_cast<double>(count));
+bool is_listed(const Options& options) { return options.generators.vertices || !options.generators.file.empty(); }
+
+/// The listed generators after those that are placed; each stays on its crease.
+void append_listed(const Mesh& mesh, const ConstrainedStart& start, Placed& placed) {
+  append_different(mesh, {start.points, freedoms_on_creases(mesh, start.creases, start.points)}, placed);
+}
+
+/// Generators on the creases, and the sampled ones that make room for all that are placed.
+void append_sampled(const Mesh& mesh, const ConstrainedStart& start, Placed& placed) {
+  const auto asked = std::ssize(start.points);
+  if (!start.creases.empty()) {
+    append_different(mesh, place_on_creases(mesh, start.creases, even_spacing(compute_area(mesh), asked)), placed);
+  }
+  if (std::ssize(placed.points) > asked) {
+    throw Error(ErrorCode::precondition, fmt::format("{} asked for, and {} fixed or on features; ask for more with -n",
+                                                     counted(asked, "generator is", "generators are"),
+                                                     counted(std::ssize(placed.points), "is", "are")));
+  }
+  NearestRemover remover(mesh, start.points);
+  for (const SurfacePoint& p : placed.points) remover.remove_nearest(position(mesh, p));
+  append_different(mesh, all_of(remover.rest(), Freedom::free), placed);
+}
+
+void note_freedoms(Console& console, const std::vector<Freedom>& freedom) {
+  const auto count = [&](Freedom kind) { return std::count(freedom.begin(), freedom.end(), kind); };
+  console.note(fmt::format("generators: {} fixed, {} on creases, {} free", count(Freedom::fixed),
+                           count(Freedom::on_crease), count(Freedom::free)));
 }
 
 }  // namespace
 
 ConstrainedStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& options) {
-  const Mesh& mesh = input.mesh;
   const bool has_creases = options.features || options.keep_boundary;
   ConstrainedStart start{make_generators(run, input), {}, {}, read_density(run, input, options)};
   if (!has_creases && options.fixed.empty()) return start;
-  if (has_creases) start.creases = find_creases(mesh, {options.features.value_or(180), options.keep_boundary});
+  if (has_creases) start.creases = find_creases(input.mesh, {options.features.value_or(180), options.keep_boundary});
   Placed placed = all_of(read_fixed(input, options.fixed), Freedom::fixed);
-  const bool listed = run.options().generators.vertices || !run.options().generators.file.empty();
-  if (listed) {
-    Placed own{start.points, freedoms_on_creases(mesh, start.creases, start.points)};
-    append_different(mesh, own, placed);
+  if (is_listed(run.options())) {
+    append_listed(input.mesh, start, placed);
   } else {
-    if (has_creases) {
-      const double spacing = even_distance(mesh, start.points.size());
-      append_different(mesh, place_on_creases(mesh, start.creases, spacing), placed);
-    }
-    if (placed.points.size() > start.points.size()) {
-      throw Error(ErrorCode::precondition,
-                  fmt::format("{} asked for, and {} fixed or on features; ask for more with -n",
-                              counted(std::ssize(start.points), "generator is", "generators are"),
-                              counted(std::ssize(placed.points), "is", "are")));
-    }
-    NearestRemover remover(mesh, start.points);
-    for (const SurfacePoint& p : placed.points) remover.remove_nearest(position(mesh, p));
-    append_different(mesh, all_of(remover.rest(), Freedom::free), placed);
+    append_sampled(input.mesh, start, placed);
   }
-  run.console().note(fmt::format("generators: {} fixed, {} on creases, {} free",
-                                 std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::fixed),
-                                 std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::on_crease),
-                                 std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::free)));
+  note_freedoms(run.console(), placed.freedom);
   start.points = std::move(placed.points);
   start.freedom = std::move(placed.freedom);
   return start;

@@ -58,6 +58,9 @@ struct SamplingOptions {
 /// elimination for generating Poisson disk sample sets, 2015.
 std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOptions& options);
 
+/// Side of the equilateral triangles that `count` generators span if they are spread evenly over `area`. Mesh units.
+double even_spacing(double area, std::int64_t count);
+
 /// The largest number of vertices that splitting edges may add; they take some 3 GB.
 inline constexpr std::int32_t kMaxSamplingVertices = 1 << 23;
 

@@ -7,6 +7,7 @@
 
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
+#include "gvd/surface_area.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -44,8 +45,7 @@ class RegionMeter {
 
  private:
   void take_cells() {
-    double total = 0;
-    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) total += mesh_.area(FaceId(f));
+    const double total = compute_area(mesh_);
     for (const Cell& cell : diagram_.cells) {
       RegionStatistics& region = regions_[cell.generator];
       region.area = cell.area;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/surface_area.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -56,7 +57,7 @@ MeshSummary compute_mesh_summary(const Mesh& mesh) {
   for (const std::int32_t c : compute_face_components(mesh)) summary.components = std::max(summary.components, c + 1);
   summary.boundary_loops = count_boundary_loops(mesh);
   summary.euler_characteristic = summary.vertices - summary.edges + summary.faces;
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) summary.area += mesh.area(FaceId(i));
+  summary.area = compute_area(mesh);
   summary.bbox_diagonal = mesh.bbox_diagonal();
   return summary;
 }

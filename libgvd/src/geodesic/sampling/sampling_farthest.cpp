@@ -18,6 +18,7 @@
 #include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/surface_area.hpp"
 
 namespace gvd {
 namespace {

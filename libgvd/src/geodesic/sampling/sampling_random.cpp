@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
+#include "gvd/surface_area.hpp"
 
 namespace gvd {
 namespace {
@@ -39,12 +40,6 @@ std::vector<FaceId> list_faces(const Mesh& mesh) {
   std::vector<FaceId> faces(static_cast<std::size_t>(mesh.face_count()));
   for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = FaceId(static_cast<std::int64_t>(i));
   return faces;
-}
-
-double compute_area(const Mesh& mesh) {
-  double area = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
-  return area;
 }
 
 double require_area(const Mesh& mesh) {

@@ -53,10 +53,7 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, st
 /// All faces in order.
 std::vector<FaceId> list_faces(const Mesh& mesh);
 
-/// Sum of the face areas, square mesh units.
-double compute_area(const Mesh& mesh);
-
-/// compute_area, which must be finite and > 0. Throws Error{precondition} otherwise.
+/// The area of the mesh, which must be finite and > 0. Throws Error{precondition} otherwise.
 double require_area(const Mesh& mesh);
 
 }  // namespace gvd

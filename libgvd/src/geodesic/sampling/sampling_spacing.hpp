@@ -10,9 +10,6 @@ namespace gvd {
 /// a face holds only a few candidates.
 inline constexpr double kMaxEdgeSpacings = 2;
 
-/// Side of the equilateral triangles that `count` generators span if they are spread evenly over `area`. Mesh units.
-double even_spacing(double area, std::int64_t count);
-
 /// The largest number of vertices that splitting long edges may add. The number is proportional to the mesh and to the
 /// generators. It bounds the memory where faces are thin, and takes effect nowhere else.
 std::int64_t max_splits(const Mesh& mesh, std::int64_t count);
