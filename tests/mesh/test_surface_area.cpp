@@ -11,8 +11,8 @@ TEST_CASE("the area of a mesh is that of its summary, and 0 without faces") {
     CAPTURE(name);
     double area = 0;
     for (int f = 0; f < mesh.face_count(); ++f) {
-      const auto corner = [&](std::size_t k) { return mesh.position(mesh.vertices(FaceId(f))[k]); };
-      area += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+      const auto [a, b, c] = mesh.vertices(FaceId(f));
+      area += (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).norm() / 2;
     }
     CHECK(compute_area(mesh) == Approx(area));
   }
