@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 
 #include "common/options/typed_options.hpp"
@@ -50,13 +51,19 @@ void register_options(app::CommandLine& line, Settings& settings) {
   line.add_flag(
       {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},
       settings.no_refine);
+  line.add_flag({"--allow-intersections", "",
+                 "Accept triangles that intersect each other; without it, generators are added there", group},
+                settings.remesh.allow_intersections);
 }
 
 /// Remeshes, and reports the time of the diagrams apart from that of all other work.
 RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                           RemeshOptions options) {
   app::StepTimes times(run);
-  options.on_stage = [&times](RemeshStage stage) { times.start(stage == RemeshStage::diagram ? "diagram" : "dual"); };
+  options.on_stage = [&times](RemeshStage stage) {
+    constexpr std::array<const char*, 3> kNames{"diagram", "dual", "distance"};
+    times.start(kNames[static_cast<std::size_t>(stage)]);
+  };
   return remesh(mesh, generators, options);
 }
 
@@ -64,7 +71,7 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<Surf
                          const Settings& settings) {
   RemeshOptions options = settings.remesh;
   if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), generators.size());
-  app::report_remesh_options(run, *options.max_added, settings.no_refine);
+  app::report_remesh_options(run, options, settings.no_refine);
   options.refine = !settings.no_refine;
   options.diagram = app::make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();

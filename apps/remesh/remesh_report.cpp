@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "gvd/counted.hpp"
@@ -38,7 +39,14 @@ Json to_json(const RemeshCertificate& c) {
           {"same_boundary_loops", c.same_boundary_loops},
           {"same_in_each_component", c.same_in_each_component},
           {"flipped_faces", c.flipped_faces},
-          {"unused_generators", c.unused_generators}};
+          {"unused_generators", c.unused_generators},
+          {"self_intersections", c.self_intersections.size()},
+          {"inherited_intersections", c.inherited_intersections},
+          {"intersections_allowed", c.intersections_allowed}};
+}
+
+Json to_json(const SurfaceDistance& d) {
+  return {{"hausdorff", d.hausdorff}, {"hausdorff_bound", d.hausdorff_bound}, {"rms", d.rms}};
 }
 
 /// What one defect, and what several, of a property look like, in the order of the properties.
@@ -46,7 +54,7 @@ struct DefectWords {
   const char* one;
   const char* several;
 };
-constexpr std::array<DefectWords, 10> kDefectWords{{
+constexpr std::array<DefectWords, 11> kDefectWords{{
     {"component of the mesh has no generator", "components of the mesh have no generator"},
     {"cell is not a disc", "cells are not discs"},
     {"cell touches the mesh's boundary in several arcs", "cells touch the mesh's boundary in several arcs"},
@@ -57,6 +65,7 @@ constexpr std::array<DefectWords, 10> kDefectWords{{
     {"branch point touches a cell twice", "branch points touch a cell twice"},
     {"branch point can't be cut into triangles", "branch points can't be cut into triangles"},
     {"triangle is flipped or has an edge of length 0", "triangles are flipped or have an edge of length 0"},
+    {"triangle intersects another one", "triangles intersect others"},
 }};
 
 /// The defects in words, one part for each property: "3 cells are not discs, 1 triangle is flipped ..."
@@ -71,6 +80,27 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+void note_intersections(Console& console, const RemeshCertificate& certificate) {
+  const std::int64_t inherited = certificate.inherited_intersections;
+  const std::int64_t own = std::ssize(certificate.self_intersections) - inherited;
+  if (own > 0) {
+    console.note(counted(own, "pair of triangles intersects", "pairs of triangles intersect"));
+  }
+  if (inherited > 0) {
+    console.note(counted(inherited, "pair of triangles intersects where the input does",
+                         "pairs of triangles intersect where the input does"));
+  }
+}
+
+void note_distance(Console& console, const RemeshResult& result) {
+  const double diagonal = result.certificate.input.bbox_diagonal;
+  if (!(diagonal > 0)) return;
+  const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
+  console.note(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
+                           100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
+                           100 * std::max(there.rms, back.rms) / diagonal));
+}
+
 void note_result(Console& console, const RemeshResult& result) {
   console.note(fmt::format("{}, {}: manifold, with the input's topology",
                            counted(result.mesh.vertex_count(), "vertex", "vertices"),
@@ -80,12 +110,15 @@ void note_result(Console& console, const RemeshResult& result) {
         "{} added: with the given {}, {}", counted(result.added, "generator was", "generators were"),
         result.generators.size() - static_cast<std::size_t>(result.added), describe_defects(result.given_defects)));
   }
+  note_intersections(console, result.certificate);
+  note_distance(console, result);
 }
 
 }  // namespace
 
-void report_remesh_options(Run& run, std::int64_t max_added, bool no_refine) {
-  run.report().options()["max_added"] = max_added;
+void report_remesh_options(Run& run, const RemeshOptions& options, bool no_refine) {
+  run.report().options()["max_added"] = *options.max_added;
+  run.report().options()["allow_intersections"] = options.allow_intersections;
   run.report().options()["no_refine"] = no_refine;
 }
 
@@ -96,6 +129,8 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
   results["output"] = to_json(result.certificate.output);
   results["certificate"] = to_json(result.certificate);
   results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};
+  results["distance"] = {{"input_to_output", to_json(result.input_to_output)},
+                         {"output_to_input", to_json(result.output_to_input)}};
   run.report().set_diagram(result.diagram);
   run.figures().regions = std::ssize(result.diagram.cells);
   // The given ones are in the report already.

@@ -7,8 +7,8 @@
 // What gvd-remesh notes and reports: the report's `results`, `diagram` and `generators`, and its own options.
 namespace gvd::app {
 
-/// `max_added`: the bound that holds for the run, given or not.
-void report_remesh_options(Run& run, std::int64_t max_added, bool no_refine);
+/// `options.max_added` must be the bound that holds for the run, given or not.
+void report_remesh_options(Run& run, const RemeshOptions& options, bool no_refine);
 
 /// The certificate and the quality of a remesh, its diagram, and the generators that were added.
 void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result);

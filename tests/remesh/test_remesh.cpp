@@ -303,3 +303,23 @@ TEST_CASE("openmesh: deleted faces and lone vertices stay behind") {
   CHECK(back.face_count() == 11);
   CHECK(back.bbox_diagonal() < 4);
 }
+
+TEST_CASE("remesh: triangles that intersect get more generators, unless they are allowed") {
+  RemeshOptions allow;
+  allow.allow_intersections = true;
+  std::size_t crossed = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      const auto generators = test::random_generators(mesh, 12, seed);
+      const RemeshResult before = remesh(mesh, generators, allow);
+      CHECK(before.certificate.ok());
+      if (before.certificate.self_intersections.empty()) continue;
+      INFO(name << ", seed " << seed);
+      ++crossed;
+      const RemeshResult after = require_remesh(mesh, generators);
+      CHECK(after.certificate.self_intersections.empty());
+      CHECK(after.added > before.added);
+    }
+  }
+  CHECK(crossed > 0);
+}

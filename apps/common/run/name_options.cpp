@@ -2,9 +2,14 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace gvd::app {
 namespace {
+
+/// This ends a message behind other advice.
+constexpr std::string_view kAllow = ", or set allow_intersections";
+constexpr std::string_view kAllowOption = ", or add --allow-intersections";
 
 struct Advice {
   std::string_view of_library;
@@ -26,6 +31,10 @@ constexpr std::array<Advice, 8> kAdvice{{
 }  // namespace
 
 std::string name_options(std::string message) {
+  if (message.ends_with(kAllow)) {
+    message.resize(message.size() - kAllow.size());
+    return name_options(std::move(message)).append(kAllowOption);
+  }
   for (const Advice& advice : kAdvice) {
     if (!message.ends_with(advice.of_library)) continue;
     message.replace(message.size() - advice.of_library.size(), advice.of_library.size(), advice.of_command);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -70,6 +71,25 @@ class Remesher {
     for (const FaceId f : find_flipped_faces(mesh_, result_.mesh, result_.generators, result_.face_points)) {
       defects.push_back(triangle_defect(dual, f.index(), "is flipped"));
     }
+    if (defects.empty() && !options_.allow_intersections) defects = find_intersections(dual);
+    return defects;
+  }
+
+  std::vector<DualDefect> find_intersections(const DualMesh& dual) const {
+    const int threads = options_.diagram.threads;
+    const std::vector<FacePair> pairs = find_self_intersections(result_.mesh, threads);
+    const std::vector<FacePair> inherited = find_inherited(mesh_, result_.mesh, pairs, threads);
+    std::vector<DualDefect> defects;
+    for (const FacePair& pair : pairs) {
+      if (std::binary_search(inherited.begin(), inherited.end(), pair)) continue;
+      for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+        const auto& [a, b, c] = dual.faces[g.index()];
+        DualDefect defect = triangle_defect(
+            dual, f.index(), fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value()),
+            DualProperty::no_self_intersection);
+        defects.push_back(std::move(defect));
+      }
+    }
     return defects;
   }
 
@@ -97,15 +117,17 @@ class Remesher {
     }
   }
 
-  DualDefect triangle_defect(const DualMesh& dual, std::size_t face, const std::string& what) const {
+  DualDefect triangle_defect(const DualMesh& dual, std::size_t face, const std::string& what,
+                             DualProperty property = DualProperty::not_flipped) const {
     DualDefect defect;
-    defect.property = DualProperty::not_flipped;
+    defect.property = property;
     defect.branch_point = dual.branch_points[face];
     const auto& [a, b, c] = dual.faces[face];
     defect.cells = {a, b, c};
     const Vec3& at = result_.diagram.branch_points[defect.branch_point].position;
-    defect.message = fmt::format("(10) the triangle of the generators {}, {} and {} {}, near ({:.6g}, {:.6g}, {:.6g})",
-                                 a.value(), b.value(), c.value(), what, at.x(), at.y(), at.z());
+    defect.message =
+        fmt::format("({}) the triangle of the generators {}, {} and {} {}, near ({:.6g}, {:.6g}, {:.6g})",
+                    static_cast<int>(property), a.value(), b.value(), c.value(), what, at.x(), at.y(), at.z());
     return defect;
   }
 
@@ -149,14 +171,17 @@ class Remesher {
 
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
+    const bool intersects = defects.front().property == DualProperty::no_self_intersection;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} is no valid mesh: {}{}; {}", given(), defects.front().message,
-                            others(defects.size() - 1), advice),
+                fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", given(), defects.front().message,
+                            others(defects.size() - 1), advice, intersects ? ", or set allow_intersections" : ""),
                 cells.empty() ? -1 : cells.front().value());
   }
 
   void measure() {
-    result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points);
+    result_.certificate =
+        certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, options_.diagram.threads);
+    result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,
                   fmt::format("the remesh of {} can't be certified: {}; give other generators", given(),
@@ -164,6 +189,9 @@ class Remesher {
     }
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
+    enter(RemeshStage::distance);
+    result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, options_.diagram.threads);
+    result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, options_.diagram.threads);
   }
 
   const Mesh& mesh_;

@@ -125,3 +125,33 @@ TEST_CASE("certificate: sums agree, but not the components by themselves") {
   CHECK(c.same_boundary_loops);
   CHECK_FALSE(c.same_in_each_component);
 }
+
+TEST_CASE("certificate: faces that intersect fail, unless they are allowed") {
+  // The torus is moved to the centre of the sphere, which it then crosses.
+  const Copy copy(test::make_two_components());
+  std::vector<Vec3> positions = copy.surface.positions();
+  const IdVector<FaceId, std::int32_t> component = compute_face_components(copy.surface);
+  std::vector<char> moved(positions.size(), 0);
+  for (int f = 0; f < copy.surface.face_count(); ++f) {
+    if (component[FaceId(f)] == 0) continue;
+    for (const VertexId v : copy.surface.vertices(FaceId(f))) moved[v.index()] = 1;
+  }
+  Vec3 first(0, 0, 0), second(0, 0, 0);  // sums of the vertices of the two
+  for (std::size_t i = 0; i < positions.size(); ++i) (moved[i] ? second : first) += positions[i];
+  const auto count = std::count(moved.begin(), moved.end(), 1);
+  const Vec3 shift = first / static_cast<double>(std::ssize(moved) - count) - second / static_cast<double>(count);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (moved[i]) positions[i] += shift;
+  }
+  const Mesh crossed(positions, copy.faces());
+  RemeshCertificate c = certify_remesh(copy.surface, crossed, copy.generators, copy.face_points);
+  CHECK(c.self_intersections.size() > 10);
+  CHECK(c.inherited_intersections == 0);
+  CHECK(c.first_failure().find("pairs of its faces intersect: ") == 0);
+  c.intersections_allowed = true;
+  CHECK(c.ok());
+  const RemeshCertificate inherited = certify_remesh(crossed, crossed, copy.generators, copy.face_points);
+  CHECK(inherited.self_intersections == c.self_intersections);
+  CHECK(inherited.inherited_intersections == std::ssize(c.self_intersections));
+  CHECK(inherited.ok());
+}

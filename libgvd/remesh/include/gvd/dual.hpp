@@ -28,9 +28,11 @@ enum class DualProperty {
   different_cells = 8,
   polygon_fits = 9,
   not_flipped = 10,
+  no_self_intersection = 11,
 };
 
-/// One failure of a property, for a cell, a pair or triple of cells, or a branch point.
+/// One failure of a property, for a cell, a pair or triple of cells, or a branch point. Two triangles that intersect
+/// are two defects, one for the branch point of each.
 struct DualDefect {
   DualProperty property{};
   std::string message;             ///< one line: the property's number, the elements and the position
@@ -53,7 +55,7 @@ struct DualDefect {
 ///  (8) the cells round a branch point are all different;
 ///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new.
 /// If all hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property
-/// (10), that no triangle is flipped.
+/// (10), that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect.
 /// The diagram must be sound (see check_diagram). The defects ascend by property. Never throws on a finding.
 /// Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram);

@@ -11,14 +11,16 @@
 #include "gvd/mesh.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh_certificate.hpp"
+#include "gvd/surface_distance.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
 
-/// The two stages of a round of a remesh.
+/// The stages of a remesh. The first two make a round.
 enum class RemeshStage {
-  diagram,  ///< computes the diagram
-  dual,     ///< checks its dual, and adds generators or builds and certifies the mesh
+  diagram,   ///< computes the diagram
+  dual,      ///< checks its dual, and adds generators or builds and certifies the mesh
+  distance,  ///< measures the distances of the input and the mesh, at the end
 };
 
 struct RemeshOptions {
@@ -26,6 +28,9 @@ struct RemeshOptions {
   bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
   /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
+  /// Accept faces that intersect each other. Without it, generators are added near them as near other defects; faces
+  /// that intersect where the input does itself (find_inherited) are always accepted.
+  bool allow_intersections = false;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
@@ -49,13 +54,15 @@ struct RemeshResult {
   RemeshCertificate certificate;
   TriangleQuality input_quality;
   TriangleQuality output_quality;
+  SurfaceDistance input_to_output;  ///< distances of the input's points from the remesh
+  SurfaceDistance output_to_input;
 };
 
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
-/// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces), generators are added near
-/// the defects and the diagram is computed again. docs/guide/remesh.md says where they go. No generator is removed or
-/// moved.
+/// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces, find_self_intersections),
+/// generators are added near the defects and the diagram is computed again. docs/guide/remesh.md says where they go. No
+/// generator is removed or moved.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/self_intersections.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -23,15 +24,20 @@ struct RemeshCertificate {
   std::int64_t flipped_faces = 0;      ///< see find_flipped_faces
   std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
 
+  std::vector<FacePair> self_intersections;  ///< of the remesh, see find_self_intersections
+  /// How many of these are near an intersection of the input with itself (find_inherited): they are no failure.
+  std::int64_t inherited_intersections = 0;
+  bool intersections_allowed = false;  ///< whether other ones are no failure, either
+
   bool ok() const;
   /// The first property that does not hold, as part of a sentence; empty if all hold.
   std::string first_failure() const;
 };
 
 /// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` the branch points of
-/// the faces.
-/// Never throws on a finding. Cost: O(n).
+/// the faces. `threads` (0: one a core) changes no result.
+/// Never throws on a finding. Cost: O(n log n).
 RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
-                                 const std::vector<SurfacePoint>& face_points);
+                                 const std::vector<SurfacePoint>& face_points, int threads = 0);
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "gvd/dual.hpp"
@@ -97,13 +98,17 @@ std::string RemeshCertificate::first_failure() const {
   if (!same_in_each_component) return "a component does not have the topology of its component of the input";
   if (flipped_faces > 0) return fmt::format("faces are flipped: {}", flipped_faces);
   if (unused_generators > 0) return fmt::format("generators are not used: {}", unused_generators);
+  const std::int64_t intersections = std::ssize(self_intersections) - inherited_intersections;
+  if (intersections > 0 && !intersections_allowed) {
+    return fmt::format("pairs of its faces intersect: {}", intersections);
+  }
   return {};
 }
 
 bool RemeshCertificate::ok() const { return first_failure().empty(); }
 
 RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
-                                 const std::vector<SurfacePoint>& face_points) {
+                                 const std::vector<SurfacePoint>& face_points, int threads) {
   RemeshCertificate certificate;
   certificate.input = compute_mesh_summary(surface);
   certificate.output = compute_mesh_summary(remesh);
@@ -120,6 +125,9 @@ RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const 
   certificate.unused_generators = std::count(used.begin(), used.end(), 0);
   certificate.flipped_faces =
       static_cast<std::int64_t>(find_flipped_faces(surface, remesh, generators, face_points).size());
+  certificate.self_intersections = find_self_intersections(remesh, threads);
+  certificate.inherited_intersections =
+      std::ssize(find_inherited(surface, remesh, certificate.self_intersections, threads));
   return certificate;
 }
 

@@ -28,6 +28,7 @@ void DefectRepair::repair(const DualDefect& defect) {
     case DualProperty::different_cells:
     case DualProperty::polygon_fits:
     case DualProperty::not_flipped:
+    case DualProperty::no_self_intersection:
       return split_polygon(defect.branch_point);
   }
 }
