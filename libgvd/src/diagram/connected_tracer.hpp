@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// The steps that differ between tracers. EnvelopeTracer and GrowthTracer have them as member functions.
+/// The steps that differ between tracers. EnvelopeTracer, GrowthTracer and PaperTracer have them as member functions.
 struct TracerSteps {
   /// The crossings of all edges, between the labels of their ends.
   std::function<Crossings(const NearestLabels&)> cross_edges;

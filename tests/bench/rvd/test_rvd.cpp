@@ -1,32 +1,19 @@
-#include "bench/comparisons.hpp"
+#include "bench/flat_grid.hpp"
 #include "judging/judge.hpp"
 #include "pieces/collect_pieces.hpp"
 #include "rvd/delaunay_neighbours.hpp"
 #include "rvd/rvd.hpp"
 #include "support/catch.hpp"
-#include "support/generators.hpp"
-#include "support/meshes.hpp"
-#include "support/planar_voronoi.hpp"
 
 using namespace gvd;
 using namespace gvd::paper;
 
 TEST_CASE("on a flat grid RVD is the planar Voronoi diagram") {
-  const Mesh mesh = test::make_grid(12, 9);
-  const auto generators = test::random_generators(mesh, 15, 3);
-  const Comparison rvd = compute_rvd(mesh, generators);
-  std::vector<Vec2> points;
-  for (const Vec3& p : find_positions(mesh, generators)) points.push_back(p.head<2>());
-  const test::PlanarVoronoi planar(points, 12, 9);
-  for (int i = 0; i < 15; ++i) {
-    CHECK(rvd.diagram.cells[GeneratorId(i)].area == Approx(planar.cell_area(i)).epsilon(1e-9));
-  }
-  const Judgement judgement = Judge(mesh, generators).judge(rvd.diagram);
-  CHECK(judgement.error.error_integral < 1e-9);
-  CHECK(judgement.wrong_labels == 0);
-  CHECK(rvd.faults.islands == 0);
-  CHECK(rvd.faults.open_ends == 0);
-  const Diagram exact = compute_diagram(mesh, generators);
+  const test::FlatGrid flat;
+  const Comparison rvd = compute_rvd(flat.mesh, flat.generators);
+  flat.check(rvd, 1e-9);
+  CHECK(Judge(flat.mesh, flat.generators).judge(rvd.diagram).wrong_labels == 0);
+  const Diagram exact = compute_diagram(flat.mesh, flat.generators);
   CHECK(rvd.diagram.length == Approx(exact.length).epsilon(1e-6));
 }
 

@@ -1,27 +1,15 @@
-#include "bench/comparisons.hpp"
+#include "bench/flat_grid.hpp"
 #include "judging/judge.hpp"
 #include "support/catch.hpp"
-#include "support/generators.hpp"
-#include "support/meshes.hpp"
-#include "support/planar_voronoi.hpp"
 #include "windows/window_voronoi.hpp"
 
 using namespace gvd;
 using namespace gvd::paper;
 
 TEST_CASE("on a flat grid exact windows give the planar Voronoi diagram, wherever the generators lie") {
-  const Mesh mesh = test::make_grid(12, 9);
-  const auto generators = test::random_generators(mesh, 15, 3);
-  const Comparison found = compute_window_voronoi(mesh, generators);
-  std::vector<Vec2> points;
-  for (const SurfacePoint& g : generators) points.push_back(position(mesh, g).head<2>());
-  const test::PlanarVoronoi planar(points, 12, 9);
-  for (int i = 0; i < 15; ++i) {
-    CHECK(found.diagram.cells[GeneratorId(i)].area == Approx(planar.cell_area(i)).epsilon(1e-6));
-  }
-  CHECK(test::error_of(Judge(mesh, generators), found.diagram) < 1e-6);
-  CHECK(found.faults.islands == 0);
-  CHECK(found.faults.open_ends == 0);
+  const test::FlatGrid flat;
+  const Comparison found = compute_window_voronoi(flat.mesh, flat.generators);
+  flat.check(found, 1e-6);
   CHECK(found.faults.forced_faces == 0);
 }
 

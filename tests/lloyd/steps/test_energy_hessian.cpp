@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "gvd/sampling.hpp"
+#include "lloyd/evaluate_state.hpp"
 #include "lloyd/random_field.hpp"
 #include "state/generator_moves.hpp"
 #include "steps/energy_hessian.hpp"
@@ -10,13 +11,9 @@
 #include "support/meshes.hpp"
 
 using namespace gvd;
+using test::evaluate_state;
 
 namespace {
-
-RelaxationState evaluate(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  CellIntegrals integrals(mesh);
-  return evaluate_generators(mesh, generators, {}, integrals);
-}
 
 /// The change of the gradient by a step, in the tangent planes at its start.
 TangentField gradient_change(const Mesh& mesh, const RelaxationState& state, const TangentField& step) {
@@ -25,7 +22,7 @@ TangentField gradient_change(const Mesh& mesh, const RelaxationState& state, con
     const GeneratorMove move = move_generators(mesh, state.generators, scaled, state.mean_cell_radius);
     std::vector<Turn> back = move.turns;
     for (Turn& turn : back) turn.y() = -turn.y();
-    return turned(back, energy_gradient(evaluate(mesh, move.to)));
+    return turned(back, energy_gradient(evaluate_state(mesh, move.to)));
   };
   TangentField change = add_scaled(at(0.5), -1, at(-0.5));
   return change;
@@ -45,7 +42,7 @@ TEST_CASE("energy hessian: in the plane it is the derivative of the gradient") {
   const Mesh mesh = test::make_grid(9, 8);
   for (unsigned seed = 0; seed < 4; ++seed) {
     CAPTURE(seed);
-    const RelaxationState state = evaluate(mesh, in_faces(mesh, 12, seed));
+    const RelaxationState state = evaluate_state(mesh, in_faces(mesh, 12, seed));
     std::mt19937 random(seed);
     TangentField step = test::random_field(12, random);
     for (Vec2& s : step) s *= 1e-3;
@@ -57,7 +54,7 @@ TEST_CASE("energy hessian: in the plane it is the derivative of the gradient") {
 
 TEST_CASE("energy hessian: on a sphere with small cells it is near the derivative") {
   const Mesh mesh = test::make_sphere(4);
-  const RelaxationState state = evaluate(mesh, in_faces(mesh, 120, 3));
+  const RelaxationState state = evaluate_state(mesh, in_faces(mesh, 120, 3));
   std::mt19937 random(3);
   TangentField step = test::random_field(120, random);
   for (Vec2& s : step) s *= 1e-3;
@@ -70,7 +67,7 @@ TEST_CASE("energy hessian: solved for the gradient it gives a direction of desce
   for (const auto& [name, mesh] : test::small_family()) {
     for (unsigned seed = 0; seed < 3; ++seed) {
       CAPTURE(name, seed);
-      const RelaxationState state = evaluate(mesh, test::random_generators(mesh, 15, seed));
+      const RelaxationState state = evaluate_state(mesh, test::random_generators(mesh, 15, seed));
       const TangentField gradient = energy_gradient(state);
       const TangentField step = EnergyHessian(mesh, state).solve(gradient);
       CHECK(dot(step, gradient) > 0);
@@ -86,7 +83,7 @@ TEST_CASE("energy hessian: solved for the gradient it gives a direction of desce
 
 TEST_CASE("energy hessian: a single generator has no bisectors, so its inverse is that of the mass") {
   const Mesh mesh = test::make_grid(6, 4);
-  const RelaxationState state = evaluate(mesh, in_faces(mesh, 1, 5));
+  const RelaxationState state = evaluate_state(mesh, in_faces(mesh, 1, 5));
   const TangentField step = EnergyHessian(mesh, state).solve(energy_gradient(state));
   CHECK((step[0] + state.to_centroids[0]).norm() < 1e-12);
 }

@@ -4,19 +4,16 @@
 
 #include "gvd/check.hpp"
 #include "gvd/lloyd.hpp"
+#include "lloyd/evaluate_state.hpp"
 #include "steps/relocation.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
 using namespace gvd;
+using test::evaluate_state;
 
 namespace {
-
-RelaxationState evaluate(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  CellIntegrals integrals(mesh);
-  return evaluate_generators(mesh, generators, {}, integrals);
-}
 
 /// `count` generators in one face.
 std::vector<SurfacePoint> clustered(FaceId face, int count) {
@@ -32,12 +29,12 @@ std::vector<SurfacePoint> clustered(FaceId face, int count) {
 
 TEST_CASE("relocation: a clustered start is evened out, and only far better places are taken") {
   const Mesh mesh = test::make_sphere(3);
-  const RelaxationState state = evaluate(mesh, clustered(FaceId(17), 20));
+  const RelaxationState state = evaluate_state(mesh, clustered(FaceId(17), 20));
   const std::vector<Relocation> plan = plan_relocations(mesh, {}, state);
   REQUIRE_FALSE(plan.empty());
   const GeneratorMove move = relocate_generators(mesh, state, plan, plan.size());
   CHECK(move.relocated == static_cast<std::int32_t>(plan.size()));
-  CHECK(evaluate(mesh, move.to).energy < state.energy);
+  CHECK(evaluate_state(mesh, move.to).energy < state.energy);
   for (const Relocation& relocation : plan) CHECK(relocation.gain > 0);
 }
 
@@ -45,7 +42,7 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
   for (const auto& [name, mesh] : test::small_family()) {
     for (unsigned seed = 0; seed < 3; ++seed) {
       CAPTURE(name, seed);
-      const RelaxationState state = evaluate(mesh, test::random_generators(mesh, 30, seed));
+      const RelaxationState state = evaluate_state(mesh, test::random_generators(mesh, 30, seed));
       const auto components = compute_face_components(mesh);
       std::set<std::size_t> leaving;
       std::set<VertexId> places;
@@ -67,7 +64,7 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
 TEST_CASE("relocation: relaxed generators stay where they are") {
   const Mesh mesh = test::make_torus(24, 12);
   const LloydResult relaxed = relax_generators(mesh, test::random_generators(mesh, 12, 2));
-  CHECK(plan_relocations(mesh, {}, evaluate(mesh, relaxed.generators)).empty());
+  CHECK(plan_relocations(mesh, {}, evaluate_state(mesh, relaxed.generators)).empty());
 }
 
 TEST_CASE("relocation: from one face, generators spread over the surface in a few iterations") {

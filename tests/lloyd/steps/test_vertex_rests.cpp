@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "gvd/lloyd.hpp"
+#include "lloyd/evaluate_state.hpp"
 #include "steps/vertex_rests.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -9,13 +10,9 @@
 #include "support/tiny_meshes.hpp"
 
 using namespace gvd;
+using test::evaluate_state;
 
 namespace {
-
-RelaxationState evaluate(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  CellIntegrals integrals(mesh);
-  return evaluate_generators(mesh, generators, {}, integrals);
-}
 
 /// A disc round vertex 0, whose rim rises and falls: 6 turns of a height, the higher the more angle about the vertex.
 Mesh make_saddle(double height) {
@@ -31,7 +28,7 @@ Mesh make_saddle(double height) {
 }
 
 bool rests_at(const Mesh& mesh, VertexId v) {
-  RelaxationState state = evaluate(mesh, {vertex_point(mesh, v)});
+  RelaxationState state = evaluate_state(mesh, {vertex_point(mesh, v)});
   CellIntegrals integrals(mesh);
   mark_rests(mesh, 0.001 * state.mean_cell_radius, integrals, state);
   CHECK((state.is_resting[0] != 0) == (state.to_centroids[0] == Vec2::Zero()));
@@ -50,13 +47,13 @@ TEST_CASE("vertex rests: a generator rests at a saddle, not at the tip of a cone
 TEST_CASE("vertex rests: a saddle on the way to the centroid is found, and other vertices are not") {
   const Mesh mesh = make_saddle(0.3);
   CellIntegrals integrals(mesh);
-  const RelaxationState beside = evaluate(mesh, {make_surface_point(FaceId(3), {0.98, 0.01, 0.01})});
+  const RelaxationState beside = evaluate_state(mesh, {make_surface_point(FaceId(3), {0.98, 0.01, 0.01})});
   const std::vector<Rest> rests = find_rests(mesh, beside, 0.001 * beside.mean_cell_radius, integrals);
   REQUIRE(rests.size() == 1);
   CHECK(rests[0].generator == 0);
   CHECK(rests[0].vertex == VertexId(0));
   const Mesh flat = test::make_grid(4, 4);
-  const RelaxationState plain = evaluate(flat, {make_surface_point(FaceId(13), {0.8, 0.1, 0.1})});
+  const RelaxationState plain = evaluate_state(flat, {make_surface_point(FaceId(13), {0.8, 0.1, 0.1})});
   CHECK(find_rests(flat, plain, 1e-6, integrals).empty());
 }
 

@@ -3,9 +3,7 @@
 #include <vector>
 
 #include "diagram/graph/traced_diagram.hpp"
-#include "diagram/growth/grow_gaps.hpp"
-#include "diagram/growth/growth_input.hpp"
-#include "gvd/progress.hpp"
+#include "diagram/growth/growing_tracer.hpp"
 
 namespace gvd {
 
@@ -15,7 +13,7 @@ namespace gvd {
 /// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is assembled from
 /// its edge crossings. The paper has no such fallback. `trace_connected` runs the steps.
 /// Counts gaps; reports the steps "bisectors" and "growth". Cost: O(n).
-class GrowthTracer {
+class GrowthTracer : public GrowingTracer {
  public:
   /// All references must outlive the tracer.
   GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
@@ -27,20 +25,11 @@ class GrowthTracer {
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
   /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
   void close_faces(TracedDiagram& traced) const;
-  /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
-  void disable_growth(const std::vector<EdgeId>& edges);
 
  private:
-  GrowthInput input(const NearestLabels& labels) const { return {working_, table_, labels, front_}; }
   void refine(TracedDiagram& traced) const;
 
-  const WorkingMesh& working_;
-  const Mesh& mesh_;
-  const GeneratorTable& table_;
-  Front front_;
-  const Progress& progress_;
   std::vector<Gap> gaps_;
-  GapGrowthPlan plan_;
 };
 
 }  // namespace gvd

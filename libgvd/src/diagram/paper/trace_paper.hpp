@@ -3,10 +3,8 @@
 #include <vector>
 
 #include "diagram/graph/traced_diagram.hpp"
-#include "diagram/growth/grow_gaps.hpp"
-#include "diagram/growth/growth_input.hpp"
+#include "diagram/growth/growing_tracer.hpp"
 #include "diagram/paper/midpoint_distances.hpp"
-#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -16,7 +14,7 @@ namespace gvd {
 /// A set of branching faces that growth does not close is assembled from its edge crossings, because the paper does not
 /// say how to go on. `trace_connected` runs the steps. Counts gaps; reports the steps "bisectors" and "growth".
 /// Cost: O(n).
-class PaperTracer {
+class PaperTracer : public GrowingTracer {
  public:
   /// All references must outlive the tracer.
   PaperTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
@@ -27,18 +25,9 @@ class PaperTracer {
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face.
   void close_faces(TracedDiagram& traced) const;
-  /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
-  void disable_growth(const std::vector<EdgeId>& edges);
 
  private:
-  GrowthInput input(const NearestLabels& labels) const { return {working_, table_, labels, front_}; }
-
-  const WorkingMesh& working_;
-  const GeneratorTable& table_;
-  Front front_;
-  const Progress& progress_;
   MidpointDistances midpoints_;
-  GapGrowthPlan plan_;
 };
 
 }  // namespace gvd

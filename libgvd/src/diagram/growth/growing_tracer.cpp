@@ -1,4 +1,4 @@
-#include "diagram/growth/close_gaps.hpp"
+#include "diagram/growth/growing_tracer.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,11 +19,11 @@ std::vector<FaceId> faces_of(const std::vector<ClosedGap>& closed) {
 
 }  // namespace
 
-void close_gaps(const GrowthInput& input, const std::vector<Gap>& gaps, const GapGrowthPlan& plan,
-                TracedDiagram& traced, const Progress& progress) {
-  const std::vector<ClosedGap> closed = grow_gaps(input, traced.crossings, gaps, plan, progress);
-  install_grown_gaps(input.mesh(), closed, traced);
-  assemble_faces(input, traced.crossings, faces_of(closed), traced.faces, progress);
+void GrowingTracer::close(const std::vector<Gap>& gaps, TracedDiagram& traced) const {
+  const GrowthInput growth = input(traced.labels);
+  const std::vector<ClosedGap> closed = grow_gaps(growth, traced.crossings, gaps, plan_, progress_);
+  install_grown_gaps(mesh(), closed, traced);
+  assemble_faces(growth, traced.crossings, faces_of(closed), traced.faces, progress_);
   std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
                    [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
   traced.counts.gaps = static_cast<std::int64_t>(gaps.size());
