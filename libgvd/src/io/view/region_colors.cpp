@@ -1,6 +1,7 @@
 #include "io/view/region_colors.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <set>
 #include <tuple>
 
@@ -60,6 +61,81 @@ std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
   return order;
 }
 
+std::vector<Rgb> to_colors(const std::vector<std::size_t>& choice) {
+  std::vector<Rgb> colors;
+  for (const std::size_t c : choice) colors.push_back(kRegionPalette[c]);
+  return colors;
+}
+
+/// Changes colours until neighbours differ.
+class Adaptation {
+ public:
+  Adaptation(const Neighbours& neighbours, const std::vector<Rgb>& before)
+      : neighbours_(neighbours), choice_(neighbours.size(), kNone), tries_(neighbours.size()) {
+    for (std::size_t label = 0; label < std::min(before.size(), choice_.size()); ++label) {
+      const auto found = std::find(kRegionPalette.begin(), kRegionPalette.end(), before[label]);
+      choice_[label] = static_cast<std::size_t>(found - kRegionPalette.begin());
+      ++uses_[choice_[label]];
+    }
+  }
+
+  /// Whether neighbours differ at last.
+  bool run() {
+    std::deque<std::size_t> open;
+    for (std::size_t label = 0; label < choice_.size(); ++label) {
+      const std::size_t c = choose(label);
+      const bool is_free = count_around(label)[c] == 0;
+      if (is_free && (clashes(label) || choice_[label] >= kUsualColors)) take(label, c);
+      if (clashes(label)) open.push_back(label);
+    }
+    for (std::size_t left = kMostChanges * choice_.size(); !open.empty(); --left) {
+      if (left == 0) return false;
+      const std::size_t label = open.front();
+      open.pop_front();
+      if (!clashes(label)) continue;
+      take(label, choose(label));
+      for (const std::size_t other : neighbours_[label]) {
+        if (choice_[other] == choice_[label]) open.push_back(other);
+      }
+    }
+    return true;
+  }
+  const std::vector<std::size_t>& choice() const { return choice_; }
+
+ private:
+  /// Changes for each label, on the average, after which all colours are chosen anew.
+  static constexpr std::size_t kMostChanges = 20;
+
+  std::array<std::size_t, kColors + 1> count_around(std::size_t label) const {
+    std::array<std::size_t, kColors + 1> around{};
+    for (const std::size_t other : neighbours_[label]) ++around[choice_[other]];
+    return around;
+  }
+  bool clashes(std::size_t label) const { return choice_[label] == kNone || count_around(label)[choice_[label]] > 0; }
+  /// The usual colour that the fewest neighbours have. What a label has had before counts as if a neighbour had it:
+  /// colours would be passed round for ever.
+  std::size_t choose(std::size_t label) const {
+    const std::array<std::size_t, kColors + 1> around = count_around(label);
+    const auto cost = [&](std::size_t c) { return std::tuple(around[c] + tries_[label][c], uses_[c]); };
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < kUsualColors; ++c) {
+      if (cost(c) < cost(best)) best = c;
+    }
+    return best;
+  }
+  void take(std::size_t label, std::size_t c) {
+    if (choice_[label] != kNone) --uses_[choice_[label]];
+    choice_[label] = c;
+    ++uses_[c];
+    ++tries_[label][c];
+  }
+
+  const Neighbours& neighbours_;
+  std::vector<std::size_t> choice_;
+  std::vector<std::array<std::size_t, kUsualColors>> tries_;  // how often each label has taken each colour
+  std::array<std::size_t, kColors + 1> uses_{};
+};
+
 }  // namespace
 
 std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
@@ -87,9 +163,14 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>
     choice[label] = best;
     ++uses[best];
   }
-  std::vector<Rgb> colors;
-  for (const std::size_t c : choice) colors.push_back(kRegionPalette[c]);
-  return colors;
+  return to_colors(choice);
+}
+
+std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
+                                     const std::vector<Pair>& adjacent) {
+  const Neighbours neighbours = list_neighbours(count, adjacent);
+  Adaptation adaptation(neighbours, before);
+  return adaptation.run() ? to_colors(adaptation.choice()) : choose_region_colors(count, adjacent);
 }
 
 }  // namespace gvd::io

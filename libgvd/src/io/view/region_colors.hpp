@@ -45,4 +45,13 @@ std::vector<std::pair<GeneratorId, GeneratorId>> find_adjacent_regions(const Vie
 std::vector<Rgb> choose_region_colors(std::size_t count,
                                       const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
 
+/// The colours `before` of the first labels, all of the palette, changed until adjacent labels differ: labels that have
+/// the colour of a neighbour, that are new, or that have a dark colour without need.
+///
+/// A label takes a usual colour that no neighbour has, if there is one. Else it takes one from a neighbour, which then
+/// needs another one in turn. This ends nearly always after a few changes. If it does not, all colours are chosen anew.
+/// Cost: O(n log n) for n labels and pairs; nearly always O(n).
+std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
+                                     const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
+
 }  // namespace gvd::io

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/view/region_colors.hpp"
 #include "io/view/view_triangulate.hpp"
 
 namespace gvd::io {
@@ -23,8 +22,8 @@ std::uint32_t code_of(GeneratorId label) {
 
 class SceneEncoder {
  public:
-  SceneEncoder(const ViewScene& scene, const ViewFrame& frame, ViewBlobs& blobs)
-      : scene_(scene), frame_(frame), blobs_(blobs) {}
+  SceneEncoder(const ViewScene& scene, const std::vector<Rgb>& colors, const ViewFrame& frame, ViewBlobs& blobs)
+      : scene_(scene), colors_(colors), frame_(frame), blobs_(blobs) {}
 
   json run() {
     json entry;
@@ -85,13 +84,8 @@ class SceneEncoder {
 
   /// Red, green and blue of every label that occurs.
   json fills() {
-    std::int64_t labels = static_cast<std::int64_t>(scene_.cells.size());
-    for (const GeneratorId label : scene_.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
-    for (const FacePiece& piece : scene_.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
     std::vector<std::uint32_t> channels;
-    for (const Rgb& color : choose_region_colors(static_cast<std::size_t>(labels), find_adjacent_regions(scene_))) {
-      channels.insert(channels.end(), {color.red, color.green, color.blue});
-    }
+    for (const Rgb& color : colors_) channels.insert(channels.end(), {color.red, color.green, color.blue});
     return blobs_.add_integers(channels);
   }
 
@@ -152,14 +146,16 @@ class SceneEncoder {
   }
 
   const ViewScene& scene_;
+  const std::vector<Rgb>& colors_;
   const ViewFrame& frame_;
   ViewBlobs& blobs_;
 };
 
 }  // namespace
 
-json make_scene_entry(const ViewScene& scene, const ViewFrame& frame, ViewBlobs& blobs) {
-  return SceneEncoder(scene, frame, blobs).run();
+json make_scene_entry(const ViewScene& scene, const std::vector<Rgb>& colors, const ViewFrame& frame,
+                      ViewBlobs& blobs) {
+  return SceneEncoder(scene, colors, frame, blobs).run();
 }
 
 }  // namespace gvd::io

@@ -7,6 +7,7 @@
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "io/view/check_view_scene.hpp"
+#include "io/view/scene_colors.hpp"
 #include "io/view/scene_entry.hpp"
 #include "io/view/view_blobs.hpp"
 #include "io/view/view_frame.hpp"
@@ -55,7 +56,10 @@ std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& o
                 {"scale", frame.scale},
                 {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
                 {"scenes", json::array()}};
-  for (const ViewScene& scene : scenes) manifest["scenes"].push_back(io::make_scene_entry(scene, frame, blobs));
+  const std::vector<std::vector<Rgb>> colors = io::choose_scene_colors(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    manifest["scenes"].push_back(io::make_scene_entry(scenes[i], colors[i], frame, blobs));
+  }
   return "<script type=\"application/json\" id=\"manifest\">" + dump_for_html(manifest) + "</script>\n" + blobs.html();
 }
 

@@ -1,0 +1,49 @@
+#include "io/view/scene_colors.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "io/view/region_colors.hpp"
+
+namespace gvd::io {
+namespace {
+
+/// One more than the largest label.
+std::size_t count_labels(const ViewScene& scene) {
+  std::int64_t labels = std::ssize(scene.cells);
+  for (const GeneratorId label : scene.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
+  for (const FacePiece& piece : scene.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
+  return static_cast<std::size_t>(labels);
+}
+
+/// Indices of the scenes of a slider, from the last iteration back.
+std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].iteration) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return *scenes[a].iteration > *scenes[b].iteration; });
+  return order;
+}
+
+}  // namespace
+
+std::vector<std::vector<Rgb>> choose_scene_colors(const std::vector<ViewScene>& scenes) {
+  std::vector<std::vector<Rgb>> colors(scenes.size());
+  const std::vector<Rgb>* later = nullptr;
+  for (const std::size_t i : list_iterations(scenes)) {
+    const std::size_t count = count_labels(scenes[i]);
+    const auto adjacent = find_adjacent_regions(scenes[i]);
+    colors[i] = later ? adapt_region_colors(*later, count, adjacent) : choose_region_colors(count, adjacent);
+    later = &colors[i];
+  }
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].iteration) continue;
+    colors[i] = choose_region_colors(count_labels(scenes[i]), find_adjacent_regions(scenes[i]));
+  }
+  return colors;
+}
+
+}  // namespace gvd::io
