@@ -67,15 +67,18 @@ RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<Sur
   return remesh(mesh, generators, options);
 }
 
-RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start,
                          const Settings& settings) {
+  const std::vector<SurfacePoint>& generators = start.points;
   RemeshOptions options = settings.remesh;
+  options.creases = trace_creases(mesh, start.creases, start.corner_distance);
   if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), generators.size());
   app::report_remesh_options(run, options, settings.no_refine);
   options.refine = !settings.no_refine;
   options.diagram = app::make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
   RemeshResult result = timed_remesh(run, mesh, generators, options);
+
   app::report_remesh(run, mesh, result);
   return result;
 }
@@ -118,7 +121,7 @@ void run_remesh(app::Run& run, const Settings& settings) {
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const app::ConstrainedStart start = app::make_relaxed_start(run, input, settings.relaxation);
-  const RemeshResult result = make_remesh(run, mesh, start.points, settings);
+  const RemeshResult result = make_remesh(run, mesh, start, settings);
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);

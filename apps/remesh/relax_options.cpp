@@ -26,6 +26,14 @@ void register_relaxation(CommandLine& line, RelaxOptions& options) {
         return std::nullopt;
       });
   register_constraints(line, options.constraints);
+  line.add_flag({"--loose-boundary",
+                 "",
+                 "Put no generators on the boundary: the outline then runs through generators beside it (default: "
+                 "--keep-boundary for -n and --radius, where it takes at most four fifths of them)",
+                 "Constraints",
+                 {},
+                 {"--keep-boundary"}},
+                options.loose_boundary);
 }
 
 std::int32_t relax_iterations(const RelaxOptions& options, const GeneratorOptions& generators) {

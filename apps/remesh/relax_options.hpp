@@ -17,6 +17,7 @@ inline constexpr std::int32_t kDefaultRelaxation = 20;
 struct RelaxOptions {
   std::optional<std::int32_t> iterations;  ///< as given, >= 0; 0: "none"
   ConstraintOptions constraints;
+  bool loose_boundary = false;  ///< no generator is put on the boundary, unless it is sampled there
 };
 
 void register_relaxation(CommandLine& line, RelaxOptions& options);

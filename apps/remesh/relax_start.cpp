@@ -58,7 +58,10 @@ ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const Re
   run.report().options()["relax"] = iterations;
   report_constraints(run.report().options(), options.constraints);
   run.report().results()["relaxation"] = nullptr;
-  ConstrainedStart start = make_start(run, input, options.constraints);
+  run.report().options()["loose_boundary"] = options.loose_boundary;
+  ConstraintOptions constraints = options.constraints;
+  constraints.prefers_boundary = !options.loose_boundary;
+  ConstrainedStart start = make_start(run, input, constraints);
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   report_generators(run, input.mesh, start.points);
   return start;

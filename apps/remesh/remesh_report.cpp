@@ -105,10 +105,23 @@ void note_result(Console& console, const RemeshResult& result) {
   console.note(fmt::format("{}, {}: manifold, with the input's topology",
                            counted(result.mesh.vertex_count(), "vertex", "vertices"),
                            counted(result.mesh.face_count(), "face", "faces")));
-  if (result.added > 0) {
-    console.note(fmt::format(
-        "{} added: with the given {}, {}", counted(result.added, "generator was", "generators were"),
-        result.generators.size() - static_cast<std::size_t>(result.added), describe_defects(result.given_defects)));
+  if (result.added_on_creases > 0) {
+    console.note(fmt::format("{} added on creases and boundaries, which the edges then follow",
+                             counted(result.added_on_creases, "generator was", "generators were")));
+  }
+  const std::int64_t repairs = result.added - result.added_on_creases;
+  if (repairs > 0 && result.given_defects.empty()) {
+    console.note(fmt::format("{} added to repair the mesh", counted(repairs, "generator was", "generators were")));
+  } else if (repairs > 0) {
+    console.note(fmt::format("{} added: with the given {}, {}", counted(repairs, "generator was", "generators were"),
+                             result.generators.size() - static_cast<std::size_t>(result.added),
+                             describe_defects(result.given_defects)));
+  }
+  if (result.crease_gap_length > 0) {
+    console.note(
+        fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; ask for more "
+                    "generators",
+                    100 * result.crease_gap_length / result.crease_length));
   }
   note_intersections(console, result.certificate);
   note_distance(console, result);
@@ -126,6 +139,9 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Json& results = run.report().results();
   results["added_generators"] = result.added;
   results["rounds"] = result.rounds;
+  results["creases"] = {{"length", result.crease_length},
+                        {"followed", result.crease_length - result.crease_gap_length},
+                        {"added_generators", result.added_on_creases}};
   results["output"] = to_json(result.certificate.output);
   results["certificate"] = to_json(result.certificate);
   results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};

@@ -19,6 +19,19 @@ namespace {
 
 using Placed = FeatureGenerators;
 
+/// Largest share of the generators on creases, where corners and closed creases do not need more.
+constexpr double kFeatureShare = 0.8;
+
+bool exceeds_share(const FeatureGenerators& placed, std::size_t asked) {
+  return static_cast<double>(placed.points.size()) > kFeatureShare * static_cast<double>(asked);
+}
+
+/// Factor of their spacing from one attempt to the next.
+constexpr double kWiderSpacing = 1.1;
+
+/// Least distance of turns of a crease, relative to the spacing of evenly spread generators.
+constexpr double kCornerDistance = 0.5;
+
 /// Removes points one by one, always the nearest to a given place that is left.
 class NearestRemover {
  public:
@@ -101,12 +114,22 @@ void append_listed(const Mesh& mesh, const ConstrainedStart& start, Placed& plac
   append_different(mesh, {start.points, freedoms_on_creases(mesh, start.creases, start.points)}, placed);
 }
 
+/// Generators on the creases as far apart as evenly spread ones, or farther, so that they are no more than
+/// kFeatureShare of all.
+Placed place_features(const Mesh& mesh, const ConstrainedStart& start) {
+  double spacing = even_spacing(compute_area(mesh), std::ssize(start.points));
+  Placed placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
+  while (exceeds_share(placed, start.points.size()) && spacing < mesh.bbox_diagonal()) {
+    spacing *= kWiderSpacing;
+    placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
+  }
+  return placed;
+}
+
 /// Generators on the creases, and the sampled ones that make room for all that are placed.
 void append_sampled(const Mesh& mesh, const ConstrainedStart& start, Placed& placed) {
   const auto asked = std::ssize(start.points);
-  if (!start.creases.empty()) {
-    append_different(mesh, place_on_creases(mesh, start.creases, even_spacing(compute_area(mesh), asked)), placed);
-  }
+  if (!start.creases.empty()) append_different(mesh, place_features(mesh, start), placed);
   if (std::ssize(placed.points) > asked) {
     throw Error(ErrorCode::precondition, fmt::format("{} asked for, and {} fixed or on features; ask for more with -n",
                                                      counted(asked, "generator is", "generators are"),
@@ -123,13 +146,24 @@ void note_freedoms(Console& console, const std::vector<Freedom>& freedom) {
                            count(Freedom::on_crease), count(Freedom::free)));
 }
 
+/// Finds the creases, with the boundary where that is asked for, or preferred and possible.
+void find_curves(const Options& run, const Mesh& mesh, const ConstraintOptions& options, ConstrainedStart& start) {
+  const double angle = options.features.value_or(180);
+  start.corner_distance = kCornerDistance * even_spacing(compute_area(mesh), std::ssize(start.points));
+  const bool prefers = options.prefers_boundary && !options.keep_boundary && !is_listed(run);
+  start.creases = find_creases(mesh, {angle, options.keep_boundary || prefers});
+  if (!prefers || start.creases.empty()) return;
+  const Placed least = place_on_creases(mesh, start.creases, mesh.bbox_diagonal(), start.corner_distance);
+  if (exceeds_share(least, start.points.size())) start.creases = find_creases(mesh, {angle, false});
+}
+
 }  // namespace
 
 ConstrainedStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& options) {
-  const bool has_creases = options.features || options.keep_boundary;
-  ConstrainedStart start{make_generators(run, input), {}, {}, read_density(run, input, options)};
-  if (!has_creases && options.fixed.empty()) return start;
-  if (has_creases) start.creases = find_creases(input.mesh, {options.features.value_or(180), options.keep_boundary});
+  ConstrainedStart start{make_generators(run, input), {}, {}, 0, read_density(run, input, options)};
+  find_curves(run.options(), input.mesh, options, start);
+  const bool asks = options.features || options.keep_boundary || !options.fixed.empty();
+  if (!asks && start.creases.empty()) return start;
   Placed placed = all_of(read_fixed(input, options.fixed), Freedom::fixed);
   if (is_listed(run.options())) {
     append_listed(input.mesh, start, placed);

@@ -12,6 +12,8 @@ struct ConstraintOptions {
   std::string fixed;               ///< a list of generators that stay; empty: none
   std::optional<double> features;  ///< angle of creases, degrees
   bool keep_boundary = false;
+  /// Keep the boundary where generators are sampled, and enough of them are left beside it.
+  bool prefers_boundary = false;
   std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
   double gradation = 0.3;
 };

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "creases/follow_creases.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "repair/propose_generators.hpp"
@@ -24,12 +25,17 @@ std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<SurfacePoint>
 /// remeshes end before.
 constexpr std::int32_t kRoundsWithoutFlips = 12;
 
+/// Creases that are followed take some percent more generators, and close curves up to twice as many. What is more
+/// than that stays as it is.
+std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
+
 class Remesher {
  public:
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
       : mesh_(mesh),
         options_(options),
-        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))) {
+        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
+        creases_(mesh, options.creases, options.refine ? std::min(max_added_, max_on_creases(generators.size())) : 0) {
     result_.generators = generators;
   }
 
@@ -40,6 +46,8 @@ class Remesher {
       ++result_.rounds;
       enter(RemeshStage::dual);
       const std::vector<DualDefect> defects = find_defects();
+      if (result_.rounds == 1) result_.given_defects = defects;
+      if (follow_creases()) continue;
       if (defects.empty()) break;
       refine(defects);
     }
@@ -131,8 +139,20 @@ class Remesher {
     return defect;
   }
 
+  /// Adds generators on creases. They come before repairs, which they often make needless.
+  bool follow_creases() {
+    const std::vector<SurfacePoint> points = creases_.propose(result_.diagram);
+    result_.crease_gap_length = creases_.gap_length();
+    append(points);
+    return !points.empty();
+  }
+
+  void append(const std::vector<SurfacePoint>& points) {
+    result_.generators.insert(result_.generators.end(), points.begin(), points.end());
+    result_.added += static_cast<std::int64_t>(points.size());
+  }
+
   void refine(const std::vector<DualDefect>& defects) {
-    if (result_.rounds == 1) result_.given_defects = defects;
     if (!options_.refine) refuse(defects, "give more generators there, or set refine");
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
@@ -147,8 +167,7 @@ class Remesher {
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     }
-    result_.generators.insert(result_.generators.end(), points.begin(), points.end());
-    result_.added += static_cast<std::int64_t>(points.size());
+    append(points);
   }
 
   std::string describe(const NarrowTip& narrow) const {
@@ -187,6 +206,8 @@ class Remesher {
                   fmt::format("the remesh of {} can't be certified: {}; give other generators", given(),
                               result_.certificate.first_failure()));
     }
+    result_.added_on_creases = creases_.added();
+    result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
     enter(RemeshStage::distance);
@@ -197,6 +218,7 @@ class Remesher {
   const Mesh& mesh_;
   const RemeshOptions& options_;
   std::int64_t max_added_;
+  CreaseFollower creases_;
   RemeshResult result_;
 };
 

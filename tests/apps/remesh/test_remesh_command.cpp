@@ -69,6 +69,33 @@ TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where
   CHECK_THAT(text.err, Contains("--relax: 'some' is not a whole number from 0 to 1000000, nor 'none'"));
 }
 
+TEST_CASE("gvd-remesh --features: a box of eight vertices, and a thin one with its edges") {
+  const ScratchFolder scratch;
+  const auto box = report_of(data_file("plate.stl") + " -n 8 --features 40");
+  CHECK(box["results"]["output"]["vertices"] == 8);
+  CHECK(box["results"]["output"]["faces"] == 12);
+  CHECK(double(box["results"]["distance"]["input_to_output"]["hausdorff"]) < 1e-9);
+  const auto creases = report_of(data_file("plate.stl") + " -n 60 --features 40")["results"]["creases"];
+  CHECK(creases["followed"] == creases["length"]);
+  CHECK(creases["added_generators"] > 0);
+}
+
+TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is loose or takes too many") {
+  const std::string run = data_file("half_sphere.off");
+  const auto followed = [](const auto& report) { return double(report["results"]["creases"]["followed"]); };
+  const auto kept = report_of(run + " -n 60"), loose = report_of(run + " -n 60 --loose-boundary");
+  CHECK(followed(kept) > 6);
+  CHECK(followed(loose) == 0);
+  const auto distance = [](const auto& r) { return double(r["results"]["distance"]["input_to_output"]["hausdorff"]); };
+  CHECK(distance(kept) < 0.5 * distance(loose));
+  CHECK(followed(report_of(run + " -n 3")) == 0);
+  CHECK(followed(report_of(run + " --vertices 0,9,100,200")) == 0);
+  CHECK(followed(report_of(run + " --vertices 0,9,100,200 --keep-boundary")) > 6);
+  const CommandResult both = run_command("gvd-remesh", run + " -n 60 --keep-boundary --loose-boundary");
+  CHECK(both.exit_code == 2);
+  CHECK_THAT(both.err, Contains("--keep-boundary and --loose-boundary exclude each other"));
+}
+
 TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators were added") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("torus.ply") + " -q ", path = scratch / "coarse.json";

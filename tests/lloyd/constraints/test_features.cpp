@@ -67,6 +67,47 @@ TEST_CASE("creases: a closed one without a corner has at least three generators,
   }
 }
 
+TEST_CASE("creases: curves hold each crease edge once, from corner to corner") {
+  const Mesh box = make_box(4), ring = test::make_ring(40, 3);
+  const auto creases = find_creases(box, {30});
+  const auto curves = trace_creases(box, creases);
+  CHECK(curves.size() == 12);
+  std::vector<EdgeId> edges;
+  for (const CreaseCurve& curve : curves) {
+    CHECK_FALSE(curve.closed);
+    REQUIRE(curve.vertices.size() == curve.edges.size() + 1);
+    for (std::size_t k = 0; k < curve.edges.size(); ++k) {
+      CHECK(point_on_curve(box, curve, k, -1) == vertex_point(box, curve.vertices[k]));
+      const double length = box.length(box.halfedge(curve.edges[k]));
+      const Vec3 middle = position(box, point_on_curve(box, curve, k, length / 4));
+      CHECK((middle - box.position(curve.vertices[k])).norm() == Approx(length / 4));
+    }
+    edges.insert(edges.end(), curve.edges.begin(), curve.edges.end());
+  }
+  std::sort(edges.begin(), edges.end());
+  CHECK(edges == creases);
+  const auto loops = trace_creases(ring, all_boundary(ring));
+  REQUIRE(loops.size() == 2);
+  for (const CreaseCurve& loop : loops) {
+    CHECK(loop.closed);
+    CHECK(loop.vertices.front() == loop.vertices.back());
+  }
+}
+
+TEST_CASE("creases: turns near sharper ones, or near ends of creases, are no corners on demand") {
+  const Mesh grid = test::make_grid(6, 1);
+  const auto corners = [&](double distance) {
+    const auto placed = place_on_creases(grid, all_boundary(grid), 100, distance);
+    return std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::fixed);
+  };
+  CHECK(corners(0) == 4);
+  CHECK(corners(0.9) == 4);
+  CHECK(corners(1.5) == 2);  // one at each end of the strip
+  CHECK(trace_creases(grid, all_boundary(grid), 1.5).size() == 2);
+  const Mesh box = make_box(4);  // corners of three creases stay
+  CHECK(place_on_creases(box, find_creases(box, {30}), 100, 10).points.size() == 8);
+}
+
 TEST_CASE("creases: a path follows the crease by its length, over vertices, to the next corner") {
   const Mesh grid = test::make_grid(6, 3);
   const CreaseNetwork network(grid, all_boundary(grid));

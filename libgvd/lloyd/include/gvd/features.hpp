@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,24 @@ struct CreaseOptions {
 /// Throws Error{invalid_option} for an angle out of its range. Cost: O(n).
 std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options);
 
+/// A crease from corner to corner (see place_on_creases), or a closed one without a corner.
+struct CreaseCurve {
+  std::vector<EdgeId> edges;  ///< in order
+  std::vector<VertexId>
+      vertices;         ///< their ends, one more than edges; a closed curve has the first one at its end, too
+  bool closed = false;  ///< without a corner; a curve from a corner to itself is not closed
+};
+
+/// The curves of the creases, which hold each crease edge once: first those that begin at corners, ascending. Cost:
+/// O(n).
+/// `corner_distance`: as in place_on_creases.
+std::vector<CreaseCurve> trace_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
+                                       double corner_distance = 0);
+
+/// The point of the curve's edge with this index at a distance from `vertices[edge]`, mesh units, which is limited to
+/// the edge.
+SurfacePoint point_on_curve(const Mesh& mesh, const CreaseCurve& curve, std::size_t edge, double distance);
+
 /// Generators on the creases.
 struct FeatureGenerators {
   std::vector<SurfacePoint> points;  ///< corners first
@@ -40,8 +59,11 @@ inline constexpr double kCornerTurn = 45;
 /// A corner is a vertex with one crease edge or more than two, or where a crease turns by more than
 /// kCornerTurn, both at the vertex and over five edges on its two sides: small zigzags are none. A
 /// closed crease without a corner has at least three generators. Those between corners are evenly spaced by length.
-/// `spacing`: mesh units, > 0. Throws Error{invalid_option} if it is not. Cost: O(n).
-FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing);
+/// Of corners where one crease only turns, the sharpest are kept that are `corner_distance` or more along the crease
+/// from other corners: the boundary of a scan may turn at every second vertex.
+/// `spacing`: mesh units, > 0. Throws Error{invalid_option} if it is not. Cost: O(n log n).
+FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
+                                   double corner_distance = 0);
 
 /// What each of these points may do by where it lies: fixed at a corner of a crease, on_crease beside it on the crease,
 /// free elsewhere. Cost: O(n).

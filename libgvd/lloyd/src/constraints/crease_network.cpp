@@ -1,8 +1,11 @@
 #include "crease_network.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
@@ -38,8 +41,47 @@ bool CreaseNetwork::contains(const SurfacePoint& point) const {
 
 /// Whether the chords over so many edges on both sides turn by more than kCornerTurn.
 bool CreaseNetwork::turns(VertexId v, int edges) const {
+  return turn_cosine(v, edges) < std::cos(kCornerTurn * std::numbers::pi / 180);
+}
+
+double CreaseNetwork::turn_cosine(VertexId v, int edges) const {
   const Vec3 a = chord(leaving_[v][0], edges), b = chord(leaving_[v][1], edges);
-  return -a.dot(b) < std::cos(kCornerTurn * std::numbers::pi / 180) * a.norm() * b.norm();
+  return -a.dot(b) / std::max(a.norm() * b.norm(), std::numeric_limits<double>::min());
+}
+
+void CreaseNetwork::thin_corners(double distance) {
+  std::vector<std::pair<double, VertexId>> turns;  // the sharpest first
+  IdVector<VertexId, bool> kept(leaving_.size(), false);
+  for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
+    const VertexId v(i);
+    if (leaving_[v].empty() || !is_corner_[v]) continue;
+    if (leaving_[v].size() == 2) {
+      turns.emplace_back(turn_cosine(v, kChordEdges), v);
+    } else {
+      kept[v] = true;
+    }
+  }
+  std::sort(turns.begin(), turns.end());
+  for (const auto& [cosine, v] : turns) {
+    kept[v] = !reaches_kept_corner(v, distance, kept);
+    is_corner_[v] = kept[v];
+  }
+}
+
+/// Follows the crease from a turn to both sides.
+bool CreaseNetwork::reaches_kept_corner(VertexId v, double distance, const IdVector<VertexId, bool>& kept) const {
+  for (Step step : leaving_[v]) {
+    double passed = 0;
+    while (true) {
+      passed += mesh_.length(mesh_.halfedge(step.edge));
+      const VertexId to = end(step);
+      if (!(passed < distance)) break;
+      if (kept[to]) return true;
+      if (leaving_[to].size() != 2 || to == v) break;
+      step = leaving_[to][leaving_[to][0].edge == step.edge ? 1 : 0];
+    }
+  }
+  return false;
 }
 
 /// From the start of the step to the end of the last of so many edges, or to the end of the curve.

@@ -16,6 +16,10 @@ class CreaseNetwork {
   /// The mesh has to outlive this. Cost: O(n).
   CreaseNetwork(const Mesh& mesh, const std::vector<EdgeId>& creases);
 
+  /// Keeps, of the corners where a crease only turns, those that are at least this far along the crease from corners
+  /// that turn more, and from those where other creases begin; mesh units. Cost: O(n log n).
+  void thin_corners(double distance);
+
   bool is_crease(EdgeId e) const { return is_crease_[e]; }
   /// Whether the point lies on a crease.
   bool contains(const SurfacePoint& point) const;
@@ -44,6 +48,9 @@ class CreaseNetwork {
 
  private:
   bool turns(VertexId v, int edges) const;
+  /// The cosine of the turn over so many edges on both sides.
+  double turn_cosine(VertexId v, int edges) const;
+  bool reaches_kept_corner(VertexId v, double distance, const IdVector<VertexId, bool>& kept) const;
   Vec3 chord(Step step, int edges) const;
   Vec2 direction(const SurfacePoint& point, const Step& step) const;
   Vec2 end_direction(const SurfacePoint& point, const Step& step) const;

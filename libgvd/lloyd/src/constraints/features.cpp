@@ -14,61 +14,63 @@ Vec3 face_normal(const Mesh& mesh, FaceId f) {
   return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).stableNormalized();
 }
 
-/// Places generators along the curves of a crease network, each once.
-class CreasePlacer {
+/// Parts a crease network into curves, each edge once.
+class CreaseTracer {
  public:
-  CreasePlacer(const Mesh& mesh, const CreaseNetwork& network, double spacing)
-      : mesh_(mesh), network_(network), spacing_(spacing), done_(static_cast<std::size_t>(mesh.edge_count()), false) {}
+  CreaseTracer(const Mesh& mesh, const CreaseNetwork& network)
+      : mesh_(mesh), network_(network), done_(static_cast<std::size_t>(mesh.edge_count()), false) {}
 
-  FeatureGenerators run(const std::vector<EdgeId>& creases) {
-    std::vector<VertexId> corners;
-    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (network_.leaving(VertexId(v)).empty() || !network_.is_corner(VertexId(v))) continue;
-      corners.emplace_back(v);
-      add(vertex_point(mesh_, VertexId(v)), Freedom::fixed);
+  std::vector<CreaseCurve> run(const std::vector<EdgeId>& creases) {
+    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const VertexId v(i);
+      if (!network_.is_corner(v)) continue;
+      for (const CreaseNetwork::Step& step : network_.leaving(v)) trace(step);
     }
-    for (const VertexId v : corners) {
-      for (const CreaseNetwork::Step& step : network_.leaving(v)) place_along(step);
-    }
-    for (const EdgeId e : creases) place_along({e, true});  // the closed ones are left
-    return std::move(placed_);
+    for (const EdgeId e : creases) trace({e, true});  // the closed ones are left
+    return std::move(curves_);
   }
 
  private:
-  void add(const SurfacePoint& point, Freedom freedom) {
-    placed_.points.push_back(point);
-    placed_.freedom.push_back(freedom);
-  }
-
-  /// Places generators between the ends of the curve that begins with this step.
-  void place_along(const CreaseNetwork::Step& first) {
+  void trace(const CreaseNetwork::Step& first) {
     if (done_[first.edge]) return;
-    std::vector<CreaseNetwork::Step> curve;
-    double length = 0;
+    CreaseCurve curve;
+    curve.vertices.push_back(network_.start(first));
     CreaseNetwork::Step step = first;
     for (; step.edge.valid() && !done_[step.edge]; step = network_.next(step)) {
       done_[step.edge] = true;
-      curve.push_back(step);
-      length += mesh_.length(mesh_.halfedge(step.edge));
+      curve.edges.push_back(step.edge);
+      curve.vertices.push_back(network_.end(step));
     }
-    const bool closed = step.edge.valid() && step.edge == first.edge && !network_.is_corner(network_.start(first));
-    const double parts = std::max(std::round(length / spacing_), closed ? 3.0 : 1.0);
-    double passed = 0;
-    std::size_t i = 0;
-    for (double k = closed ? 0 : 1; k < parts; ++k) {
-      const double at = length * k / parts;
-      while (i + 1 < curve.size() && passed + edge_length(curve[i]) < at) passed += edge_length(curve[i++]);
-      add(network_.at(curve[i], at - passed), Freedom::on_crease);
-    }
+    curve.closed = step.edge.valid();
+    curves_.push_back(std::move(curve));
   }
-  double edge_length(const CreaseNetwork::Step& step) const { return mesh_.length(mesh_.halfedge(step.edge)); }
 
   const Mesh& mesh_;
   const CreaseNetwork& network_;
-  double spacing_;
   IdVector<EdgeId, bool> done_;
-  FeatureGenerators placed_;
+  std::vector<CreaseCurve> curves_;
 };
+
+double length_of(const Mesh& mesh, const CreaseCurve& curve) {
+  double length = 0;
+  for (const EdgeId e : curve.edges) length += mesh.length(mesh.halfedge(e));
+  return length;
+}
+
+/// Places generators between the ends of a curve.
+void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, FeatureGenerators& placed) {
+  const double length = length_of(mesh, curve);
+  const double parts = std::max(std::round(length / spacing), curve.closed ? 3.0 : 1.0);
+  double passed = 0;
+  std::size_t i = 0;
+  const auto edge_length = [&] { return mesh.length(mesh.halfedge(curve.edges[i])); };
+  for (double k = curve.closed ? 0 : 1; k < parts; ++k) {
+    const double at = length * k / parts;
+    while (i + 1 < curve.edges.size() && passed + edge_length() < at) passed += edge_length(), ++i;
+    placed.points.push_back(point_on_curve(mesh, curve, i, at - passed));
+    placed.freedom.push_back(Freedom::on_crease);
+  }
+}
 
 }  // namespace
 
@@ -103,10 +105,34 @@ std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<Edg
   return freedoms;
 }
 
-FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing) {
+SurfacePoint point_on_curve(const Mesh& mesh, const CreaseCurve& curve, std::size_t edge, double distance) {
+  const HalfedgeId h = mesh.halfedge(curve.edges[edge]);
+  const double length = mesh.length(h);
+  if (distance <= 0) return vertex_point(mesh, curve.vertices[edge]);
+  if (distance >= length) return vertex_point(mesh, curve.vertices[edge + 1]);
+  return edge_point(h, mesh.from(h) == curve.vertices[edge] ? distance / length : 1 - distance / length);
+}
+
+std::vector<CreaseCurve> trace_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double corner_distance) {
+  CreaseNetwork network(mesh, creases);
+  network.thin_corners(corner_distance);
+  return CreaseTracer(mesh, network).run(creases);
+}
+
+FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
+                                   double corner_distance) {
   if (!(spacing > 0)) throw Error(ErrorCode::invalid_option, "the spacing of generators on creases must be above 0");
-  const CreaseNetwork network(mesh, creases);
-  return CreasePlacer(mesh, network, spacing).run(creases);
+  CreaseNetwork network(mesh, creases);
+  network.thin_corners(corner_distance);
+  FeatureGenerators placed;
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const VertexId v(i);
+    if (network.leaving(v).empty() || !network.is_corner(v)) continue;
+    placed.points.push_back(vertex_point(mesh, v));
+    placed.freedom.push_back(Freedom::fixed);
+  }
+  for (const CreaseCurve& curve : CreaseTracer(mesh, network).run(creases)) place_along(mesh, curve, spacing, placed);
+  return placed;
 }
 
 }  // namespace gvd

@@ -8,6 +8,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
+#include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh_certificate.hpp"
@@ -31,6 +32,10 @@ struct RemeshOptions {
   /// Accept faces that intersect each other. Without it, generators are added near them as near other defects; faces
   /// that intersect where the input does itself (find_inherited) are always accepted.
   bool allow_intersections = false;
+  /// Curves that the dual's edges shall follow: creases, and the boundary (trace_creases). With `refine`,
+  /// generators are added on them where cells of others come between; `max_added` counts them, and at most one for each
+  /// given generator and 100 more are added.
+  std::vector<CreaseCurve> creases;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
@@ -48,6 +53,9 @@ struct RemeshResult {
   std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
   std::int64_t added = 0;                 ///< number of generators added
   std::vector<DualDefect> given_defects;  ///< of the dual of the given generators: why others were added
+  std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
+  double crease_length = 0;               ///< of the creases of the options, mesh units
+  double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
   std::int32_t rounds = 0;                ///< number of diagrams computed
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   Diagram diagram;                        ///< of all generators

@@ -1,0 +1,217 @@
+#include "creases/crease_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gvd {
+namespace {
+
+/// The power of two from a third of the length to two thirds.
+double shell_distance(double length) { return std::exp2(std::floor(std::log2(length * 2 / 3))); }
+
+}  // namespace
+
+/// A curve with its generators and cells, by length from its first vertex. A closed one begins at its first generator.
+struct CreaseGaps::Course {
+  const CreaseCurve& curve;
+  std::vector<double> vertex_at;  // of each of the curve's vertices
+  std::vector<Mark> marks;        // ascending
+  std::vector<Part> parts;
+
+  double length() const { return vertex_at.back(); }
+
+  SurfacePoint point(const Mesh& mesh, double at) const {
+    if (curve.closed) at = std::fmod(at, length());
+    const auto after = std::upper_bound(vertex_at.begin() + 1, vertex_at.end() - 1, at);
+    const auto edge = static_cast<std::size_t>(after - vertex_at.begin()) - 1;
+    const SurfacePoint p = point_on_curve(mesh, curve, edge, at - vertex_at[edge]);
+    return make_surface_point(p.face, p.bary);
+  }
+};
+
+CreaseGaps::CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram)
+    : mesh_(mesh), curves_(curves), generators_(diagram.generators), labels_(mesh, diagram) {
+  for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
+    const SurfacePoint& p = diagram.generators[i];
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    if (p.kind() == SurfacePoint::Kind::vertex) at_vertex_[vertex(mesh, p)] = g;
+    if (p.kind() != SurfacePoint::Kind::edge) continue;
+    const HalfedgeId h = halfedge(p);
+    const EdgeId e = mesh.edge(h);
+    const double along = p.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
+    on_edge_[e].push_back({mesh.halfedge(e) == h ? along : 1 - along, g});
+  }
+  for (const CreaseCurve& curve : curves) {
+    if (curve.closed) continue;
+    for (const Mark& mark : marks_on(curve)) {
+      std::vector<VertexId>& ends = ends_of_curves_[mark.generator];
+      ends.insert(ends.end(), {curve.vertices.front(), curve.vertices.back()});
+    }
+  }
+}
+
+std::vector<CreaseGap> CreaseGaps::find() const {
+  std::vector<CreaseGap> gaps;
+  for (const CreaseCurve& curve : curves_) {
+    Course course{curve, {0}, marks_on(curve), {}};
+    for (const EdgeId e : curve.edges) {
+      course.vertex_at.push_back(course.vertex_at.back() + mesh_.length(mesh_.halfedge(e)));
+    }
+    if (add_missing(course, gaps)) continue;
+    course.parts = parts_of(curve);
+    add_foreign(course, gaps);
+  }
+  std::stable_sort(gaps.begin(), gaps.end(),
+                   [](const CreaseGap& a, const CreaseGap& b) { return a.length > b.length; });
+  return gaps;
+}
+
+/// The generators of a curve, each once: that at the ends of a closed curve stands at its beginning.
+std::vector<CreaseGaps::Mark> CreaseGaps::marks_on(const CreaseCurve& curve) const {
+  std::vector<Mark> marks;
+  double passed = 0;
+  for (std::size_t i = 0; i < curve.vertices.size(); ++i) {
+    const bool is_end = i == curve.edges.size();
+    if (const auto here = at_vertex_.find(curve.vertices[i]); here != at_vertex_.end() && !(is_end && curve.closed)) {
+      marks.push_back({passed, here->second});
+    }
+    if (is_end) break;
+    const HalfedgeId h = mesh_.halfedge(curve.edges[i]);
+    if (const auto here = on_edge_.find(curve.edges[i]); here != on_edge_.end()) {
+      const bool forwards = mesh_.from(h) == curve.vertices[i];
+      for (const Mark& mark : here->second) {
+        marks.push_back({passed + mesh_.length(h) * (forwards ? mark.at : 1 - mark.at), mark.generator});
+      }
+    }
+    passed += mesh_.length(h);
+  }
+  std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.at < b.at; });
+  return marks;
+}
+
+std::vector<CreaseGaps::Part> CreaseGaps::parts_of(const CreaseCurve& curve) const {
+  std::vector<Part> parts;
+  double passed = 0;
+  for (std::size_t i = 0; i < curve.edges.size(); ++i) {
+    const HalfedgeId h = mesh_.halfedge(curve.edges[i]);
+    const double length = mesh_.length(h);
+    const bool forwards = mesh_.from(h) == curve.vertices[i];
+    for (const EdgeLabel& label : labels_.of(curve.edges[i])) {
+      const double begin = forwards ? label.begin : 1 - label.end, end = forwards ? label.end : 1 - label.begin;
+      parts.push_back({passed + length * begin, passed + length * end, label.cell});
+    }
+    passed += length;
+  }
+  return parts;
+}
+
+/// Places at corners, and on a curve that has too few generators. False where none is missing.
+bool CreaseGaps::add_missing(const Course& course, std::vector<CreaseGap>& gaps) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto& vertices = course.curve.vertices;
+  const std::size_t before = gaps.size();
+  const std::size_t least = vertices.front() == vertices.back() ? 3 : 2;
+  if (!course.curve.closed) {
+    for (const VertexId end : {vertices.front(), vertices.back()}) {
+      if (at_vertex_.count(end) == 0) gaps.push_back({vertex_point(mesh_, end), kInfinity});
+    }
+    if (gaps.size() > before) return true;
+  }
+  // A curve from a corner to itself has that generator at both ends.
+  const std::size_t different = course.marks.size() - (course.curve.closed || least == 2 ? 0 : 1);
+  if (different >= least) return false;
+  const double first = course.marks.empty() ? 0 : course.marks.front().at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == 0 && !course.marks.empty()) continue;
+    const double at = first + course.length() * static_cast<double>(k) / 3;
+    gaps.push_back({course.point(mesh_, at), course.length()});
+  }
+  return true;
+}
+
+/// The corner beside the i-th gap between these marks that a curve of the generator leaves, too; invalid if none is.
+VertexId CreaseGaps::shared_corner(const Course& course, std::size_t i, std::size_t marks, GeneratorId of) const {
+  if (course.curve.closed) return {};
+  const auto ends = ends_of_curves_.find(of);
+  if (ends == ends_of_curves_.end()) return {};
+  const auto leaves = [&](VertexId v) {
+    return std::find(ends->second.begin(), ends->second.end(), v) != ends->second.end();
+  };
+  const VertexId first = course.curve.vertices.front(), last = course.curve.vertices.back();
+  if (i == 0 && leaves(first)) return first;
+  if (i + 2 == marks && leaves(last)) return last;
+  return {};
+}
+
+/// The point of the curve between two lengths that is nearest to `to`, by its length.
+double CreaseGaps::nearest(const Course& course, double begin, double end, const Vec3& to) const {
+  double best = (begin + end) / 2, least = std::numeric_limits<double>::infinity();
+  const std::size_t edges = course.curve.edges.size(), rounds = course.curve.closed ? 2 : 1;
+  for (std::size_t k = 0; k < rounds * edges; ++k) {
+    const double start = course.vertex_at[k % edges] + (k < edges ? 0 : course.length());
+    const Vec3 &a = mesh_.position(course.curve.vertices[k % edges]),
+               &b = mesh_.position(course.curve.vertices[k % edges + 1]);
+    const double length = (b - a).norm();
+    if (start + length < begin || start > end || !(length > 0)) continue;
+    const double at =
+        std::clamp(start + (to - a).dot(b - a) / length, std::max(start, begin), std::min(start + length, end));
+    const double squared = (a + (at - start) / length * (b - a) - to).squaredNorm();
+    if (squared >= least) continue;
+    least = squared;
+    best = at;
+  }
+  return best;
+}
+
+/// Where a gap takes a generator: see the table of the class.
+double CreaseGaps::place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const {
+  const double begin = marks[gap.index].at, end = marks[gap.index + 1].at, length = end - begin;
+  double first = end, last = begin;
+  for (const Part& part : gap.foreign) first = std::min(first, part.begin), last = std::max(last, part.end);
+  const double middle = (first + last) / 2;
+  const auto longer = [](const Part& a, const Part& b) { return a.end - a.begin < b.end - b.begin; };
+  const GeneratorId of = std::max_element(gap.foreign.begin(), gap.foreign.end(), longer)->cell;
+  const VertexId corner = shared_corner(course, gap.index, marks.size(), of);
+  if (corner.valid()) {
+    const bool at_begin = gap.index == 0 && corner == course.curve.vertices.front();
+    return at_begin ? begin + shell_distance(length) : end - shell_distance(length);
+  }
+  const double opposite = nearest(course, begin, end, position(mesh_, generators_[of.index()]));
+  return std::min(opposite - begin, end - opposite) < kLeastGapShare * length ? middle : opposite;
+}
+
+/// The parts between two consecutive generators that belong to neither of them.
+std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks) {
+  std::vector<Gap> gaps(marks.size() - 1);
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i].index = i;
+  for (const Part& part : parts) {
+    const auto after = std::upper_bound(marks.begin(), marks.end(), part.begin,
+                                        [](double at, const Mark& mark) { return at < mark.at; });
+    auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - marks.begin() - 1, 0));
+    for (; i + 1 < marks.size() && marks[i].at < part.end; ++i) {
+      if (part.cell == marks[i].generator || part.cell == marks[i + 1].generator) continue;
+      const Part inside{std::max(part.begin, marks[i].at), std::min(part.end, marks[i + 1].at), part.cell};
+      const bool counts = inside.end - inside.begin > kLeastForeignPart * (marks[i + 1].at - marks[i].at);
+      if (counts) gaps[i].foreign.push_back(inside);
+    }
+  }
+  std::erase_if(gaps, [](const Gap& gap) { return gap.foreign.empty(); });
+  return gaps;
+}
+
+void CreaseGaps::add_foreign(const Course& course, std::vector<CreaseGap>& gaps) const {
+  std::vector<Mark> marks = course.marks;
+  std::vector<Part> parts = course.parts;
+  if (course.curve.closed) {
+    marks.push_back({marks.front().at + course.length(), marks.front().generator});
+    for (const Part& p : course.parts) parts.push_back({p.begin + course.length(), p.end + course.length(), p.cell});
+  }
+  for (const Gap& gap : list_gaps(parts, marks)) {
+    double first = marks.back().at, last = 0;
+    for (const Part& part : gap.foreign) first = std::min(first, part.begin), last = std::max(last, part.end);
+    gaps.push_back({course.point(mesh_, place_in(course, marks, gap)), last - first});
+  }
+}
+
+}  // namespace gvd

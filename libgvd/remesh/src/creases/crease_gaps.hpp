@@ -1,0 +1,90 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "creases/edge_labels.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/features.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Shorter parts of a crease between two of its generators, relative to their distance, count as none: cells may touch
+/// a crease in a point.
+inline constexpr double kLeastForeignPart = 1e-6;
+
+/// Places of new generators are not nearer than this to the ends of their gap, relative to its length.
+inline constexpr double kLeastGapShare = 0.05;
+
+/// A place of a crease that the dual's edges do not follow, and where a generator would help.
+struct CreaseGap {
+  SurfacePoint place;
+  /// Length of the crease that belongs to the cells of others, mesh units; infinite at a corner without a generator.
+  double length = 0;
+};
+
+/// Where the dual of a diagram leaves the creases.
+///
+/// The dual follows a curve of the creases if each point between two consecutive generators of the curve belongs to the
+/// cell of one of the two. Then their cells share a bisector that crosses the curve between them: consecutive
+/// generators are joined by an edge. No other cell contains a point of the curve, so that no edge between generators on
+/// the two sides crosses it. The other generators of the curve count as foreign there, too.
+///
+/// The generators of the ends and of turns have to be at the corners themselves, and a closed curve needs three.
+///
+/// | gap                             | place | | ------------------------------- |
+/// ------------------------------------------------------------------------------- | | a corner without a generator |
+/// the corner                                                                      | | a curve with too few generators
+/// | thirds of its length                                                            | | beside a corner that a curve
+/// of | the point whose distance from the corner is a power of two, and a third to two  | | the foreign generator
+/// leaves    | thirds of the gap                                                               | | any other | the
+/// point nearest to the foreign generator; next to an end (kLeastGapShare) the | |                                 |
+/// middle of the foreign parts                                                     |
+///
+/// Opposite generators of two parallel curves do not disturb each other, however close the curves are. Two curves that
+/// leave a corner at an acute angle would disturb each other without end, unless their generators are equally far from
+/// the corner: hence the powers (J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation,
+/// 1995).
+class CreaseGaps {
+ public:
+  /// All three must outlive this. Cost: O(n).
+  CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram);
+
+  /// Those of all curves, the longest first. Cost: O(k log k) for k labels on creases.
+  std::vector<CreaseGap> find() const;
+
+ private:
+  struct Mark {
+    double at;  // from the curve's first vertex
+    GeneratorId generator;
+  };
+  struct Part {
+    double begin, end;
+    GeneratorId cell;
+  };
+  struct Course;
+  std::vector<Mark> marks_on(const CreaseCurve& curve) const;
+  std::vector<Part> parts_of(const CreaseCurve& curve) const;
+  bool add_missing(const Course& course, std::vector<CreaseGap>& gaps) const;
+  struct Gap {
+    std::size_t index = 0;  // of the mark at its begin
+    std::vector<Part> foreign;
+  };
+  static std::vector<Gap> list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks);
+  VertexId shared_corner(const Course& course, std::size_t i, std::size_t marks, GeneratorId of) const;
+  double nearest(const Course& course, double begin, double end, const Vec3& to) const;
+  double place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const;
+  void add_foreign(const Course& course, std::vector<CreaseGap>& gaps) const;
+
+  const Mesh& mesh_;
+  const std::vector<CreaseCurve>& curves_;
+  const std::vector<SurfacePoint>& generators_;
+  EdgeLabels labels_;
+  std::map<EdgeId, std::vector<Mark>> on_edge_;  // at parameters along the edge's halfedge
+  std::map<VertexId, GeneratorId> at_vertex_;
+  std::map<GeneratorId, std::vector<VertexId>> ends_of_curves_;  // of the open curves of each generator
+};
+
+}  // namespace gvd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/features.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Rounds that add generators on creases. Gaps shrink to less than three quarters each time.
+inline constexpr int kCreaseRounds = 12;
+
+/// Adds generators on creases, round by round, so that the dual's edges follow them (see crease_gaps.hpp).
+class CreaseFollower {
+ public:
+  /// Mesh and creases must outlive this. `max_added`: generators in all rounds together. Cost: O(n).
+  CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added);
+
+  /// New generators for the largest gaps. None where there is no gap, and once the rounds or the generators are used
+  /// up: other gaps then stay. Cost: O(n), and O(k m) for k new ones beside m generators.
+  std::vector<SurfacePoint> propose(const Diagram& diagram);
+
+  std::int64_t added() const { return added_; }
+  /// Of all creases, mesh units.
+  double length() const { return length_; }
+  /// Of the parts that the diagram of the last `propose` leaves, mesh units.
+  double gap_length() const { return gap_length_; }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<CreaseCurve>& curves_;
+  double length_ = 0;
+  double gap_length_ = 0;
+  std::int64_t max_added_;
+  std::int64_t added_ = 0;
+  int rounds_ = 0;
+};
+
+}  // namespace gvd

@@ -1,0 +1,102 @@
+// The edges of a remesh along creases and boundaries.
+
+#include <algorithm>
+
+#include "creases/crease_gaps.hpp"
+#include "creases/follow_creases.hpp"
+#include "gvd/remesh.hpp"
+#include "remesh/creases/crease_meshes.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+
+using namespace gvd;
+
+namespace {
+
+std::vector<CreaseCurve> curves_of(const Mesh& mesh) { return trace_creases(mesh, find_creases(mesh, {40, true})); }
+
+/// Every chain of a crease is a chain of edges, and its corners are vertices.
+void require_followed(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const RemeshResult& result) {
+  for (const CreaseCurve& curve : curves) {
+    const std::vector<std::size_t> along = test::generators_along(mesh, curve, result.generators);
+    const bool is_loop = curve.vertices.front() == curve.vertices.back();
+    REQUIRE(along.size() >= (is_loop ? 3u : 2u));
+    for (std::size_t k = 1; k < along.size(); ++k) CHECK(test::are_joined(result.mesh, along[k - 1], along[k]));
+    if (curve.closed) CHECK(test::are_joined(result.mesh, along.front(), along.back()));
+    if (curve.closed) continue;
+    CHECK(position(mesh, result.generators[along.front()]) == mesh.position(curve.vertices.front()));
+    CHECK(position(mesh, result.generators[along.back()]) == mesh.position(curve.vertices.back()));
+  }
+}
+
+RemeshResult follow(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  RemeshOptions options;
+  options.creases = curves_of(mesh);
+  return remesh(mesh, generators, options);
+}
+
+}  // namespace
+
+TEST_CASE("creases: a cube with eight generators is a cube") {
+  const Mesh cube = test::make_cube(5);
+  const auto creases = find_creases(cube, {40});
+  const RemeshResult result = follow(cube, place_on_creases(cube, creases, 10).points);
+  CHECK(result.added == 0);
+  CHECK(result.mesh.vertex_count() == 8);
+  CHECK(result.mesh.face_count() == 12);
+  CHECK(result.crease_length == Approx(12));
+  CHECK(result.crease_gap_length == 0);
+  CHECK(result.input_to_output.hausdorff < 1e-9);
+}
+
+TEST_CASE("creases: edges follow them, whatever generators are given") {
+  const std::vector<std::pair<const char*, Mesh>> meshes{
+      {"cube", test::make_cube(4)},           {"can", test::make_can(24, 0.5)},
+      {"flat can", test::make_can(24, 0.1)},  {"block", test::make_corner_block()},
+      {"sector", test::make_sector(20, 4.5)}, {"sharp sector", test::make_sector(8, 0.4)},
+      {"plate", test::make_plate(6, 0.05)},   {"ring", test::make_ring(24, 3)}};
+  for (const auto& [name, mesh] : meshes) {
+    const std::vector<CreaseCurve> curves = curves_of(mesh);
+    REQUIRE_FALSE(curves.empty());
+    for (const int count : {4, 20}) {
+      for (const unsigned seed : {1u, 2u}) {
+        INFO(name << ", " << count << " generators, seed " << seed);
+        const RemeshResult result = follow(mesh, test::random_generators(mesh, count, seed));
+        CHECK(result.crease_gap_length == 0);
+        CHECK(result.added_on_creases <= count + 100);
+        require_followed(mesh, curves, result);
+      }
+    }
+  }
+}
+
+TEST_CASE("creases: without them, edges do not follow") {
+  const Mesh cube = test::make_cube(4);
+  const RemeshResult result = remesh(cube, test::random_generators(cube, 20, 1));
+  CHECK(result.added_on_creases == 0);
+  CHECK(result.crease_length == 0);
+  const auto curves = curves_of(cube);
+  CHECK_FALSE(CreaseGaps(cube, curves, result.diagram).find().empty());
+}
+
+TEST_CASE("creases: no more generators are added than allowed, and what is left is measured") {
+  const Mesh cube = test::make_cube(4);
+  RemeshOptions options;
+  options.creases = curves_of(cube);
+  options.max_added = 3;
+  const RemeshResult few = remesh(cube, test::random_generators(cube, 40, 1), options);
+  CHECK(few.added == 3);
+  CHECK(few.crease_gap_length > 0);
+  CHECK(few.crease_gap_length < few.crease_length);
+  options.refine = false;
+  CHECK(remesh(cube, test::random_generators(cube, 40, 1), options).added == 0);
+}
+
+TEST_CASE("creases: two that leave a corner at an acute angle take few generators") {
+  const Mesh sector = test::make_sector(3, 0.2);
+  std::vector<SurfacePoint> generators = test::random_generators(sector, 6, 3);
+  const RemeshResult result = follow(sector, generators);
+  CHECK(result.crease_gap_length == 0);
+  CHECK(result.rounds <= 8);
+  CHECK(result.mesh.vertex_count() <= 40);
+}
