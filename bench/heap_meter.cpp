@@ -1,12 +1,11 @@
 #include "heap_meter.hpp"
 
-#include <malloc.h>
-
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
-#include <new>
 #include <string>
+
+#include "common/run/replaced_new.hpp"
 
 namespace gvd::bench {
 namespace {
@@ -15,26 +14,18 @@ std::atomic<std::int64_t> g_live{0};
 std::atomic<std::int64_t> g_peak{0};
 std::atomic<bool> g_counting{false};
 
-void* counted(void* block) {
-  if (block == nullptr) throw std::bad_alloc();
-  if (!g_counting.load(std::memory_order_relaxed)) return block;
-  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(block));
+void count(void* block) noexcept {
+  if (!g_counting.load(std::memory_order_relaxed)) return;
+  const std::int64_t bytes = heap::usable_size(block);
   const std::int64_t live = g_live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
   std::int64_t peak = g_peak.load(std::memory_order_relaxed);
   while (live > peak && !g_peak.compare_exchange_weak(peak, live, std::memory_order_relaxed)) {
   }
-  return block;
 }
 
-void release(void* block) noexcept {
-  if (block != nullptr && g_counting.load(std::memory_order_relaxed)) {
-    g_live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
-  }
-  std::free(block);
+void discount(void* block) noexcept {
+  if (g_counting.load(std::memory_order_relaxed)) g_live.fetch_sub(heap::usable_size(block), std::memory_order_relaxed);
 }
-
-/// aligned_alloc requires a size that is a multiple of the alignment.
-std::size_t padded(std::size_t size, std::size_t alignment) { return (size + alignment - 1) / alignment * alignment; }
 
 }  // namespace
 
@@ -60,24 +51,20 @@ std::int64_t peak_resident_bytes() {
 
 }  // namespace gvd::bench
 
-// The forms that return nothing instead of throwing call the others in the standard library, but not in that of
-// sanitizers.
-void* operator new(std::size_t size) { return gvd::bench::counted(std::malloc(size == 0 ? 1 : size)); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  void* block = std::malloc(size == 0 ? 1 : size);
-  return block == nullptr ? nullptr : gvd::bench::counted(block);
+void* gvd::heap::allocate(std::size_t size, std::size_t alignment) {
+  void* const block = allocate_block(size, alignment);
+  if (block == nullptr) throw std::bad_alloc();
+  bench::count(block);
+  return block;
 }
-void* operator new[](std::size_t size) { return operator new(size); }
-void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept { return operator new(size, nothrow); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  const auto bytes = static_cast<std::size_t>(alignment);
-  return gvd::bench::counted(std::aligned_alloc(bytes, gvd::bench::padded(size == 0 ? 1 : size, bytes)));
+
+void* gvd::heap::try_allocate(std::size_t size) noexcept {
+  void* const block = allocate_block(size, 0);
+  if (block != nullptr) bench::count(block);
+  return block;
 }
-void operator delete(void* block) noexcept { gvd::bench::release(block); }
-void operator delete(void* block, std::size_t) noexcept { gvd::bench::release(block); }
-void operator delete(void* block, const std::nothrow_t&) noexcept { gvd::bench::release(block); }
-void operator delete[](void* block) noexcept { gvd::bench::release(block); }
-void operator delete[](void* block, std::size_t) noexcept { gvd::bench::release(block); }
-void operator delete[](void* block, const std::nothrow_t&) noexcept { gvd::bench::release(block); }
-void operator delete(void* block, std::align_val_t) noexcept { gvd::bench::release(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { gvd::bench::release(block); }
+
+void gvd::heap::release(void* block) noexcept {
+  if (block != nullptr) bench::discount(block);
+  std::free(block);
+}

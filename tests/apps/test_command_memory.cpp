@@ -88,6 +88,7 @@ TEST_CASE(
     const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
     CAPTURE(kilobytes, result.err);
     if (result.exit_code == 127 || result.exit_code == 0) continue;  // the libraries do not fit, or the run does
+    if (result.err.starts_with("terminate called")) continue;        // their constants do not, before main() has a say
     CHECK(result.exit_code == 5);
     CHECK_THAT(result.err, StartsWith("gvd-remesh: error: ") && !Contains("unexpected"));
     CHECK(line_count(result.err) == 1);

@@ -12,7 +12,7 @@
 #endif
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !GVD_CLANG_SANITIZER
 #define GVD_COUNTS_HEAP
-#include <malloc.h>
+#include "common/run/replaced_new.hpp"
 #endif
 
 namespace gvd::app {
@@ -60,9 +60,7 @@ void count(std::int64_t bytes) noexcept {
   t_untold = 0;
 }
 
-std::int64_t size_of(void* block) noexcept {
-  return static_cast<std::int64_t>(malloc_usable_size(block)) + kBlockHeader;
-}
+std::int64_t size_of(void* block) noexcept { return heap::usable_size(block) + kBlockHeader; }
 
 void note_refused(std::size_t size) noexcept {
   std::int64_t none = -1;
@@ -77,45 +75,32 @@ bool passes_limit(std::size_t size) noexcept {
   return heap_bytes() > limit || static_cast<std::uint64_t>(size) > static_cast<std::uint64_t>(limit - heap_bytes());
 }
 
-/// Null where there is no memory. `alignment` is 0 for that of malloc.
-void* try_allocate(std::size_t size, std::size_t alignment) noexcept {
+/// Null where there is no memory, or no more is allowed.
+void* allocate_within_limit(std::size_t size, std::size_t alignment) noexcept {
   if (passes_limit(size)) return nullptr;
-  const std::size_t padded = alignment == 0 ? size : (size + alignment - 1) / alignment * alignment;
-  const std::size_t some = padded == 0 ? 1 : padded;
-  void* const block = alignment == 0 ? std::malloc(some) : std::aligned_alloc(alignment, some);
+  void* const block = heap::allocate_block(size, alignment);
   if (block != nullptr) count(size_of(block));
   return block;
 }
 
 }  // namespace
-
-void* allocate_counted(std::size_t size, std::size_t alignment) {
-  void* const block = try_allocate(size, alignment);
-  if (block != nullptr) return block;
-  note_refused(size);
-  throw std::bad_alloc();
-}
-
-void* try_allocate_counted(std::size_t size) noexcept { return try_allocate(size, 0); }
-
-void free_counted(void* block) noexcept {
-  if (block != nullptr) count(-size_of(block));
-  std::free(block);
-}
 #endif
 
 }  // namespace gvd::app
 
 #ifdef GVD_COUNTS_HEAP
-// Those for arrays call these. Who asks without exceptions has a way round and goes on, so nothing is noted.
-void* operator new(std::size_t size) { return gvd::app::allocate_counted(size, 0); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return gvd::app::try_allocate_counted(size); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return gvd::app::allocate_counted(size, static_cast<std::size_t>(alignment));
+void* gvd::heap::allocate(std::size_t size, std::size_t alignment) {
+  void* const block = app::allocate_within_limit(size, alignment);
+  if (block != nullptr) return block;
+  app::note_refused(size);
+  throw std::bad_alloc();
 }
-void operator delete(void* block) noexcept { gvd::app::free_counted(block); }
-void operator delete(void* block, std::size_t) noexcept { gvd::app::free_counted(block); }
-void operator delete(void* block, const std::nothrow_t&) noexcept { gvd::app::free_counted(block); }
-void operator delete(void* block, std::align_val_t) noexcept { gvd::app::free_counted(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { gvd::app::free_counted(block); }
+
+/// Who asks without exceptions has a way round and goes on, so nothing is noted.
+void* gvd::heap::try_allocate(std::size_t size) noexcept { return app::allocate_within_limit(size, 0); }
+
+void gvd::heap::release(void* block) noexcept {
+  if (block != nullptr) app::count(-app::size_of(block));
+  std::free(block);
+}
 #endif
