@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "common/options/typed_options.hpp"
 #include "common/run/command.hpp"
@@ -31,11 +33,21 @@ constexpr const char* kExamples =
 
 constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
+const app::Choices<Placement> kPlacements{
+    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
+
 struct Settings {
   RemeshOptions remesh;
   app::RelaxOptions relaxation;
+  std::optional<Placement> place;  ///< as given
   bool no_refine = false;
 };
+
+/// Listed generators are where the user wants the vertices.
+Placement default_placement(const app::GeneratorOptions& generators) {
+  const bool listed = generators.vertices || !generators.file.empty();
+  return listed ? Placement::generator : PlacementOptions().method;
+}
 
 void register_options(app::CommandLine& line, Settings& settings) {
   const std::string group = "Remesh";
@@ -51,6 +63,12 @@ void register_options(app::CommandLine& line, Settings& settings) {
   line.add_flag(
       {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},
       settings.no_refine);
+  app::add_choice(line,
+                  {"--place", "",
+                   "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
+                   "(default: fit, for --generators and --vertices generator)",
+                   group},
+                  settings.place, kPlacements);
   line.add_flag({"--allow-intersections", "",
                  "Accept triangles that intersect each other; without it, generators are added there", group},
                 settings.remesh.allow_intersections);
@@ -61,10 +79,23 @@ RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<Sur
                           RemeshOptions options) {
   app::StepTimes times(run);
   options.on_stage = [&times](RemeshStage stage) {
-    constexpr std::array<const char*, 3> kNames{"diagram", "dual", "distance"};
+    constexpr std::array<const char*, 4> kNames{"diagram", "dual", "placement", "distance"};
     times.start(kNames[static_cast<std::size_t>(stage)]);
   };
   return remesh(mesh, generators, options);
+}
+
+/// `freedom`: what the relaxation let each generator do; empty if all moved.
+PlacementOptions placement_options(app::Run& run, const std::vector<Freedom>& freedom, const Settings& settings) {
+  PlacementOptions options;
+  options.method = settings.place.value_or(default_placement(run.options().generators));
+  for (std::size_t i = 0; i < freedom.size(); ++i) {
+    if (freedom[i] == Freedom::fixed) options.fixed.emplace_back(static_cast<std::int64_t>(i));
+  }
+  for (const auto& [name, value] : kPlacements) {
+    if (value == options.method) run.report().options()["place"] = name;
+  }
+  return options;
 }
 
 RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start,
@@ -72,6 +103,7 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::Constrained
   const std::vector<SurfacePoint>& generators = start.points;
   RemeshOptions options = settings.remesh;
   options.creases = trace_creases(mesh, start.creases, start.corner_distance);
+  options.placement = placement_options(run, start.freedom, settings);
   if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), generators.size());
   app::report_remesh_options(run, options, settings.no_refine);
   options.refine = !settings.no_refine;
@@ -100,7 +132,7 @@ ViewScene coarse_scene(const RemeshResult& result) {
   ViewScene scene;
   scene.name = "Remesh";
   scene.mesh = &result.mesh;
-  scene.generators = result.mesh.positions();  // vertex i is generator i
+  scene.generators = result.mesh.positions();  // vertex i stands for generator i
   mark_added(result, scene);
   scene.wireframe = true;
   scene.smooth = false;

@@ -9,6 +9,7 @@
 #include "creases/follow_creases.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "placement/with_positions.hpp"
 #include "repair/propose_generators.hpp"
 
 namespace gvd {
@@ -45,9 +46,15 @@ class Remesher {
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
       ++result_.rounds;
       enter(RemeshStage::dual);
-      const std::vector<DualDefect> defects = find_defects();
+      const DualMesh dual = build_dual(mesh_, result_.diagram);
+      std::vector<DualDefect> defects = find_defects(dual);
       if (result_.rounds == 1) result_.given_defects = defects;
       if (follow_creases()) continue;
+      if (defects.empty()) {
+        place();
+        defects = find_intersections(dual);
+        if (result_.rounds == 1) result_.given_defects = defects;
+      }
       if (defects.empty()) break;
       refine(defects);
     }
@@ -61,10 +68,9 @@ class Remesher {
   }
 
   /// Builds the mesh where the dual has no defect, and then looks for flipped faces.
-  std::vector<DualDefect> find_defects() {
+  std::vector<DualDefect> find_defects(const DualMesh& dual) {
     std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);
     if (!defects.empty() && result_.rounds <= kRoundsWithoutFlips) return defects;
-    const DualMesh dual = build_dual(mesh_, result_.diagram);
     if (!defects.empty()) {
       for (const std::size_t i : find_flipped_triangles(mesh_, result_.diagram, dual)) {
         defects.push_back(triangle_defect(dual, i, "is flipped"));
@@ -79,11 +85,12 @@ class Remesher {
     for (const FaceId f : find_flipped_faces(mesh_, result_.mesh, result_.generators, result_.face_points)) {
       defects.push_back(triangle_defect(dual, f.index(), "is flipped"));
     }
-    if (defects.empty() && !options_.allow_intersections) defects = find_intersections(dual);
     return defects;
   }
 
+  /// Of the placed mesh: its vertices may have left the intersections that there were at the generators.
   std::vector<DualDefect> find_intersections(const DualMesh& dual) const {
+    if (options_.allow_intersections) return {};
     const int threads = options_.diagram.threads;
     const std::vector<FacePair> pairs = find_self_intersections(result_.mesh, threads);
     const std::vector<FacePair> inherited = find_inherited(mesh_, result_.mesh, pairs, threads);
@@ -195,6 +202,15 @@ class Remesher {
                 fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", given(), defects.front().message,
                             others(defects.size() - 1), advice, intersects ? ", or set allow_intersections" : ""),
                 cells.empty() ? -1 : cells.front().value());
+  }
+
+  void place() {
+    enter(RemeshStage::placement);
+    PlacementOptions options = options_.placement;
+    options.threads = options_.diagram.threads;
+    if (options.method == Placement::generator) return;
+    const auto positions = place_vertices(mesh_, result_.diagram, result_.mesh, result_.face_points, options);
+    result_.mesh = with_positions(result_.mesh, positions);
   }
 
   void measure() {

@@ -23,7 +23,7 @@ nlohmann::json report_of(const std::string& arguments) {
 }  // namespace
 
 TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none") {
-  const std::string run = data_file("figure.obj") + " -n 100";
+  const std::string run = data_file("figure.obj") + " -n 100 --place generator";
   const auto plain = report_of(run + " --relax none"), relaxed = report_of(run),
              longer = report_of(run + " --relax 40");
   CHECK(plain["options"]["relax"] == 0);
@@ -81,7 +81,7 @@ TEST_CASE("gvd-remesh --features: a box of eight vertices, and a thin one with i
 }
 
 TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is loose or takes too many") {
-  const std::string run = data_file("half_sphere.off");
+  const std::string run = data_file("half_sphere.off") + " --place generator";
   const auto followed = [](const auto& report) { return double(report["results"]["creases"]["followed"]); };
   const auto kept = report_of(run + " -n 60"), loose = report_of(run + " -n 60 --loose-boundary");
   CHECK(followed(kept) > 6);
@@ -99,7 +99,7 @@ TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is
 TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators were added") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("torus.ply") + " -q ", path = scratch / "coarse.json";
-  const CommandResult result = run_command("gvd-remesh", mesh + "-n 4 -o " + path);
+  const CommandResult result = run_command("gvd-remesh", mesh + "-n 4 --place generator -o " + path);
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
   const auto content = nlohmann::json::parse(read_text(path));
@@ -116,6 +116,26 @@ TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators 
   const std::string again = scratch / "again.json";
   REQUIRE(run_command("gvd-remesh", mesh + "--no-refine --generators " + path + " -o " + again).exit_code == 0);
   CHECK(nlohmann::json::parse(read_text(again))["remesh"]["faces"] == coarse["faces"]);
+}
+
+TEST_CASE("gvd-remesh: sampled generators are placed by a fit, listed ones stay, and the report has the distances") {
+  const ScratchFolder scratch;
+  const std::string run = data_file("figure.obj") + " -n 200";
+  const auto fit = report_of(run), quadric = report_of(run + " --place quadric"),
+             plain = report_of(run + " --place generator");
+  const auto rms = [](const auto& report) { return double(report["results"]["distance"]["input_to_output"]["rms"]); };
+  CHECK(fit["options"]["place"] == "fit");
+  CHECK(rms(fit) < 0.8 * rms(quadric));
+  CHECK(rms(quadric) < 0.8 * rms(plain));
+  CHECK(fit["results"]["certificate"]["self_intersections"] == 0);
+  CHECK(fit["generators"] == plain["generators"]);
+  write_text(scratch / "list.json", plain.dump());
+  const auto listed = report_of(data_file("figure.obj") + " --generators " + scratch / "list.json");
+  CHECK(listed["options"]["place"] == "generator");
+  CHECK(rms(listed) == rms(plain));
+  const CommandResult wrong = run_command("gvd-remesh", run + " --place nowhere");
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Contains("--place: 'nowhere' is none of generator|quadric|fit"));
 }
 
 TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothing is written") {

@@ -10,6 +10,7 @@
 #include "gvd/dual.hpp"
 #include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/placement.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh_certificate.hpp"
 #include "gvd/surface_distance.hpp"
@@ -17,11 +18,12 @@
 
 namespace gvd {
 
-/// The stages of a remesh. The first two make a round.
+/// The stages of a remesh. The first two make a round; where the dual has no defect, the third one follows.
 enum class RemeshStage {
-  diagram,   ///< computes the diagram
-  dual,      ///< checks its dual, and adds generators or builds and certifies the mesh
-  distance,  ///< measures the distances of the input and the mesh, at the end
+  diagram,    ///< computes the diagram
+  dual,       ///< checks its dual, and adds generators or builds and certifies the mesh
+  placement,  ///< moves the vertices; then triangles that intersect may lead to another round
+  distance,   ///< measures the distances of the input and the mesh, at the end
 };
 
 struct RemeshOptions {
@@ -36,6 +38,7 @@ struct RemeshOptions {
   /// generators are added on them where cells of others come between; `max_added` counts them, and at most one for each
   /// given generator and 100 more are added.
   std::vector<CreaseCurve> creases;
+  PlacementOptions placement;  ///< where the vertices are; its `threads` are those of `diagram`
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
@@ -49,7 +52,7 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
 struct RemeshResult {
-  Mesh mesh;                              ///< vertex i is generator i
+  Mesh mesh;                              ///< vertex i stands for generator i
   std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
   std::int64_t added = 0;                 ///< number of generators added
   std::vector<DualDefect> given_defects;  ///< of the dual of the given generators: why others were added
@@ -70,12 +73,14 @@ struct RemeshResult {
 ///
 /// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces, find_self_intersections),
 /// generators are added near the defects and the diagram is computed again. docs/guide/remesh.md says where they go. No
-/// generator is removed or moved.
+/// generator is removed or moved. At last the vertices are moved off their generators as `placement` says.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
-/// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary.
+/// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,
+/// or the vertices are placed there.
 ///
-/// Properties: (1) the certificate of a result is ok; (2) vertex i is generator i, bit by bit; (3) deterministic.
+/// Properties: (1) the certificate of a result is ok; (2) with Placement::generator vertex i is at generator i, bit by
+/// bit; (3) deterministic.
 /// Throws Error{no_valid_result}, naming the failing property and its position, if no proper mesh is found with
 /// `max_added` generators within kMaxRemeshRounds, or without `refine`; and what compute_diagram throws.
 /// Cost: one diagram a round, and some tens of rounds for the hardest surfaces.

@@ -22,7 +22,8 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 
 /// Distances of the points of `from` from `to`: one of the two directions.
 ///
-/// Each face of `from` is cut into equal triangles, at least 2^15 in all. RMS: a rule that is exact for quadratic
+/// Each face of `from` is cut into equal triangles: in all 2^15 at least, or eight for each face of the two where that
+/// is less. RMS: a rule that is exact for quadratic
 /// functions sums the squares over them. Hausdorff distance: over a triangle, the distance from one face of `to` is
 /// convex, so its largest value is at a corner; that bounds the distance from `to`. Triangles whose bound is above the
 /// largest distance found are cut in four, at most kMaxHausdorffRounds times and while they are fewer than 2^18.

@@ -1,32 +1,19 @@
-#include <algorithm>
-
+#include "dual/flipped_triangle.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/surface_normal.hpp"
 
 namespace gvd {
-namespace {
-
-bool is_flipped(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& mean_normal) {
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  const Vec3 area = (b - a).cross(c - a);
-  const bool has_area = area.norm() > kFlipTolerance * longest;
-  return !has_area || !(area.dot(mean_normal) > kFlipTolerance * area.norm() * mean_normal.norm());
-}
-
-}  // namespace
 
 std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
                                        const std::vector<SurfacePoint>& face_points) {
-  std::vector<Vec3> normals;
-  for (const SurfacePoint& generator : generators) normals.push_back(surface_normal(surface, generator));
+  const std::vector<Vec3> normals = normals_at_faces(surface, remesh, generators, face_points);
   std::vector<FaceId> flipped;
   for (std::int32_t i = 0; i < remesh.face_count(); ++i) {
     const FaceId f(i);
     const auto& [a, b, c] = remesh.vertices(f);
-    const Vec3 mean =
-        normals[a.index()] + normals[b.index()] + normals[c.index()] + surface_normal(surface, face_points[f.index()]);
-    if (is_flipped(remesh.position(a), remesh.position(b), remesh.position(c), mean)) flipped.push_back(f);
+    const Vec3 &p = remesh.position(a), &q = remesh.position(b), &r = remesh.position(c);
+    if (is_flipped(p, q, r, normals[f.index()])) flipped.push_back(f);
   }
   return flipped;
 }

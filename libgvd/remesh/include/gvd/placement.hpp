@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Where the vertices of a remesh are.
+enum class Placement {
+  generator,  ///< at the generators, on the surface
+  quadric,    ///< at the points nearest to the planes of their cells' faces
+  fit,        ///< from there, so that the remesh is near the surface in the sense of least squares
+};
+
+struct PlacementOptions {
+  Placement method = Placement::fit;
+  std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
+  /// No angle of a triangle drops below this, or stays as it is where it is smaller already; degrees, in [0, 60].
+  double least_angle = 10;
+  int threads = 0;  ///< 0: one a core; the result does not depend on it
+};
+
+/// Positions for the vertices of a remesh, mesh units, near the surface by the chosen method.
+///
+/// `remesh`: its vertices are at the generators of `diagram`. `face_points`: the branch points of its faces.
+/// A vertex moves towards its target as far as the guard allows: no triangle is flipped (find_flipped_faces), no angle
+/// drops below the bound, and no two triangles intersect that did not at the generators. Where it is broken, the steps
+/// of the triangle's vertices are halved, at most kMaxHalvings times, and then left out.
+///
+/// The vertices of `fixed` stay. Quadric: the least sum of square distances from the planes of the cell's faces, by
+/// their areas in the cell (Garland and Heckbert, Surface simplification using quadric error metrics, 1997), and from
+/// the lines of its boundary edges. In directions in which the sum hardly changes, the vertex keeps the generator's
+/// position. Fit: kFitRounds times, the square distances of samples of the surface from the planes of their nearest
+/// triangles are minimised over all vertices at once, with a term that holds the vertices near their generators.
+/// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
+/// Throws Error{precondition} if the arguments do not belong together. Cost: O(n log n), and a sparse system a round.
+std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
+                                 const std::vector<SurfacePoint>& face_points, const PlacementOptions& options = {});
+
+/// The steps of a vertex are halved at most so often.
+inline constexpr int kMaxHalvings = 4;
+
+/// Rounds of the fit.
+inline constexpr int kFitRounds = 3;
+
+}  // namespace gvd

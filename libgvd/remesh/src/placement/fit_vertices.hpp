@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "distance/nearest_face.hpp"
+#include "gvd/mesh.hpp"
+#include "placement/surface_samples.hpp"
+
+namespace gvd {
+
+/// A spring that holds a vertex near a position.
+struct VertexAnchor {
+  Vec3 position;
+  double weight = 0;  ///< square mesh units, > 0
+};
+
+/// The surface that a mesh is fitted to.
+struct FitTarget {
+  const Mesh* surface = nullptr;
+  const NearestFaceTree* tree = nullptr;  ///< of the surface
+  std::vector<SurfaceSample> samples;     ///< of the surface
+  int threads = 0;
+};
+
+/// The vertex positions that minimise the square distances of samples of a surface from a mesh, those of as many
+/// samples of the mesh from the surface, and the stretch of the springs.
+///
+/// A pair of a sample and its closest point counts by the plane through one across the direction to the other: the
+/// plane of a triangle, or one that touches an edge or a vertex. The pairs are those of the mesh before. Pairs of
+/// faces that look in opposite directions do not count: they belong to different sheets.
+/// Cost: O(n log n), and a sparse Cholesky factorisation.
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors);
+
+}  // namespace gvd
