@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -128,6 +129,13 @@ ViewScene diagram_scene(const Mesh& mesh, const RemeshResult& result) {
   return scene;
 }
 
+/// The larger of the two directions.
+template <class Of>
+std::string percent_of_diagonal(const RemeshResult& result, Of of) {
+  const double distance = std::max(of(result.input_to_output), of(result.output_to_input));
+  return fmt::format("{:.3g} % of the diagonal", 100 * distance / result.certificate.input.bbox_diagonal);
+}
+
 ViewScene coarse_scene(const RemeshResult& result) {
   ViewScene scene;
   scene.name = "Remesh";
@@ -136,12 +144,16 @@ ViewScene coarse_scene(const RemeshResult& result) {
   mark_added(result, scene);
   scene.wireframe = true;
   scene.smooth = false;
-  scene.figures = {{"Vertices", fmt::format("{}", result.mesh.vertex_count())},
-                   {"Faces", fmt::format("{}", result.mesh.face_count())},
-                   {"Generators added", fmt::format("{}", result.added)},
-                   {"Euler characteristic", fmt::format("{}", result.certificate.output.euler_characteristic)},
-                   {"Mean quality Q", fmt::format("{:.3f}", result.output_quality.q_average)},
-                   {"Angles below 30 degrees", fmt::format("{:.1f} %", result.output_quality.percent_below_30)}};
+  scene.figures = {
+      {"Vertices", fmt::format("{}", result.mesh.vertex_count())},
+      {"Faces", fmt::format("{}", result.mesh.face_count())},
+      {"Generators added", fmt::format("{}", result.added)},
+      {"Euler characteristic", fmt::format("{}", result.certificate.output.euler_characteristic)},
+      {"Mean quality Q", fmt::format("{:.3f}", result.output_quality.q_average)},
+      {"Distance from the input, RMS", percent_of_diagonal(result, [](const SurfaceDistance& d) { return d.rms; })},
+      {"Largest distance", percent_of_diagonal(result, [](const SurfaceDistance& d) { return d.hausdorff; })},
+      {"Pairs of faces that intersect", fmt::format("{}", result.certificate.self_intersections.size())},
+      {"Angles below 30 degrees", fmt::format("{:.1f} %", result.output_quality.percent_below_30)}};
   return scene;
 }
 

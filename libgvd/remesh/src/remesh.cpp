@@ -30,6 +30,21 @@ constexpr std::int32_t kRoundsWithoutFlips = 12;
 /// than that stays as it is.
 std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
 
+std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
+  const Vec3& at = mesh.position(narrow.tip);
+  const std::string advice = narrow.least_distance < mesh.bbox_diagonal()
+                                 ? fmt::format("remove the generators nearer than {:.3g} to it", narrow.least_distance)
+                                 : "cut the surface off there";
+  return fmt::format(
+      "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
+      "round it would be too close to each other; {}",
+      narrow.tip.value(), at.x(), at.y(), at.z(), narrow.angle * 180 / std::numbers::pi, advice);
+}
+
+std::string others(std::size_t count) {
+  return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
+}
+
 class Remesher {
  public:
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
@@ -170,27 +185,11 @@ class Remesher {
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
-    if (narrow) refuse(defects, describe(*narrow));
+    if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     }
     append(points);
-  }
-
-  std::string describe(const NarrowTip& narrow) const {
-    const Vec3& at = mesh_.position(narrow.tip);
-    const std::string advice =
-        narrow.least_distance < mesh_.bbox_diagonal()
-            ? fmt::format("remove the generators nearer than {:.3g} to it", narrow.least_distance)
-            : "cut the surface off there";
-    return fmt::format(
-        "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
-        "round it would be too close to each other; {}",
-        narrow.tip.value(), at.x(), at.y(), at.z(), narrow.angle * 180 / std::numbers::pi, advice);
-  }
-
-  static std::string others(std::size_t count) {
-    return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
   }
 
   std::string given() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
