@@ -48,7 +48,7 @@ void add_iterations(Json& results, const LloydResult& result) {
     mean.push_back(i.mean_move);
     scales.push_back(i.scale);
     held.push_back(i.held);
-    methods.push_back(method_name(i.method));
+    methods.push_back(measure_name(i));
     steps.push_back(step_name(i));
     relocated.push_back(i.relocated);
   }
@@ -73,6 +73,10 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
 }
 
 }  // namespace
+
+const char* measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : method_name(iteration.method);
+}
 
 std::string step_name(const LloydIteration& iteration) {
   if (iteration.relocated > 0) return "relocation";

@@ -19,12 +19,12 @@ void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoi
 
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
   out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
-  const Method& first = result.iterations.empty() ? method : result.iterations.front().method;
-  out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, method_name(first), seconds_.front());
+  const char* first = result.iterations.empty() ? method_name(method) : measure_name(result.iterations.front());
+  out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
   for (std::size_t i = 0; i < result.iterations.size(); ++i) {
     const LloydIteration& done = result.iterations[i];
     out << fmt::format("{},{},{},{},{},{},{:.6f}\n", i + 1, done.energy, done.largest_move, done.mean_move,
-                       method_name(done.method), step_name(done), seconds_[i + 1]);
+                       measure_name(done), step_name(done), seconds_[i + 1]);
   }
 }
 

@@ -8,8 +8,7 @@ namespace gvd::test {
 
 /// The state of these generators with their exact diagram.
 inline RelaxationState evaluate_state(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  CellIntegrals integrals(mesh);
-  return evaluate_generators(mesh, generators, {}, integrals);
+  return evaluate_generators(mesh, generators, {});
 }
 
 }  // namespace gvd::test

@@ -6,6 +6,8 @@ using namespace gvd;
 
 namespace {
 
+const Precision kSampled{{}, true};
+
 /// A record with the energies 10, 9, 8.5, 8.4, where the only generator moved by 1 each time.
 IterationRecord make_record() {
   IterationRecord record;
@@ -15,9 +17,9 @@ IterationRecord make_record() {
   move.scale = 0.5;
   move.held = 3;
   move.by = Acceleration::lbfgs;
-  record.add(move, 10, 9, Method::gbgvd);
-  record.add(move, 9, 8.5, Method::gbgvd);
-  record.add(move, 8.5, 8.4, Method::gbgvd);
+  record.add(move, 10, 9, kSampled);
+  record.add(move, 9, 8.5, kSampled);
+  record.add(move, 8.5, 8.4, kSampled);
   return record;
 }
 
@@ -31,7 +33,7 @@ TEST_CASE("iteration record: an iteration has what its move has") {
   CHECK(record.iterations[1].scale == 0.5);
   CHECK(record.iterations[1].held == 3);
   CHECK(record.iterations[1].by == Acceleration::lbfgs);
-  CHECK(record.iterations[1].method == Method::gbgvd);
+  CHECK(record.iterations[1].is_sampled);
 }
 
 TEST_CASE("iteration record: the mean of the last falls counts") {
@@ -46,9 +48,9 @@ TEST_CASE("iteration record: energies fall after one is measured anew, too") {
   for (const double energy : {8.3, 8.45, 8.5, 8.7, 9.5}) {
     CAPTURE(energy);
     IterationRecord record = make_record();
-    record.restate(energy, Method::exact);
+    record.restate(energy, Precision());
     CHECK(record.iterations.back().energy == energy);
-    CHECK(record.iterations.back().method == Method::exact);
+    CHECK_FALSE(record.iterations.back().is_sampled);
     double before = record.initial_energy, path = 0;
     for (const LloydIteration& i : record.iterations) {
       CHECK(i.energy < before);
@@ -58,7 +60,7 @@ TEST_CASE("iteration record: energies fall after one is measured anew, too") {
     CHECK(path == 3);
   }
   IterationRecord empty;
-  empty.restate(5, Method::exact);
+  empty.restate(5, Precision());
   CHECK(empty.initial_energy == 5);
   CHECK(empty.iterations.empty());
 }

@@ -85,7 +85,7 @@ TEST_CASE("lloyd: one generator goes to the centre of its square in one step") {
   const LloydResult result = relax_generators(mesh, {grid_point(mesh, 1.2, 2.7)});
   REQUIRE(result.iterations.size() == 1);
   CHECK(result.stop == LloydStop::centroids);
-  CHECK((position(mesh, result.generators[0]) - Vec3(4, 4, 0)).norm() < 1e-9);
+  CHECK((position(mesh, result.generators[0]) - Vec3(4, 4, 0)).norm() < 1e-8);  // angles of departure are rounded
 }
 
 TEST_CASE("lloyd: four generators of a square go to the centres of its quarters") {

@@ -5,7 +5,7 @@
 
 namespace gvd {
 
-void IterationRecord::add(const GeneratorMove& move, double before, double after, const Method& method) {
+void IterationRecord::add(const GeneratorMove& move, double before, double after, const Precision& precision) {
   LloydIteration iteration;
   iteration.energy = after;
   for (const double length : move.length) {
@@ -14,7 +14,8 @@ void IterationRecord::add(const GeneratorMove& move, double before, double after
   }
   iteration.scale = move.scale;
   iteration.held = move.held;
-  iteration.method = method;
+  iteration.method = precision.diagram.method;
+  iteration.is_sampled = precision.is_sampled;
   iteration.by = move.by;
   iteration.relocated = move.relocated;
   iterations.push_back(iteration);
@@ -27,13 +28,14 @@ bool IterationRecord::falls_by(double fraction, std::size_t window) const {
   return sum >= fraction * static_cast<double>(window);
 }
 
-void IterationRecord::restate(double energy, const Method& method) {
+void IterationRecord::restate(double energy, const Precision& precision) {
   while (iterations.size() > 1 && !(energy < iterations[iterations.size() - 2].energy)) merge_last();
   if (iterations.empty()) {
     initial_energy = energy;
   } else {
     iterations.back().energy = energy;
-    iterations.back().method = method;
+    iterations.back().method = precision.diagram.method;
+    iterations.back().is_sampled = precision.is_sampled;
   }
 }
 

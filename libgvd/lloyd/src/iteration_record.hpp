@@ -14,13 +14,13 @@ struct IterationRecord {
   std::vector<double> falls;  ///< of each iteration, as a fraction of the energy before it; merging keeps them
 
   /// Adds an iteration that took the energy from `before` to `after`.
-  void add(const GeneratorMove& move, double before, double after, const Method& method);
+  void add(const GeneratorMove& move, double before, double after, const Precision& precision);
   /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
   /// fewer.
   bool falls_by(double fraction, std::size_t window) const;
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
   /// measured now count as one with the iteration before them.
-  void restate(double energy, const Method& method);
+  void restate(double energy, const Precision& precision);
   /// Makes one iteration of all.
   void merge_all();
 

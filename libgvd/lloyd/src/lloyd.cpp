@@ -15,17 +15,17 @@
 #include "steps/accelerator.hpp"
 #include "steps/own_scales.hpp"
 #include "steps/relocation.hpp"
-#include "steps/vertex_rests.hpp"
 
 namespace gvd {
 namespace {
 
-/// The largest number of halvings of all steps together: down to a thousandth.
-constexpr int kCommonHalvings = 10;
+/// Diagrams that Lloyd's step may cost, and how many of them while only generators that went too far take shorter
+/// steps. After these all steps are halved too: down to a thousandth.
+constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
 /// Early levels end with an iteration that lowers the energy by less than this fraction of it. Their energies differ
 /// from the exact ones by about a tenth of that.
-constexpr double kEarlyFall = 1e-4;
+constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
 constexpr std::size_t kStallWindow = 5;
@@ -71,7 +71,7 @@ class Relaxer {
         start_(start),
         constraints_(mesh, options.freedom, options.creases),
         states_(mesh, options, constraints_, start.size()),
-        accelerator_(mesh, options.density, constraints_, options.acceleration) {}
+        accelerator_(mesh, constraints_, options.acceleration) {}
 
   LloydResult run() {
     report();
@@ -107,7 +107,7 @@ class Relaxer {
 
   /// One iteration, and the reason to end after it or instead of it.
   std::optional<LloydStop> advance(RelaxationState& state) {
-    if (state.residual <= options_.move_tolerance * state.mean_cell_radius) return LloydStop::centroids;
+    if (is_at_centroids(state)) return LloydStop::centroids;
     if (record_.iterations.size() >= static_cast<std::size_t>(max_iterations(options_))) {
       return LloydStop::max_iterations;
     }
@@ -116,7 +116,12 @@ class Relaxer {
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
     const std::size_t window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
-    return record_.falls_by(least, window) ? std::nullopt : std::optional(LloydStop::energy);
+    if (record_.falls_by(least, window)) return std::nullopt;
+    return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
+  }
+
+  bool is_at_centroids(const RelaxationState& state) const {
+    return state.residual <= options_.move_tolerance * state.mean_cell_radius;
   }
 
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
@@ -128,7 +133,7 @@ class Relaxer {
     if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
       state = lower_of(std::move(state), evaluate(start_));
     }
-    record_.restate(state.energy, states_.method());
+    record_.restate(state.energy, states_.precision());
     report_iteration(state);
     return state;
   }
@@ -155,8 +160,7 @@ class Relaxer {
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
     for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {
-      const double limit = state.energy;
-      if (take_if_below(limit, state, relocate_generators(mesh_, state, plan, count)) < limit) return true;
+      if (!take_if_below(state.energy, state, relocate_generators(mesh_, state, plan, count))) return true;
     }
     next_relocation_ = record_.iterations.size() + kRelocationPause;
     return false;
@@ -167,54 +171,43 @@ class Relaxer {
   bool descend_accelerated(RelaxationState& state) {
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (!proposed) return false;
-    const std::vector<Rest> rests = states_.find_rests(state);
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
-      GeneratorMove next = move(state, proposed->steps, std::vector<double>(state.generators.size(), scale));
+      GeneratorMove next = move_generators(mesh_, state, scaled(proposed->steps, scale), constraints_, GoToRest::yes);
       next.scale = scale;
       next.by = options_.acceleration;
-      for (const Rest& rest : rests) move_to_rest(mesh_, rest, states_.rest_radius(state), state.generators, next);
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
-      const double energy = take_if_below(limit, state, next);
-      if (energy < limit) return true;
-      scale = shorter_scale(scale, proposed->slope, energy - before);
+      const std::optional<RelaxationState> rejected = take_if_below(limit, state, next);
+      if (!rejected) return true;
+      scale = shorter_scale(scale, proposed->slope, rejected->energy - before);
     }
     accelerator_.forget();
     return false;
   }
 
-  /// One iteration by Lloyd's steps: takes the first move that lowers the energy. False if none does.
+  /// One iteration by Lloyd's steps: shortens those that went too far until the energy falls. False if it never does.
   bool descend(RelaxationState& state) {
-    const auto takes = [&](const GeneratorMove& next) {
-      const double limit = state.energy;
-      return take_if_below(limit, state, next) < limit;
-    };
     std::vector<double> scales(state.generators.size(), options_.step);
-    if (takes(move(state, state.to_centroids, scales))) return true;
-    scales = find_own_scales(constraints_, state, options_.step, states_.integrals(), [this] { report(); });
-    for (int halving = 0; halving <= kCommonHalvings; ++halving) {
-      GeneratorMove next = move(state, state.to_centroids, scales);
-      next.scale = std::ldexp(1.0, -halving);
-      if (takes(next)) return true;
-      for (double& s : scales) s *= 0.5;
+    for (int trial = 0; trial < kLloydTrials; ++trial) {
+      GeneratorMove next = move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_,
+                                           trial == 0 ? GoToRest::yes : GoToRest::no);
+      next.scale = *std::max_element(scales.begin(), scales.end()) / options_.step;
+      const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, next);
+      if (!rejected) return true;
+      const bool is_any_shortened = shorten_own_steps(state, next, *rejected, scales);
+      if (is_any_shortened && trial < kOwnTrials) continue;
+      for (double& scale : scales) scale *= 0.5;
     }
     return false;
   }
 
-  GeneratorMove move(const RelaxationState& state, TangentField steps, const std::vector<double>& scales) const {
-    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] *= scales[i];
-    GeneratorMove next = move_generators(mesh_, state.generators, steps, state.mean_cell_radius, constraints_);
-    next.held += static_cast<std::int32_t>(std::count(scales.begin(), scales.end(), 0.0));
-    return next;
-  }
-
-  /// Moves the generators if their energy is then below the limit. Returns that energy; the limit if none moves.
-  double take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
-    if (next.to == state.generators) return limit;
+  /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have; a
+  /// copy of this one if none moves.
+  std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
+    if (next.to == state.generators) return state;
     RelaxationState moved = evaluate(next.to);
-    const double energy = moved.energy;
-    if (!(energy < limit)) return energy;
-    record_.add(next, state.energy, energy, states_.method());
+    if (!(moved.energy < limit)) return moved;
+    record_.add(next, state.energy, moved.energy, states_.precision());
     report_iteration(moved);
     if (next.relocated > 0) {
       accelerator_.forget();
@@ -222,7 +215,7 @@ class Relaxer {
       accelerator_.learn(state, next, moved);
     }
     state = std::move(moved);
-    return energy;
+    return std::nullopt;
   }
 
   /// `share`: of the next iteration, if its first step is taken.

@@ -7,9 +7,7 @@
 
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
-#include "integrals/cell_integrals.hpp"
 #include "state/relaxation_state.hpp"
-#include "steps/vertex_rests.hpp"
 
 namespace gvd {
 
@@ -29,30 +27,18 @@ class StateEvaluator {
   void skip_early_levels() {
     while (is_early_level()) raise_level();
   }
-  const Method& method() const { return levels_[level_].method; }
+  const Precision& precision() const { return levels_[level_]; }
 
-  /// The state with the diagram of this level. `report` is called with the fraction of the diagram that is done.
+  /// The state with the cells of this level. `report` is called with the fraction of the work that is done.
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators, const std::function<void(double)>& report);
-  /// The number of states, each of which took a diagram.
+  /// The number of states.
   std::int64_t diagrams() const { return diagrams_; }
 
-  /// The vertices to which free generators can go to rest. Accelerated relaxations look for them once distances are as
-  /// exact as the options ask for.
-  std::vector<Rest> find_rests(const RelaxationState& state);
-  double rest_radius(const RelaxationState& state) const { return gvd::rest_radius(state, options_.move_tolerance); }
-
-  CellIntegrals& integrals() { return integrals_; }
-
  private:
-  bool finds_rests() const {
-    return options_.acceleration != Acceleration::none && !is_early_level() && method() == options_.diagram.method;
-  }
-
   const Mesh& mesh_;
   const LloydOptions& options_;
   const GeneratorConstraints& constraints_;
-  CellIntegrals integrals_;
-  std::vector<DiagramOptions> levels_;
+  std::vector<Precision> levels_;
   std::size_t level_ = 0;
   std::int64_t diagrams_ = 0;
 };

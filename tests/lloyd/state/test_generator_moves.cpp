@@ -10,6 +10,19 @@
 
 using namespace gvd;
 
+namespace {
+
+/// Generators whose cells are not known.
+RelaxationState state_at(const std::vector<SurfacePoint>& generators, double mean_cell_radius) {
+  RelaxationState state;
+  state.generators = generators;
+  state.rest.resize(generators.size());
+  state.mean_cell_radius = mean_cell_radius;
+  return state;
+}
+
+}  // namespace
+
 TEST_CASE("generator moves: lengths of transported vectors and of steps are kept, on every mesh") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -17,7 +30,7 @@ TEST_CASE("generator moves: lengths of transported vectors and of steps are kept
       std::mt19937 random(seed);
       const auto from = test::random_generators(mesh, 20, seed);
       const TangentField steps = test::random_field(20, random);
-      const GeneratorMove move = move_generators(mesh, from, steps, 1);
+      const GeneratorMove move = move_generators(mesh, state_at(from, 1), steps);
       REQUIRE(move.to.size() == 20);
       for (std::size_t i = 0; i < 20; ++i) {
         CHECK(move.turns[i].norm() == Approx(1).epsilon(1e-9));
@@ -40,10 +53,9 @@ TEST_CASE("generator moves: there and back again, transported vectors return") {
   StepHistory history(3);
   const TangentField first = test::random_field(30, random);
   history.add({first, steps});
-  const GeneratorMove there = move_generators(mesh, from, steps, 0.1);
+  const GeneratorMove there = move_generators(mesh, state_at(from, 0.1), steps);
   history.transport(there.turns);
-  const GeneratorMove back =
-      move_generators(mesh, there.to, add_scaled(TangentField(30, Vec2::Zero()), -1, there.step), 0.1);
+  const GeneratorMove back = move_generators(mesh, state_at(there.to, 0.1), scaled(there.step, -1.0));
   history.transport(back.turns);
   for (std::size_t i = 0; i < 30; ++i) {
     if (from[i].kind() != SurfacePoint::Kind::face || back.to[i].face != from[i].face) continue;  // another plane
@@ -57,7 +69,7 @@ TEST_CASE("generator moves: generators that would collide stay, with neither len
   const std::vector<SurfacePoint> from{make_surface_point(FaceId(0), {0.5, 0.3, 0.2}),
                                        make_surface_point(FaceId(0), {0.3, 0.5, 0.2})};
   const Vec2 between = {(position(mesh, from[1]) - position(mesh, from[0])).norm(), 0};
-  const GeneratorMove move = move_generators(mesh, from, {0.5 * between, -0.5 * between}, 1);
+  const GeneratorMove move = move_generators(mesh, state_at(from, 1), {0.5 * between, -0.5 * between});
   CHECK(move.to == from);
   CHECK(move.held == 2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -65,6 +77,23 @@ TEST_CASE("generator moves: generators that would collide stay, with neither len
     CHECK(move.step[i] == Vec2::Zero());
     CHECK(move.turns[i] == Turn(1, 0));
   }
+}
+
+TEST_CASE("generator moves: generators go to rest at their vertex, unless another one is there") {
+  const Mesh mesh = test::make_grid(4, 4);
+  RelaxationState state =
+      state_at({make_surface_point(FaceId(0), {0.9, 0.05, 0.05}), make_surface_point(FaceId(20), {0.3, 0.3, 0.4})}, 1);
+  const VertexId corner = mesh.vertices(FaceId(0))[0];
+  state.rest[0] = corner;
+  const TangentField steps{Vec2(0.01, 0), Vec2(0, 0.01)};
+  const GeneratorMove move = move_generators(mesh, state, steps, {}, GoToRest::yes);
+  CHECK(position(mesh, move.to[0]) == mesh.position(corner));
+  CHECK(move.length[0] == Approx((mesh.position(corner) - position(mesh, state.generators[0])).norm()));
+  CHECK(move.step[0] == Vec2::Zero());
+  CHECK(move.length[1] == Approx(0.01));
+  CHECK(position(mesh, move_generators(mesh, state, steps).to[0]) != mesh.position(corner));
+  state.generators[1] = vertex_point(mesh, corner);
+  CHECK(move_generators(mesh, state, {steps[0], Vec2::Zero()}, {}, GoToRest::yes).to[0] == state.generators[0]);
 }
 
 TEST_CASE("step history: the oldest pairs are dropped") {

@@ -19,7 +19,7 @@ namespace {
 TangentField gradient_change(const Mesh& mesh, const RelaxationState& state, const TangentField& step) {
   const auto at = [&](double factor) {
     const TangentField scaled = add_scaled(TangentField(step.size(), Vec2::Zero()), factor, step);
-    const GeneratorMove move = move_generators(mesh, state.generators, scaled, state.mean_cell_radius);
+    const GeneratorMove move = move_generators(mesh, state, scaled);
     std::vector<Turn> back = move.turns;
     for (Turn& turn : back) turn.y() = -turn.y();
     return turned(back, energy_gradient(evaluate_state(mesh, move.to)));

@@ -35,8 +35,8 @@ struct LloydOptions {
   /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
   /// this evens out clustered starts. Without a value, accelerated runs do.
   std::optional<bool> relocate;
-  /// Begin with approximate diagrams, which cost about half, and end with those of `diagram`. Only accelerated runs
-  /// with Method::exact and many faces for each generator do.
+  /// Begin without diagrams, by exact distances at points of the faces, and end with those of `diagram`. Only
+  /// accelerated runs with Method::exact and many faces for each generator do.
   bool early_approximation = true;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
@@ -72,13 +72,14 @@ enum class LloydStop {
 
 /// One iteration that lowered the energy.
 struct LloydIteration {
-  double energy = 0;        ///< after it, mesh units to the fourth
-  double largest_move = 0;  ///< length of the longest path of a generator, mesh units
-  double mean_move = 0;     ///< mean length of the paths, mesh units
-  double scale = 1;         ///< factor of all steps: 1, or less where the whole step does not lower the energy
-  std::int32_t held = 0;    ///< generators that did not move: no step lowers their cell's energy, or they would collide
-  std::int32_t relocated = 0;            ///< generators that left their place for a distant one; nothing else moved
-  Method method = Method::exact;         ///< of the diagram that the energy was measured with
+  double energy = 0;              ///< after it, mesh units to the fourth
+  double largest_move = 0;        ///< length of the longest path of a generator, mesh units
+  double mean_move = 0;           ///< mean length of the paths, mesh units
+  double scale = 1;               ///< factor of all steps: 1, or less where the whole step does not lower the energy
+  std::int32_t held = 0;          ///< generators that did not move: they would collide
+  std::int32_t relocated = 0;     ///< generators that left their place for a distant one; nothing else moved
+  Method method = Method::exact;  ///< of the diagram that the energy was measured with
+  bool is_sampled = false;        ///< measured at points of the faces, without a diagram
   Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
 
@@ -98,11 +99,12 @@ struct LloydResult {
 /// Moves all generators to the geodesic centroids of their cells, step by step.
 ///
 /// Each generator moves along a straight geodesic. Lloyd's step leads in the direction of the mean of its cell's log
-/// map; accelerated steps take that mean for the gradient of the energy. A generator stops at the boundary; from a
-/// boundary point, an outward step slides along the boundary. A step is taken only if it lowers the energy. An
-/// accelerated step is shortened up to three times, and then replaced by Lloyd's. If that does not lower the energy,
-/// each generator halves its own step until the energy of its fixed cell falls. After that all steps are halved
-/// together. A generator that would collide with another one does not move.
+/// map; accelerated steps take that mean for the gradient of the energy. At a vertex with curvature the direction in
+/// which the energy falls fastest takes its place; where it falls in none, the generator rests. A generator stops at
+/// the boundary; from a boundary point, an outward step slides along the boundary. A step is taken only if it lowers
+/// the energy. An accelerated step is shortened up to three times, and then replaced by Lloyd's. If that does not lower
+/// the energy, generators that went too far shorten their own steps, and after that all do. A generator that would
+/// collide with another one does not move.
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
 /// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
 /// of the options.

@@ -15,6 +15,7 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
+#include "integrals/cell_sums.hpp"
 #include "mesh/split_faces.hpp"
 
 namespace gvd {
@@ -22,12 +23,6 @@ namespace {
 
 using Triangle = std::array<Bary, 3>;
 constexpr Triangle kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
-
-/// A sum over points of one generator's cell: `centroid` is not yet divided by the area.
-struct CellSum {
-  GeneratorId generator;
-  CellMoments moments;
-};
 
 /// The quadrature points of a triangle, in its own barycentric coordinates.
 std::vector<Bary> quadrature_points(int divisions) {
@@ -69,11 +64,12 @@ struct Paths {
 /// Integrates over faces of the input, one after the other.
 class FaceIntegrator {
  public:
-  FaceIntegrator(const Paths& paths, const Density& density, const std::vector<Bary>& points)
-      : input_(paths.working.input()),
+  FaceIntegrator(const Paths& paths, const Quadrature& quadrature, const std::vector<Bary>& points)
+      : sums(quadrature.watched),
+        input_(paths.working.input()),
         paths_(paths.working.mesh(), paths.field, paths.departures),
         split_(paths.split),
-        density_(density),
+        density_(quadrature.density),
         points_(points) {}
 
   void enter(FaceId face) {
@@ -96,23 +92,16 @@ class FaceIntegrator {
   }
   /// Adds a triangle of the face, which belongs to generator g.
   void add(const Triangle& triangle, GeneratorId g) {
-    if (sums_.empty() || sums_.back().generator != g) sums_.push_back({g, {}});
-    CellMoments& sum = sums_.back().moments;
     const double area = input_.area(face_) * twice_signed_area(affine_point(triangle[0]), affine_point(triangle[1]),
                                                                affine_point(triangle[2]));
     const double weight = area / static_cast<double>(points_.size());
-    sum.area += area;
     for (const Bary& local : points_) {
       const Bary point = interpolate_bary(triangle, local);
-      const double mass = weight * density_.at(face_, point);
-      sum.mass += mass;
-      const NearestPath path = find(point, g);
-      if (!path.generator.valid()) continue;  // where none reaches
-      sum.energy += mass * path.distance * path.distance;
-      sum.centroid += mass * path.log;
+      sums.add(g, weight, weight * density_.at(face_, point), find(point, g), 0);
     }
   }
-  std::vector<CellSum> take_sums() { return std::move(sums_); }
+
+  CellSums sums;
 
  private:
   bool is_convex() const {
@@ -149,8 +138,7 @@ class FaceIntegrator {
   const std::vector<Bary>& points_;
   FaceId face_;
   std::span<const SplitFaces::Part> parts_;  // of the face, if it is split
-  std::vector<CellSum> sums_;
-  std::vector<Vec2> corners_;  // of the current piece; an affine map of the face
+  std::vector<Vec2> corners_;                // of the current piece; an affine map of the face
 };
 
 /// The pieces of each face follow each other, ascending by face.
@@ -173,35 +161,34 @@ class PieceRange {
 
 }  // namespace
 
-IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
-                                                          const Diagram& diagram, const Quadrature& quadrature,
-                                                          const ParallelChunks& parallel) {
+CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowField& field, const Diagram& diagram,
+                                     const Quadrature& quadrature, const ParallelChunks& parallel) {
   const Paths paths{working, field, Departures(working, diagram.generators), SplitFaces(working)};
   const std::vector<Bary> points = quadrature_points(quadrature.divisions);
-  const auto sums = parallel.collect(
-      cut_into_chunks(diagram.face_label.size(), kScanChunk), {steps::kCells}, [&](const Chunk& chunk) {
-        FaceIntegrator integrator(paths, quadrature.density, points);
-        PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunk.begin)));
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-          const FaceId face(static_cast<std::int64_t>(i));
-          integrator.enter(face);
-          if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
-          pieces.for_each_in(face, [&](const FacePiece& piece) { integrator.add(piece); });
-        }
-        return integrator.take_sums();
-      });
-  IdVector<GeneratorId, CellMoments> moments(diagram.generators.size());
-  for (const CellSum& sum : sums) {
-    CellMoments& cell = moments[sum.generator];
-    cell.area += sum.moments.area;
-    cell.mass += sum.moments.mass;
-    cell.energy += sum.moments.energy;
-    cell.centroid += sum.moments.centroid;
-  }
-  for (CellMoments& cell : moments) {
-    if (cell.mass > 0) cell.centroid /= cell.mass;
-  }
-  return moments;
+  const std::vector<Chunk> chunks = cut_into_chunks(diagram.face_label.size(), kScanChunk);
+  std::vector<CellSums> sums(chunks.size(), CellSums(quadrature.watched));
+  parallel.run(chunks.size(), {steps::kCells}, [&](std::size_t chunk) {
+    FaceIntegrator integrator(paths, quadrature, points);
+    PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunks[chunk].begin)));
+    for (std::size_t i = chunks[chunk].begin; i < chunks[chunk].end; ++i) {
+      const FaceId face(static_cast<std::int64_t>(i));
+      integrator.enter(face);
+      if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
+      pieces.for_each_in(face, [&](const FacePiece& piece) { integrator.add(piece); });
+    }
+    sums[chunk] = std::move(integrator.sums);
+  });
+  return CellSums::join(diagram.generators.size(), sums);
+}
+
+CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads) {
+  const Progress silent;
+  const WorkingMesh working(mesh, diagram.generators);
+  PropagationOptions propagation;
+  propagation.departures = true;
+  propagation.threads = threads;
+  const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
+  return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, silent));
 }
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,
@@ -210,13 +197,7 @@ IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const 
     throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
   }
   check_density(mesh, density);
-  const Progress silent;
-  const WorkingMesh working(mesh, diagram.generators);
-  PropagationOptions propagation;
-  propagation.departures = true;
-  propagation.threads = threads;
-  const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
-  return integrate_over_windows(working, field, diagram, {density}, ParallelChunks(threads, silent));
+  return integrate_cells(mesh, diagram, {density, {}}, threads).moments;
 }
 
 }  // namespace gvd

@@ -4,6 +4,7 @@
 #include "geodesic/windows/field/window_field.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/diagram.hpp"
+#include "integrals/cell_sums.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
@@ -11,6 +12,7 @@ namespace gvd {
 /// What is integrated, and how finely.
 struct Quadrature {
   const Density& density;
+  const WatchedGenerators& watched;
   int divisions = 1;  ///< >= 1
 };
 
@@ -21,8 +23,10 @@ struct Quadrature {
 /// triangle come straight from one image. Distances and log map are exact at the points. Triangles that a ridge
 /// crosses, behind a vertex with curvature, have an error: of the whole energy of the bunny with 69,451 faces and 100
 /// generators, 5e-6 with one division, 3e-8 with three. Does not depend on the number of threads. Cost: O(windows).
-IdVector<GeneratorId, CellMoments> integrate_over_windows(const WorkingMesh& working, const WindowField& field,
-                                                          const Diagram& diagram, const Quadrature& quadrature,
-                                                          const ParallelChunks& parallel);
+CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowField& field, const Diagram& diagram,
+                                     const Quadrature& quadrature, const ParallelChunks& parallel);
+
+/// The same of any diagram: the windows are propagated first. `threads` >= 1, or 0 for one a core.
+CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads);
 
 }  // namespace gvd

@@ -17,11 +17,6 @@ struct KrylovBasis {
   std::vector<double> diagonal, beside;
 };
 
-TangentField scaled(TangentField field, double factor) {
-  for (Vec2& v : field) v *= factor;
-  return field;
-}
-
 /// Two rounds make the vector orthogonal to the basis up to rounding.
 TangentField orthogonalised(TangentField w, const std::vector<TangentField>& basis) {
   for (int round = 0; round < 2; ++round) {

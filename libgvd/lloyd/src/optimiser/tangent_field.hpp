@@ -23,6 +23,16 @@ inline TangentField add_scaled(TangentField a, double factor, const TangentField
   return a;
 }
 
+inline TangentField scaled(TangentField field, double factor) {
+  for (Vec2& v : field) v *= factor;
+  return field;
+}
+/// Each vector times its own factor.
+inline TangentField scaled(TangentField field, const std::vector<double>& factors) {
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] *= factors[i];
+  return field;
+}
+
 /// A turn of a tangent plane: the cosine and sine of its angle.
 using Turn = Vec2;
 

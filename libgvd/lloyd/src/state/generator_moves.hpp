@@ -8,6 +8,7 @@
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "optimiser/tangent_field.hpp"
+#include "state/relaxation_state.hpp"
 
 namespace gvd {
 
@@ -23,10 +24,15 @@ struct GeneratorMove {
   Acceleration by = Acceleration::none;  ///< what proposed the steps
 };
 
-/// Moves each generator along the straight geodesic of its step, or along its crease. One that would come nearer than a
-/// small gap to another one stays (see keep_apart).
+/// Whether generators beside a vertex where they would rest (RelaxationState::rest) go there instead of along their
+/// step.
+enum class GoToRest { no, yes };
+
+/// Moves each generator of the state along the straight geodesic of its step, or along its crease. One that would come
+/// nearer than a small gap to another one stays (see keep_apart). One that goes to rest has no step and turns nothing:
+/// no history is kept of resting generators.
 /// Cost: O(faces crossed) and O(m log m).
-GeneratorMove move_generators(const Mesh& mesh, const std::vector<SurfacePoint>& from, const TangentField& steps,
-                              double mean_cell_radius, const GeneratorConstraints& constraints = {});
+GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, const TangentField& steps,
+                              const GeneratorConstraints& constraints = {}, GoToRest rests = GoToRest::no);
 
 }  // namespace gvd

@@ -3,55 +3,106 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
-#include "gvd/geodesic_tracing.hpp"
+#include "integrals/sampled_cells.hpp"
 #include "integrals/window_integrals.hpp"
+#include "state/vertex_rests.hpp"
 
 namespace gvd {
 namespace {
 
-/// With the log map that a march over the faces of each cell gives.
-void march_moments(CellIntegrals& integrals, RelaxationState& state) {
-  const CellFaces cells(state.diagram);
-  for (const SurfacePoint& generator : state.generators) {
-    const GeneratorId g(static_cast<std::int64_t>(state.moments.size()));
-    state.moments.push_back(integrals.compute(generator, cells.of(g)));
-  }
+/// Greatest distance from a saddle vertex from which a generator goes to rest there, in mean cell radii: farther away,
+/// the paths of the generator tell too little about those from the vertex.
+constexpr double kReach = 0.1;
+
+double mean_radius(double area, std::size_t cells) {
+  return std::sqrt(area / (std::numbers::pi * static_cast<double>(cells)));
 }
 
-void add_sums(const Mesh& mesh, const GeneratorConstraints& constraints, RelaxationState& state) {
-  state.is_resting.assign(state.generators.size(), 0);
+double total_area(const Mesh& mesh) {
   double area = 0;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
+  return area;
+}
+
+/// The cells of a diagram.
+CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, const Quadrature& quadrature,
+                                RelaxationState& state) {
+  const DiagramOptions& options = precision.diagram;
+  CellIntegrals integrals;
+  if (options.method == Method::exact) {
+    const ParallelChunks parallel(options.threads, options.progress);
+    const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
+      integrals = integrate_over_windows(working, field, diagram, quadrature, parallel);
+    };
+    state.diagram = compute_diagram_and_read(mesh, state.generators, options, read);
+  } else {
+    state.diagram = compute_diagram(mesh, state.generators, options);
+    integrals = integrate_cells(mesh, state.diagram, quadrature, options.threads);
+  }
+  state.segments = bisector_segments(mesh, state.diagram, quadrature.density);
+  state.vertex_distance = state.diagram.vertex_distance;
+  return integrals;
+}
+
+/// The cells as points of the faces see them.
+CellIntegrals integrate_samples(const Mesh& mesh, const Precision& precision, const Quadrature& quadrature,
+                                RelaxationState& state) {
+  SampledCells cells =
+      sample_cells(mesh, state.generators, {quadrature.density, quadrature.watched, precision.diagram.threads},
+                   precision.diagram.progress);
+  state.segments = std::move(cells.segments);
+  state.vertex_distance = std::move(cells.vertex_distance);
+  return std::move(cells.integrals);
+}
+
+/// When generators rest at vertices: distances in mesh units.
+struct RestRules {
+  double reach;      // to the vertex
+  double tolerance;  // length of the way from the vertex
+};
+
+/// Where the generators would go.
+void add_ways(const Mesh& mesh, const GeneratorConstraints& constraints, const std::vector<PathSample>& samples,
+              const RestRules& rules, RelaxationState& state) {
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
     const GeneratorId g(static_cast<std::int64_t>(i));
-    state.energy += state.moments[g].energy;
-    area += state.moments[g].area;
-    state.to_centroids.push_back(constraints.project(mesh, i, state.generators[i], state.moments[g].centroid));
+    const SurfacePoint& generator = state.generators[i];
+    Vec2 way = state.moments[g].centroid;
+    const bool is_at_vertex = generator.kind() == SurfacePoint::Kind::vertex && constraints.is_free(i);
+    if (is_at_vertex) way = steepest_way(mesh, generator, samples_of(samples, g), state.moments[g].mass, way);
+    state.to_centroids.push_back(constraints.project(mesh, i, generator, way));
     state.residual = std::max(state.residual, state.to_centroids.back().norm());
+    state.is_resting.push_back(is_at_vertex && way.norm() <= rules.tolerance);
+    state.rest.push_back(constraints.is_free(i) ? find_rest(mesh, generator, way, rules.reach, samples_of(samples, g))
+                                                : std::nullopt);
   }
-  state.mean_cell_radius = std::sqrt(area / (std::numbers::pi * static_cast<double>(state.generators.size())));
 }
 
 }  // namespace
 
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                    const DiagramOptions& options, CellIntegrals& integrals,
+                                    const Precision& precision, const Density& density,
                                     const GeneratorConstraints& constraints) {
   RelaxationState state;
   state.generators = generators;
-  if (options.method == Method::exact) {
-    const ParallelChunks parallel(options.threads, options.progress);
-    const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
-      state.moments = integrate_over_windows(working, field, diagram, {integrals.density()}, parallel);
-    };
-    state.diagram = compute_diagram_and_read(mesh, generators, options, read);
-  } else {
-    state.diagram = compute_diagram(mesh, generators, options);
-    march_moments(integrals, state);
+  const double reach = kReach * mean_radius(total_area(mesh), generators.size());
+  const WatchedGenerators watched = watch_generators(mesh, generators, reach);
+  const Quadrature quadrature{density, watched};
+  CellIntegrals integrals = precision.is_sampled ? integrate_samples(mesh, precision, quadrature, state)
+                                                 : integrate_diagram(mesh, precision, quadrature, state);
+  state.moments = std::move(integrals.moments);
+  double area = 0;
+  for (const CellMoments& cell : state.moments) {
+    state.energy += cell.energy;
+    area += cell.area;
   }
-  add_sums(mesh, constraints, state);
+  state.mean_cell_radius = mean_radius(area, generators.size());
+  const RestRules rules{reach, precision.rest_tolerance * state.mean_cell_radius};
+  add_ways(mesh, constraints, integrals.samples, rules, state);
   return state;
 }
 

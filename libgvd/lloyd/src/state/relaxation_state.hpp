@@ -1,32 +1,45 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "constraints/generator_constraints.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/diagram.hpp"
-#include "integrals/cell_integrals.hpp"
+#include "integrals/bisector_segments.hpp"
 #include "optimiser/tangent_field.hpp"
 
 namespace gvd {
 
-/// Generators, their diagram, and the integrals over its cells.
+/// How the cells of generators are found.
+struct Precision {
+  DiagramOptions diagram;
+  bool is_sampled = false;  ///< by exact distances at points of the faces, without a diagram (see sampled_cells.hpp)
+  /// Generators at vertices rest if their way is at most this fraction of the mean cell radius, >= 0.
+  double rest_tolerance = 0;
+};
+
+/// Generators, their cells, and the integrals over these.
 struct RelaxationState {
   std::vector<SurfacePoint> generators;
-  Diagram diagram;
+  Diagram diagram;  ///< empty if the cells are sampled
   IdVector<GeneratorId, CellMoments> moments;
+  std::vector<BisectorSegment> segments;       ///< of all bisectors, sorted by cells
+  IdVector<VertexId, double> vertex_distance;  ///< to the nearest generator, mesh units; infinity where none reaches
   double energy = 0;
-  /// The ways to the centroids, projected to where the generators may go; mesh units.
+  /// The ways to the centroids, projected to where the generators may go; at a vertex the steepest way. Mesh units.
   TangentField to_centroids;
   double residual = 0;  ///< length of the longest way
-  /// Whether each generator is at a vertex where every short step raises the energy of its cell. Its way is then zero.
+  /// Whether each generator is at a vertex where no short step, or hardly any, lowers the energy of its cell.
   std::vector<char> is_resting;
+  /// The vertex nearby at which each generator would rest, if any (see vertex_rests.hpp).
+  std::vector<std::optional<VertexId>> rest;
   double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
 };
 
-/// Diagram, integrals and ways to the centroids of these generators.
+/// Cells, integrals and ways to the centroids of these generators.
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                    const DiagramOptions& options, CellIntegrals& integrals,
+                                    const Precision& precision, const Density& density = {},
                                     const GeneratorConstraints& constraints = {});
 
 /// The gradient of the energy: -2 mass centroid for each generator; mesh units cubed.

@@ -30,12 +30,19 @@ bool has_curvature(const StepPair& pair, const std::vector<double>& masses) {
   return expected > 0 && dot(pair.step, pair.change) > kLeastCurvature * expected;
 }
 
+/// Generators that rest, or go to rest, have no step.
+bool is_held(const RelaxationState& state, std::size_t i) { return state.is_resting[i] || state.rest[i]; }
+
+/// Where the gradient is not that of a smooth function, the steps of other generators tell nothing about that of this
+/// one. It takes Lloyd's.
+bool is_at_kink(const RelaxationState& state, std::size_t i) {
+  return is_held(state, i) || state.generators[i].kind() == SurfacePoint::Kind::vertex;
+}
+
 }  // namespace
 
-Accelerator::Accelerator(const Mesh& mesh, const Density& density, const GeneratorConstraints& constraints,
-                         Acceleration kind)
+Accelerator::Accelerator(const Mesh& mesh, const GeneratorConstraints& constraints, Acceleration kind)
     : mesh_(mesh),
-      density_(density),
       constraints_(constraints),
       kind_(kind),
       history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
@@ -43,13 +50,17 @@ Accelerator::Accelerator(const Mesh& mesh, const Density& density, const Generat
 std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) const {
   if (kind_ == Acceleration::none) return std::nullopt;
   const TangentField gradient = energy_gradient(state);
-  ProposedSteps proposed{direction(state, gradient), 0};
+  TangentField smooth = gradient;
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    if (is_at_kink(state, i)) smooth[i] = Vec2::Zero();
+  }
+  ProposedSteps proposed{direction(state, smooth), 0};
   for (std::size_t i = 0; i < gradient.size(); ++i) {
     Vec2& step = proposed.steps[i];
     const double longest = kLongestStep * std::max(state.mean_cell_radius, state.to_centroids[i].norm());
     if (!step.allFinite()) return std::nullopt;
     if (step.norm() > longest) step *= longest / step.norm();
-    if (state.is_resting[i]) step = Vec2::Zero();
+    if (is_at_kink(state, i)) step = is_held(state, i) ? Vec2(Vec2::Zero()) : state.to_centroids[i];
     step = constraints_.project(mesh_, i, state.generators[i], step);
   }
   proposed.slope = dot(gradient, proposed.steps);
@@ -59,7 +70,7 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
 
 TangentField Accelerator::direction(const RelaxationState& state, const TangentField& gradient) const {
   if (kind_ == Acceleration::anderson) return anderson_step(history_, state.to_centroids);
-  const EnergyHessian hessian(mesh_, state, density_);
+  const EnergyHessian hessian(mesh_, state);
   return lbfgs_direction(history_, gradient, [&](const TangentField& field) { return hessian.solve(field); });
 }
 
@@ -71,7 +82,7 @@ void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move
   const TangentField end = by_gradient ? energy_gradient(after) : after.to_centroids;
   StepPair pair{move.step, add_scaled(end, -1, turned(move.turns, start))};
   for (std::size_t i = 0; i < pair.step.size(); ++i) {
-    if (before.is_resting[i] || after.is_resting[i]) pair.step[i] = pair.change[i] = Vec2::Zero();
+    if (is_at_kink(before, i) || is_at_kink(after, i)) pair.step[i] = pair.change[i] = Vec2::Zero();
   }
   if (!by_gradient || has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
 }

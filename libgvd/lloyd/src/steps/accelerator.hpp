@@ -21,7 +21,7 @@ struct ProposedSteps {
 class Accelerator {
  public:
   /// All have to outlive this.
-  Accelerator(const Mesh& mesh, const Density& density, const GeneratorConstraints& constraints, Acceleration kind);
+  Accelerator(const Mesh& mesh, const GeneratorConstraints& constraints, Acceleration kind);
 
   /// Steps from `state` that lower the energy if they are short enough; without any if there is no such proposal.
   std::optional<ProposedSteps> propose(const RelaxationState& state) const;
@@ -33,7 +33,6 @@ class Accelerator {
   TangentField direction(const RelaxationState& state, const TangentField& gradient) const;
 
   const Mesh& mesh_;
-  const Density& density_;
   const GeneratorConstraints& constraints_;
   Acceleration kind_;
   StepHistory history_;

@@ -35,22 +35,16 @@ TangentFrame make_frame(const Mesh& mesh, const SurfacePoint& point) {
   return {position(mesh, point), x, normal.cross(x)};
 }
 
-/// The integral over the bisector, by the two points of Gauss on each segment: exact for the quadratic integrand.
-Eigen::Matrix4d integrate(const Mesh& mesh, const Bisector& bisector, const Density& density, const TangentFrame& left,
-                          const TangentFrame& right) {
+/// The integral over a segment, by the two points of Gauss: exact for the quadratic integrand.
+Eigen::Matrix4d integrate(const BisectorSegment& segment, const TangentFrame& left, const TangentFrame& right) {
   Eigen::Matrix4d form = Eigen::Matrix4d::Zero();
   const double between = (left.origin - right.origin).norm();
   if (!(between > 0)) return form;
-  for (std::size_t k = 0; k + 1 < bisector.points.size(); ++k) {
-    const SurfacePoint &from = bisector.points[k], &to = bisector.points[k + 1];
-    const Vec3 p = position(mesh, from), q = position(mesh, to);
-    const double mean_density = 0.5 * (density.at(from.face, from.bary) + density.at(to.face, to.bary));
-    for (const double share : {0.5 - kGaussPoint, 0.5 + kGaussPoint}) {
-      const Vec3 at = p + share * (q - p);
-      Eigen::Vector4d v;
-      v << left.project(at), -right.project(at);
-      form += mean_density * (q - p).norm() / between * v * v.transpose();
-    }
+  for (const double share : {0.5 - kGaussPoint, 0.5 + kGaussPoint}) {
+    const Vec3 at = segment.from + share * (segment.to - segment.from);
+    Eigen::Vector4d v;
+    v << left.project(at), -right.project(at);
+    form += segment.density * segment.length / between * v * v.transpose();
   }
   return form;
 }
@@ -63,14 +57,15 @@ TangentField divided_by_roots(TangentField field, const std::vector<double>& mas
 
 }  // namespace
 
-EnergyHessian::EnergyHessian(const Mesh& mesh, const RelaxationState& state, const Density& density)
-    : masses_(cell_masses(state)) {
+EnergyHessian::EnergyHessian(const Mesh& mesh, const RelaxationState& state) : masses_(cell_masses(state)) {
   std::vector<TangentFrame> frames;
   for (const SurfacePoint& p : state.generators) frames.push_back(make_frame(mesh, p));
-  for (const Bisector& bisector : state.diagram.bisectors) {
-    const std::size_t left = bisector.left.index(), right = bisector.right.index();
-    if (left == right) continue;
-    couplings_.push_back({left, right, integrate(mesh, bisector, density, frames[left], frames[right])});
+  for (const BisectorSegment& segment : state.segments) {
+    const std::size_t left = segment.left.index(), right = segment.right.index();
+    if (couplings_.empty() || couplings_.back().left != left || couplings_.back().right != right) {
+      couplings_.push_back({left, right, Eigen::Matrix4d::Zero()});
+    }
+    couplings_.back().form += integrate(segment, frames[left], frames[right]);
   }
 }
 

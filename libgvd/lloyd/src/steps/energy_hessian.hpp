@@ -21,8 +21,8 @@ namespace gvd {
 /// tessellation - energy smoothness and fast computation, 2009, section 3.
 class EnergyHessian {
  public:
-  /// Cost: O(points of the bisectors).
-  EnergyHessian(const Mesh& mesh, const RelaxationState& state, const Density& density = {});
+  /// Cost: O(segments of the bisectors).
+  EnergyHessian(const Mesh& mesh, const RelaxationState& state);
 
   /// The product of the Hessian's inverse and `right`. Each eigenvalue, relative to the masses, is replaced by its
   /// absolute value, or by 1 / 10 if that is less: the result is a step that lowers the energy where `right` is minus

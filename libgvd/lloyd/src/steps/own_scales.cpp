@@ -1,34 +1,29 @@
-#include "own_scales.hpp"
+#include "steps/own_scales.hpp"
 
-#include "integrals/cell_faces.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "optimiser/tangent_field.hpp"
 
 namespace gvd {
 namespace {
 
-/// The largest number of halvings: down to a thousandth.
-constexpr int kHalvings = 10;
+/// Bounds of the factor of one shortening.
+constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
 
 }  // namespace
 
-std::vector<double> find_own_scales(const GeneratorConstraints& constraints, const RelaxationState& state, double step,
-                                    CellIntegrals& integrals, const std::function<void()>& report) {
-  const CellFaces cells(state.diagram);
-  std::vector<double> scales;
-  for (std::size_t i = 0; i < state.generators.size(); ++i) {
-    report();
-    const GeneratorId g(static_cast<std::int64_t>(i));
-    double scale = step;
-    int halvings = 0;
-    const double before = integrals.compute(state.generators[i], cells.of(g)).energy;
-    const auto lowers = [&] {
-      const SurfacePoint to =
-          constraints.move(integrals.mesh(), i, state.generators[i], scale * state.to_centroids[i]).points.back();
-      return integrals.compute(to, cells.of(g)).energy < before;
-    };
-    while (scale > 0 && !lowers()) scale = ++halvings > kHalvings ? 0 : 0.5 * scale;
-    scales.push_back(scale);
+bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after,
+                       std::vector<double>& scales) {
+  const TangentField start = turned(move.turns, energy_gradient(before)), end = energy_gradient(after);
+  bool is_any_shortened = false;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const double first = start[i].dot(move.step[i]), last = end[i].dot(move.step[i]);
+    if (!(first < 0 && last > 0)) continue;
+    scales[i] *= std::clamp(first / (first - last), kLeastFactor, kLargestFactor);
+    is_any_shortened = true;
   }
-  return scales;
+  return is_any_shortened;
 }
 
 }  // namespace gvd

@@ -40,7 +40,12 @@ class PoorCells {
       : state_(state),
         largest_hole_(kLargestHole * mean_size(state)),
         order_(state.generators.size()),
-        hole_(state.generators.size(), 0) {
+        hole_(state.generators.size(), 0),
+        neighbours_(state.generators.size()) {
+    for (const auto& [left, right] : neighbouring_cells(state.segments)) {
+      neighbours_[left.index()].push_back(right);
+      neighbours_[right.index()].push_back(left);
+    }
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::sort(order_.begin(), order_.end(),
               [&](std::size_t a, std::size_t b) { return std::pair(energy(a), a) < std::pair(energy(b), b); });
@@ -63,14 +68,13 @@ class PoorCells {
 
  private:
   const CellMoments& moments(std::size_t i) const { return state_.moments[GeneratorId(static_cast<std::int64_t>(i))]; }
-  const std::vector<GeneratorId>& neighbours(std::size_t i) const {
-    return state_.diagram.cells[GeneratorId(static_cast<std::int64_t>(i))].neighbours;
-  }
+  const std::vector<GeneratorId>& neighbours(std::size_t i) const { return neighbours_[i]; }
 
   const RelaxationState& state_;
   double largest_hole_;
   std::vector<std::size_t> order_;
   std::vector<double> hole_;  // size of the cells given up about it; 0 for a cell that stays
+  std::vector<std::vector<GeneratorId>> neighbours_;
   std::size_t next_ = 0;
 };
 
@@ -83,11 +87,10 @@ class FarVertices {
         scale_(static_cast<std::size_t>(mesh.vertex_count()), 1),
         distance_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (!state.diagram.vertex_label[VertexId(v)].valid()) continue;
+      if (!std::isfinite(state.vertex_distance[VertexId(v)])) continue;
       const SurfacePoint point = vertex_point(mesh, VertexId(v));
       scale_[static_cast<std::size_t>(v)] = std::pow(density.at(point.face, point.bary), 0.25);
-      distance_[static_cast<std::size_t>(v)] =
-          scale_[static_cast<std::size_t>(v)] * state.diagram.vertex_distance[VertexId(v)];
+      distance_[static_cast<std::size_t>(v)] = scale_[static_cast<std::size_t>(v)] * state.vertex_distance[VertexId(v)];
     }
   }
 

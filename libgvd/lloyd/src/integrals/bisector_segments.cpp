@@ -1,0 +1,36 @@
+#include "integrals/bisector_segments.hpp"
+
+#include <algorithm>
+
+namespace gvd {
+
+std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density) {
+  std::vector<BisectorSegment> segments;
+  for (const Bisector& bisector : diagram.bisectors) {
+    if (bisector.left == bisector.right) continue;
+    for (std::size_t k = 0; k + 1 < bisector.points.size(); ++k) {
+      const SurfacePoint &from = bisector.points[k], &to = bisector.points[k + 1];
+      const Vec3 p = position(mesh, from), q = position(mesh, to);
+      const double mean_density = 0.5 * (density.at(from.face, from.bary) + density.at(to.face, to.bary));
+      const auto [first, second] = std::minmax(bisector.left, bisector.right);
+      segments.push_back({first, second, p, q, (q - p).norm(), mean_density});
+    }
+  }
+  sort_by_cells(segments);
+  return segments;
+}
+
+void sort_by_cells(std::vector<BisectorSegment>& segments) {
+  std::stable_sort(segments.begin(), segments.end(), [](const BisectorSegment& a, const BisectorSegment& b) {
+    return std::pair(a.left, a.right) < std::pair(b.left, b.right);
+  });
+}
+
+std::vector<std::pair<GeneratorId, GeneratorId>> neighbouring_cells(const std::vector<BisectorSegment>& segments) {
+  std::vector<std::pair<GeneratorId, GeneratorId>> pairs;
+  for (const BisectorSegment& segment : segments) pairs.emplace_back(segment.left, segment.right);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}  // namespace gvd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "gvd/ids.hpp"
+
+namespace gvd {
+
+/// A path to a point of a cell, as the energy's slope at the generator sees it.
+struct PathSample {
+  GeneratorId generator;
+  float angle;   ///< tangent angle in which the path departs, radians
+  float weight;  ///< distance times the mass that the point stands for, mesh units cubed
+};
+
+/// Puts the samples in the order of their generators, and keeps that of each generator's.
+inline void sort_by_generator(std::vector<PathSample>& samples) {
+  std::stable_sort(samples.begin(), samples.end(),
+                   [](const PathSample& a, const PathSample& b) { return a.generator < b.generator; });
+}
+
+/// The samples of generator g among sorted ones.
+inline std::span<const PathSample> samples_of(const std::vector<PathSample>& sorted, GeneratorId g) {
+  const auto begin = std::lower_bound(sorted.begin(), sorted.end(), g,
+                                      [](const PathSample& s, GeneratorId other) { return s.generator < other; });
+  const auto end = std::find_if(begin, sorted.end(), [&](const PathSample& s) { return s.generator != g; });
+  return {begin, end};
+}
+
+}  // namespace gvd

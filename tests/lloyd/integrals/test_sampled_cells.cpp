@@ -1,0 +1,114 @@
+// Cells as points of the faces see them, beside those of diagrams.
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gvd/geodesic_tracing.hpp"
+#include "gvd/lloyd.hpp"
+#include "integrals/sampled_cells.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/many_threads.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+SampledCells sample(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
+  return sample_cells(mesh, generators, {Density(), {}, threads}, {});
+}
+
+double energy(const SampledCells& cells) {
+  double sum = 0;
+  for (const CellMoments& cell : cells.integrals.moments) sum += cell.energy;
+  return sum;
+}
+
+std::vector<std::pair<std::string, Mesh>> fine_meshes() {
+  return {{"sphere", test::make_sphere(4)}, {"bumpy sphere", test::make_bumpy_sphere(4, 5)}};
+}
+
+}  // namespace
+
+TEST_CASE("sampled cells: areas, energies and centroids are near those of the diagram") {
+  for (const auto& [name, mesh] : fine_meshes()) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      CAPTURE(name, seed);
+      const auto generators = test::random_generators(mesh, 12, seed);
+      const SampledCells cells = sample(mesh, generators);
+      const Diagram diagram = compute_diagram(mesh, generators);
+      const auto exact = compute_cell_moments(mesh, diagram);
+      double whole = 0, area = 0;
+      for (const CellMoments& cell : exact) {
+        whole += cell.energy;
+        area += cell.area;
+      }
+      CHECK(energy(cells) == Approx(whole).epsilon(0.01));
+      const double radius = std::sqrt(area / 12 / 3.14159);
+      for (std::size_t i = 0; i < 12; ++i) {
+        const GeneratorId g(static_cast<std::int64_t>(i));
+        CHECK(cells.integrals.moments[g].area == Approx(exact[g].area).margin(0.01 * area / 12));
+        CHECK((cells.integrals.moments[g].centroid - exact[g].centroid).norm() < 0.02 * radius);
+      }
+      for (std::int32_t v = 0; v < mesh.vertex_count(); ++v)
+        CHECK(cells.vertex_distance[VertexId(v)] == Approx(diagram.vertex_distance[VertexId(v)]).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("sampled cells: the mean log maps are nearly the gradient of the sampled energy") {
+  for (const auto& named : fine_meshes()) {
+    const Mesh& mesh = named.second;
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      CAPTURE(named.first, seed);
+      const auto generators = test::random_generators(mesh, 12, seed);
+      const std::size_t i = generators[0].kind() == SurfacePoint::Kind::vertex ? 1 : 0;
+      const CellMoments cell = sample(mesh, generators).integrals.moments[GeneratorId(static_cast<std::int64_t>(i))];
+      const Vec2 way(0.6, 0.8);
+      const double h = 0.003 * std::sqrt(cell.area);
+      const auto at = [&](double step) {
+        auto moved = generators;
+        moved[i] = trace_geodesic(mesh, generators[i], step * way).points.back();
+        return energy(sample(mesh, moved));
+      };
+      // The generator splits its face, whose points move with it. That is the difference.
+      const double slope = (at(h) - at(-h)) / (2 * h);
+      CHECK(slope == Approx(-2 * cell.mass * cell.centroid.dot(way)).margin(0.02 * cell.mass * std::sqrt(cell.area)));
+    }
+  }
+}
+
+TEST_CASE("sampled cells: segments lie between neighbouring cells, and have the length of the bisectors") {
+  const Mesh mesh = test::make_sphere(4);
+  const auto generators = test::random_generators(mesh, 12, 2);
+  const SampledCells cells = sample(mesh, generators);
+  const auto exact = bisector_segments(mesh, compute_diagram(mesh, generators));
+  const auto length = [](const std::vector<BisectorSegment>& segments) {
+    double sum = 0;
+    for (const BisectorSegment& s : segments) sum += s.length;
+    return sum;
+  };
+  CHECK(length(cells.segments) == Approx(length(exact)).epsilon(0.03));
+  const auto pairs = neighbouring_cells(cells.segments), expected = neighbouring_cells(exact);
+  CHECK(std::abs(std::ssize(pairs) - std::ssize(expected)) <= 2);
+  for (const auto& [left, right] : pairs) CHECK(left < right);
+}
+
+TEST_CASE("sampled cells: the same on any number of threads, to the last bit") {
+  const Mesh mesh = test::make_bumpy_sphere(5, 3);
+  const auto generators = test::random_generators(mesh, 40, 3);
+  const SampledCells one = sample(mesh, generators);
+  test::with_many_threads([&] {
+    for (const int threads : {2, 5}) {
+      const SampledCells many = sample(mesh, generators, threads);
+      CHECK(energy(many) == energy(one));
+      for (std::size_t i = 0; i < generators.size(); ++i) {
+        const GeneratorId g(static_cast<std::int64_t>(i));
+        CHECK(many.integrals.moments[g].centroid == one.integrals.moments[g].centroid);
+      }
+      CHECK(many.segments.size() == one.segments.size());
+    }
+  });
+}
