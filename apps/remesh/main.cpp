@@ -19,6 +19,7 @@
 #include "remesh/relax_start.hpp"
 #include "remesh/remesh_json.hpp"
 #include "remesh/remesh_report.hpp"
+#include "remesh/search_count.hpp"
 
 namespace {
 
@@ -26,6 +27,7 @@ using namespace gvd;
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
+    "  gvd-remesh part.stl --features 40 --error 0.5% -o coarse.obj\n"
     "  gvd-remesh bunny.obj -n 2000 --relax 40 --density curvature -o coarse.ply\n"
     "  gvd-remesh bunny.obj --generators samples.json -o coarse.ply\n"
     "  gvd-remesh bunny.obj -n 500 --view coarse.html --report report.json\n"
@@ -111,9 +113,19 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::Constrained
   options.diagram = app::make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
   RemeshResult result = timed_remesh(run, mesh, generators, options);
-
   app::report_remesh(run, mesh, result);
   return result;
+}
+
+/// The generators and their remesh. With --error, as many generators as it takes.
+RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings settings) {
+  const auto remesh_with = [&](app::Run& trial, std::optional<std::int32_t> count) {
+    settings.relaxation.constraints.count = count;
+    const app::ConstrainedStart start = app::make_relaxed_start(trial, input, settings.relaxation);
+    return make_remesh(trial, input.mesh, start, settings);
+  };
+  if (!run.options().generators.error) return remesh_with(run, std::nullopt);
+  return remesh_with(run, app::search_count(run, input.mesh, remesh_with));
 }
 
 /// Moves the added generators, which come last, to a list of their own.
@@ -164,8 +176,7 @@ void run_remesh(app::Run& run, const Settings& settings) {
   app::check_relaxation(settings.relaxation, run.options().generators);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
-  const app::ConstrainedStart start = app::make_relaxed_start(run, input, settings.relaxation);
-  const RemeshResult result = make_remesh(run, mesh, start, settings);
+  const RemeshResult result = make_result(run, input, settings);
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
@@ -184,6 +195,7 @@ int main(int argc, char** argv) {
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
+  info.sizes = true;
   info.materials = false;  // the coarse mesh has no labels
   app::Command command(info);
   app::register_relaxation(command.line(), settings.relaxation);

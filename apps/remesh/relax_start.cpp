@@ -58,6 +58,8 @@ ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const Re
   run.report().options()["relax"] = iterations;
   report_constraints(run.report().options(), options.constraints);
   run.report().results()["relaxation"] = nullptr;
+  const GeneratorOptions& asked = run.options().generators;
+  run.report().options()["target_edge"] = asked.target_edge ? nlohmann::ordered_json(*asked.target_edge) : nullptr;
   run.report().options()["loose_boundary"] = options.loose_boundary;
   ConstraintOptions constraints = options.constraints;
   constraints.prefers_boundary = !options.loose_boundary;

@@ -19,6 +19,7 @@ namespace {
 
 void check_generator_source(const GeneratorOptions& generators) {
   if (generators.count || !generators.file.empty() || generators.vertices || generators.radius) return;
+  if (generators.target_edge || generators.error) return;
   refuse("no generators: give one of -n, --generators, --vertices or --radius");
 }
 

@@ -23,7 +23,13 @@ struct InputOptions {
 /// How `-n` and `--radius` choose generators.
 enum class SamplingKind { farthest, random, vertices, poisson };
 
-/// Where the generators come from: exactly one of count, file, vertices and radius is set.
+/// Largest distance of a result from its input.
+struct ErrorBound {
+  double value = 0;           ///< > 0
+  bool in_diagonals = false;  ///< a fraction of the bounding box's diagonal, not mesh units
+};
+
+/// Where the generators come from: exactly one of count, file, vertices, radius, target_edge and error is set.
 struct GeneratorOptions {
   std::optional<std::int32_t> count;  ///< >= 1
   SamplingKind sampling = SamplingKind::farthest;
@@ -32,6 +38,8 @@ struct GeneratorOptions {
   std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
   std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
   std::optional<double> radius;                       ///< covering radius in mesh units, > 0
+  std::optional<double> target_edge;                  ///< of a mesh of the generators, mesh units, > 0
+  std::optional<ErrorBound> error;                    ///< as many as a mesh of them needs
   std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0
   bool merge_coincident = false;
 };

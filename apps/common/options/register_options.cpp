@@ -86,16 +86,18 @@ void register_input(CommandLine& line, InputOptions& input) {
 }
 
 /// Options that choose generators on the surface.
-void register_sampling(CommandLine& line, GeneratorOptions& generators) {
+void register_sampling(CommandLine& line, GeneratorOptions& generators, bool sizes) {
+  std::vector<std::string> counts{"-n"};
+  if (sizes) counts.insert(counts.end(), {"--target-edge", "--error"});
   add_number(line, {"-n,--count", "", "Choose N generators", kGenerators, {}, sources_but("-n")}, generators.count,
              kCount);
-  add_choice(line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, {"-n"}}, generators.sampling,
+  add_choice(line, {"--sampling", "", "How -n chooses (default: farthest)", kGenerators, counts}, generators.sampling,
              Choices<SamplingKind>{{"farthest", SamplingKind::farthest},
                                    {"random", SamplingKind::random},
                                    {"vertices", SamplingKind::vertices},
                                    {"poisson", SamplingKind::poisson}});
-  add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators, {"-n", "--radius"}}, generators.seed,
-             kAnyWhole);
+  counts.emplace_back("--radius");
+  add_number(line, {"--seed", "", "Seed of the choice (default: 0)", kGenerators, counts}, generators.seed, kAnyWhole);
   add_number(line,
              {"--radius",
               "",
@@ -104,6 +106,42 @@ void register_sampling(CommandLine& line, GeneratorOptions& generators) {
               {},
               sources_but("--radius")},
              generators.radius, kPositive);
+}
+
+/// A number above 0, or percents of the diagonal.
+std::optional<ErrorBound> parse_error_bound(std::string text) {
+  const bool percent = text.ends_with('%');
+  if (percent) text.pop_back();
+  const std::optional<double> value = parse_number_in(text, kPositive);
+  if (!value) return std::nullopt;
+  return ErrorBound{percent ? *value / 100 : *value, percent};
+}
+
+/// Options that choose as many generators as a mesh of them needs.
+void register_sizes(CommandLine& line, GeneratorOptions& generators) {
+  constexpr const char* kSizes = "Sizes (instead of -n)";
+  std::vector<std::string> others = sources_but("");
+  add_number(line,
+             {"--target-edge",
+              "",
+              "As many generators as give edges of this length on average, in mesh units",
+              kSizes,
+              {},
+              others},
+             generators.target_edge, kPositive);
+  others.emplace_back("--target-edge");
+  line.add_value({"--error",
+                  "NUMBER[%]",
+                  "The fewest generators whose mesh is no farther than this from the input, in mesh units or percents "
+                  "of the bounding box's diagonal; takes up to 17 remeshes",
+                  kSizes,
+                  {},
+                  others},
+                 [&generators](const std::string& text) -> std::optional<std::string> {
+                   generators.error = parse_error_bound(text);
+                   if (generators.error) return std::nullopt;
+                   return fmt::format("'{}' is no finite number above 0, nor one with a %", text);
+                 });
 }
 
 /// Options that list generators.
@@ -286,9 +324,10 @@ std::vector<std::int64_t> parse_vertex_list(const std::string& text) {
   return indices;
 }
 
-void register_options(CommandLine& line, Options& options, const std::vector<std::string>& output_formats) {
+void register_options(CommandLine& line, Options& options, const std::vector<std::string>& output_formats, bool sizes) {
   register_input(line, options.input);
-  register_sampling(line, options.generators);
+  register_sampling(line, options.generators, sizes);
+  if (sizes) register_sizes(line, options.generators);
   register_lists(line, options.generators);
   register_list_rules(line, options.generators);
   register_compute(line, options.compute);

@@ -160,7 +160,7 @@ void find_curves(const Options& run, const Mesh& mesh, const ConstraintOptions& 
 }  // namespace
 
 ConstrainedStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& options) {
-  ConstrainedStart start{make_generators(run, input), {}, {}, 0, read_density(run, input, options)};
+  ConstrainedStart start{make_generators(run, input, options.count), {}, {}, 0, read_density(run, input, options)};
   find_curves(run.options(), input.mesh, options, start);
   const bool asks = options.features || options.keep_boundary || !options.fixed.empty();
   if (!asks && start.creases.empty()) return start;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -9,8 +10,9 @@ namespace gvd::app {
 
 /// What restricts and weighs the relaxation.
 struct ConstraintOptions {
-  std::string fixed;               ///< a list of generators that stay; empty: none
-  std::optional<double> features;  ///< angle of creases, degrees
+  std::optional<std::int32_t> count;  ///< of sampled generators, instead of the options'
+  std::string fixed;                  ///< a list of generators that stay; empty: none
+  std::optional<double> features;     ///< angle of creases, degrees
   bool keep_boundary = false;
   /// Keep the boundary where generators are sampled, and enough of them are left beside it.
   bool prefers_boundary = false;

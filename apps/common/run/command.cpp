@@ -36,7 +36,7 @@ CommandInfo guard(CommandInfo info) {
 Command::Command(CommandInfo info)
     : info_(guard(std::move(info))),
       line_(info_.name, info_.description, info_.name + " " + GVD_VERSION, help_footer(info_.examples)) {
-  register_options(line_, options_, info_.output_formats);
+  register_options(line_, options_, info_.output_formats, info_.sizes);
 }
 
 void Command::add_target(OptionText option, const std::vector<std::string>& extensions) {

@@ -16,6 +16,7 @@ struct CommandInfo {
   std::string examples;     ///< for --help: one call a line
   /// Extensions, without the dot, that `-o` takes. `-o -` writes the first one unless --output-format names another.
   std::vector<std::string> output_formats;
+  bool sizes = false;     ///< takes --target-edge and --error for -n, and reports them
   bool materials = true;  ///< an .obj of `-o` has its colours in an .mtl beside it
 };
 

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "common/steps/standard_input.hpp"
 #include "gvd/counted.hpp"
+#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
+#include "gvd/surface_area.hpp"
 
 namespace gvd::app {
 namespace {
@@ -60,13 +63,24 @@ Sampling sampling_of(SamplingKind kind) {
   return Sampling::farthest;
 }
 
-ResolvedGenerators sample(Run& run, const Mesh& mesh) {
+/// The number of generators for a mean length of edges.
+std::int32_t count_for(const Mesh& mesh, double edge) {
+  const double count = even_count(compute_area(mesh), edge);
+  if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
+  throw Error(ErrorCode::invalid_option, fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer "
+                                                     "edges",
+                                                     edge, count));
+}
+
+ResolvedGenerators sample(Run& run, const Mesh& mesh, std::optional<std::int32_t> count) {
   const GeneratorOptions& asked = run.options().generators;
   SamplingOptions options;
   options.seed = asked.seed;
   options.front = make_diagram_options(run.options().compute).front;
   options.progress = run.progress();
   if (asked.count) options.count = *asked.count;
+  if (asked.target_edge) options.count = count_for(mesh, *asked.target_edge);
+  if (count) options.count = *count;
   if (asked.radius) options.radius = *asked.radius;
   options.kind = asked.radius ? Sampling::covering_radius : sampling_of(asked.sampling);
   ResolvedGenerators sampled;
@@ -77,11 +91,11 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count) {
   const GeneratorOptions& asked = run.options().generators;
   const bool listed = asked.vertices || !asked.file.empty();
   ResolvedGenerators found =
-      run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh); });
+      run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh, count); });
   for (std::size_t i = 0; i < found.points.size(); ++i) {
     run.report().generators().push_back(
         {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});

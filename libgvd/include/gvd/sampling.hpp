@@ -61,6 +61,9 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
 /// Side of the equilateral triangles that `count` generators span if they are spread evenly over `area`. Mesh units.
 double even_spacing(double area, std::int64_t count);
 
+/// Number of generators that span triangles with this side, rounded; at least 1. Not an integer where it is too large.
+double even_count(double area, double spacing);
+
 /// The largest number of vertices that splitting edges may add; they take some 3 GB.
 inline constexpr std::int32_t kMaxSamplingVertices = 1 << 23;
 

@@ -1,6 +1,7 @@
 // gvd-remesh on files: its JSON carries the diagram and the mesh, and a refusal is one line.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -94,6 +95,36 @@ TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is
   const CommandResult both = run_command("gvd-remesh", run + " -n 60 --keep-boundary --loose-boundary");
   CHECK(both.exit_code == 2);
   CHECK_THAT(both.err, Contains("--keep-boundary and --loose-boundary exclude each other"));
+}
+
+TEST_CASE("gvd-remesh --target-edge: the number of generators for a length of edges") {
+  const auto torus = report_of(data_file("torus.ply") + " --target-edge 0.2 --sampling poisson");
+  const double area = torus["results"]["output"]["area"], faces = torus["results"]["output"]["faces"];
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * area / faces);  // of equilateral triangles
+  CHECK(std::abs(edge - 0.2) < 0.02);
+  CHECK(torus["options"]["target_edge"] == 0.2);
+  const CommandResult both = run_command("gvd-remesh", data_file("torus.ply") + " -n 9 --target-edge 0.2");
+  CHECK(both.exit_code == 2);
+  const CommandResult short_edge = run_command("gvd-remesh", data_file("torus.ply") + " --target-edge 1e-9");
+  CHECK(short_edge.exit_code == 2);
+  CHECK_THAT(short_edge.err, Contains("generators; ask for longer edges"));
+  CHECK(run_command("gvd-segment", data_file("torus.ply") + " --target-edge 0.2").exit_code == 2);
+}
+
+TEST_CASE("gvd-remesh --error: the fewest generators within a distance") {
+  const auto torus = report_of(data_file("torus.ply") + " --error 3% --relax 3");
+  const auto& search = torus["results"]["search"];
+  const auto& distance = torus["results"]["distance"];
+  CHECK(distance["input_to_output"]["hausdorff"] <= search["hausdorff"]);
+  CHECK(distance["output_to_input"]["hausdorff"] <= search["hausdorff"]);
+  CHECK(search["trials"].size() >= 3);
+  CHECK(search["trials"].size() <= 16);
+  for (const auto& trial : search["trials"]) {
+    if (trial["hausdorff"] <= search["hausdorff"]) CHECK(trial["n"] >= torus["generators"].size() / 2);
+  }
+  const CommandResult wrong = run_command("gvd-remesh", data_file("torus.ply") + " --error 3%%");
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Contains("--error: '3%%' is no finite number above 0, nor one with a %"));
 }
 
 TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators were added") {

@@ -1,0 +1,66 @@
+#include "remesh/search_count.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gvd/error.hpp"
+#include "gvd/find_fewest.hpp"
+
+namespace gvd::app {
+namespace {
+
+/// Most generators that are tried, for each vertex of the input.
+constexpr std::int64_t kMostPerVertex = 4;
+/// For meshes with few vertices.
+constexpr std::int64_t kLeastMost = 2000;
+
+double distance_of(const RemeshResult& result) {
+  return std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff);
+}
+
+void report_trials(Run& run, double target, const Fewest& found) {
+  nlohmann::ordered_json trials = nlohmann::ordered_json::array();
+  for (const CountTrial& trial : found.trials) trials.push_back({{"n", trial.count}, {"hausdorff", trial.error}});
+  run.report().results()["search"] = {{"hausdorff", target}, {"trials", std::move(trials)}};
+}
+
+[[noreturn]] void refuse(double target, const Fewest& found) {
+  const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
+  const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
+  throw Error(
+      ErrorCode::no_valid_result,
+      fmt::format("--error: no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest "
+                  "is within {:.6g}",
+                  found.trials.back().count, target, best.error));
+}
+
+}  // namespace
+
+std::int32_t search_count(Run& run, const Mesh& mesh,
+                          const std::function<RemeshResult(Run& trial, std::int32_t count)>& remesh_with) {
+  const ErrorBound& bound = *run.options().generators.error;
+  FewestOptions options;
+  options.target = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
+  options.most =
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(kMostPerVertex * mesh.vertex_count(), kLeastMost, 1000000000));
+  double done = 0;
+  const Fewest found = run.timed("search", [&] {
+    return find_fewest(options, [&](std::int32_t count) {
+      run.console().set_status(fmt::format("{} generators", count));
+      report_progress(run.progress(), "search", done++ / options.max_trials);
+      Console silent("", {}, true, false);
+      Run trial("", run.options(), silent);
+      const double distance = distance_of(remesh_with(trial, count));
+      run.console().detail(fmt::format("{} generators: distance {:.6g} mesh units", count, distance));
+      return distance;
+    });
+  });
+  run.console().set_status("");
+  report_trials(run, options.target, found);
+  if (!found.count) refuse(options.target, found);
+  return *found.count;
+}
+
+}  // namespace gvd::app
