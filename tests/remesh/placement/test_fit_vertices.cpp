@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
   const NearestFaceTree tree(surface);
-  const FitTarget target{&surface, &tree, sample_surface(surface, 4000), 1};
+  const FitTarget target{&surface, &tree, sample_surface(surface, 4000), 4000, 1};
   std::vector<VertexAnchor> anchors;
   for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring});
   return fit_vertices(remesh, target, anchors);

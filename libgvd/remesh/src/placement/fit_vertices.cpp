@@ -43,9 +43,9 @@ class ResidualFinder {
     });
   }
 
-  /// Of as many samples of the remesh.
+  /// Of samples of the remesh.
   std::vector<Residual> find_back() const {
-    const auto samples = sample_surface(remesh_, static_cast<double>(target_.samples.size()));
+    const auto samples = sample_surface(remesh_, target_.count);
     return collect(samples, *target_.tree, [this](const SurfaceSample& sample, FaceId nearest) {
       const ClosestPoint closest = closest_point_on_face(*target_.surface, nearest, sample.position);
       const SurfacePoint at = closest_point_on_face(remesh_, sample.face, sample.position).point;

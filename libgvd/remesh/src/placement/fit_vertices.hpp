@@ -19,11 +19,12 @@ struct FitTarget {
   const Mesh* surface = nullptr;
   const NearestFaceTree* tree = nullptr;  ///< of the surface
   std::vector<SurfaceSample> samples;     ///< of the surface
+  double count = 0;                       ///< of samples of the mesh
   int threads = 0;
 };
 
-/// The vertex positions that minimise the square distances of samples of a surface from a mesh, those of as many
-/// samples of the mesh from the surface, and the stretch of the springs.
+/// The vertex positions that minimise the square distances of samples of a surface from a mesh, those of samples of the
+/// mesh from the surface, and the stretch of the springs.
 ///
 /// A pair of a sample and its closest point counts by the plane through one across the direction to the other: the
 /// plane of a triangle, or one that touches an edge or a vertex. The pairs are those of the mesh before. Pairs of

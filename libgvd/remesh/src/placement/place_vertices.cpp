@@ -40,8 +40,8 @@ class Placer {
     std::vector<Vec3> positions = guard_.move(remesh_.positions(), find_optima());
     if (options_.method == Placement::quadric) return positions;
     const NearestFaceTree tree(surface_);
-    const FitTarget target{&surface_, &tree, sample_surface(surface_, kSamplesPerVertex * remesh_.vertex_count()),
-                           options_.threads};
+    const double count = kSamplesPerVertex * remesh_.vertex_count();
+    const FitTarget target{&surface_, &tree, sample_surface(surface_, count), count, options_.threads};
     const std::vector<VertexAnchor> anchors = make_anchors();
     for (int round = 0; round < kFitRounds; ++round) {
       std::vector<Vec3> fitted = fit_vertices(with_positions(remesh_, positions), target, anchors);
