@@ -264,6 +264,36 @@ TEST_CASE("lloyd: zero iterations are allowed, and options out of range are refu
   refused([](LloydOptions& o) { o.step = 2; });
 }
 
+TEST_CASE("lloyd: options of the diagram are refused before the first step") {
+  const Mesh mesh = test::make_sphere(2);
+  const auto start = test::random_generators(mesh, 5, 1);
+  const auto refused = [&](auto change) {
+    LloydOptions bad;
+    bad.on_iteration = [](std::int64_t, double, const std::vector<SurfacePoint>&) { FAIL("began"); };
+    change(bad.diagram);
+    CHECK_THROWS_AS(relax_generators(mesh, start, bad), Error);
+  };
+  refused([](DiagramOptions& o) { o.chord_tolerance = -1; });
+  refused([](DiagramOptions& o) { o.chord_tolerance = std::nan(""); });
+  refused([](DiagramOptions& o) { o.threads = -1; });
+}
+
+TEST_CASE("lloyd: generators on vertices move on surfaces of any size") {
+  const Mesh mesh = test::make_sphere(2);
+  const std::vector<SurfacePoint> start = {vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(1)),
+                                           vertex_point(mesh, VertexId(2))};
+  LloydOptions options;
+  options.max_iterations = 5;
+  const LloydResult unscaled = relax_generators(mesh, start, options);
+  REQUIRE(unscaled.final_energy < 0.9 * unscaled.initial_energy);
+  for (const int power : {-60, -240, 60, 240}) {
+    CAPTURE(power);
+    const LloydResult result = relax_generators(test::scaled(mesh, std::ldexp(1, power)), start, options);
+    CHECK(std::ldexp(result.initial_energy, -4 * power) == Approx(unscaled.initial_energy));
+    CHECK(std::ldexp(result.final_energy, -4 * power) == Approx(unscaled.final_energy));
+  }
+}
+
 TEST_CASE("lloyd: each iteration is told with its energy, the start too, and again when it is measured anew") {
   const Mesh mesh = test::make_sphere(2);
   for (const bool early : {false, true}) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagram/diagram_windows.hpp"
 #include "gvd/error.hpp"
 #include "iteration_record.hpp"
 #include "optimiser/line_search.hpp"
@@ -49,6 +50,7 @@ void check_options(const LloydOptions& o) {
     refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
+  check_diagram_options(o.diagram);  // early levels compute no diagram
 }
 
 /// Keeps the state in which a relaxation ends.

@@ -108,13 +108,6 @@ void take_counts(const TracerCounts& counts, DiagramReport& report) {
   report.straightened_error = counts.straightened_error;
 }
 
-void check(const DiagramOptions& options) {
-  if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {
-    throw Error(ErrorCode::invalid_option, "the chord tolerance must be finite and at least 1e-10 mean edge lengths");
-  }
-  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
-}
-
 /// The steps that all methods share.
 void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptions& options,
             const ParallelChunks& parallel, Diagram& diagram) {
@@ -128,8 +121,15 @@ void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptio
 
 }  // namespace
 
+void check_diagram_options(const DiagramOptions& options) {
+  if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be finite and at least 1e-10 mean edge lengths");
+  }
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+}
+
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  check(options);
+  check_diagram_options(options);
   if (options.method.solver == Solver::windows) return compute_diagram_and_read(mesh, generators, options, nullptr);
   const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
@@ -141,7 +141,7 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
 
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                  const DiagramOptions& options, const WindowReader& read) {
-  check(options);
+  check_diagram_options(options);
   const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
   const WindowField field = propagate(working, options, static_cast<bool>(read));

@@ -13,6 +13,9 @@ namespace gvd {
 /// Reads the windows from which a diagram was traced: all of them, with departures. They live during the call only.
 using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, const Diagram&)>;
 
+/// Throws Error{invalid_option} where `compute_diagram` does.
+void check_diagram_options(const DiagramOptions& options);
+
 /// `compute_diagram` with the windows as the solver. `read` is called once, at the end; it may be empty, and then
 /// windows far from bisectors are not kept. Rounding differs, because windows
 /// come in another order, and so may the points within the chord tolerance.

@@ -38,8 +38,8 @@ class CellSums {
     sum.energy += mass * (path.distance * path.distance + spread);
     sum.centroid += mass * path.log;
     if (!watched_->empty() && (*watched_)[path.generator]) {
-      samples_.push_back({path.generator, static_cast<float>(std::atan2(path.log.y(), path.log.x())),
-                          static_cast<float>(mass * path.distance)});
+      samples_.push_back(
+          {path.generator, static_cast<float>(std::atan2(path.log.y(), path.log.x())), mass * path.distance});
     }
   }
 

@@ -12,8 +12,8 @@ namespace gvd {
 /// A path to a point of a cell, as the energy's slope at the generator sees it.
 struct PathSample {
   GeneratorId generator;
-  float angle;   ///< tangent angle in which the path departs, radians
-  float weight;  ///< distance times the mass that the point stands for, mesh units cubed
+  float angle;    ///< tangent angle in which the path departs, radians
+  double weight;  ///< distance times the mass that the point stands for, mesh units cubed: a float may overflow
 };
 
 /// Puts the samples in the order of their generators, and keeps that of each generator's.
