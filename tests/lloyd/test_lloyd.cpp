@@ -278,6 +278,14 @@ TEST_CASE("lloyd: options of the diagram are refused before the first step") {
   refused([](DiagramOptions& o) { o.threads = -1; });
 }
 
+TEST_CASE("lloyd: no generators, and an energy that is no number, are refused") {
+  const Mesh mesh = test::make_tetrahedron();
+  CHECK_THROWS_AS(relax_generators(mesh, {}, {}), Error);
+  LloydOptions options;
+  options.density = make_face_density(mesh, {1e308, 1e308, 1e308, 1e308});
+  CHECK_THROWS_AS(relax_generators(test::scaled(mesh, 1e3), {vertex_point(mesh, VertexId(0))}, options), Error);
+}
+
 TEST_CASE("lloyd: generators on vertices move on surfaces of any size") {
   const Mesh mesh = test::make_sphere(2);
   const std::vector<SurfacePoint> start = {vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(1)),

@@ -53,6 +53,12 @@ void check_options(const LloydOptions& o) {
   check_diagram_options(o.diagram);  // early levels compute no diagram
 }
 
+/// Energies that are no numbers can't be compared: all generators would seem to be at their centroids.
+void check_energy(double energy) {
+  if (std::isfinite(energy)) return;
+  throw Error(ErrorCode::precondition, "the energy is too large for a number; scale the density or the mesh down");
+}
+
 /// Keeps the state in which a relaxation ends.
 void keep(RelaxationState&& state, LloydResult& result) {
   result.generators = std::move(state.generators);
@@ -79,6 +85,7 @@ class Relaxer {
     report();
     constraints_.check(start_);
     RelaxationState state = evaluate(start_);
+    check_energy(state.energy);
     record_.initial_energy = state.energy;
     report_iteration(state);
     LloydResult result;
@@ -247,6 +254,7 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
                              const LloydOptions& options) {
   check_options(options);
   check_density(mesh, options.density);
+  if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
   return Relaxer(mesh, generators, options).run();
 }
 
