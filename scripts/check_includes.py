@@ -76,7 +76,7 @@ PUBLIC = {
     "libgvd/remesh/src/distance": "surface_distance",
     "libgvd/remesh/src/placement": "placement",
     "libgvd/remesh/src/certificate": "remesh_certificate",
-    "libgvd/remesh": "find_fewest remesh",
+    "libgvd/remesh": "find_fewest remesh remesh_map",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}

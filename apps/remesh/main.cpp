@@ -16,6 +16,8 @@
 #include "common/steps/write_outputs.hpp"
 #include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/remesh_map.hpp"
+#include "remesh/map_json.hpp"
 #include "remesh/relax_start.hpp"
 #include "remesh/remesh_json.hpp"
 #include "remesh/remesh_report.hpp"
@@ -38,6 +40,8 @@ constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from
 
 const app::Choices<Placement> kPlacements{
     {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
+
+constexpr const char* kMap = "--map";
 
 struct Settings {
   RemeshOptions remesh;
@@ -169,6 +173,17 @@ ViewScene coarse_scene(const RemeshResult& result) {
   return scene;
 }
 
+/// Writes `--map`; the report and a note tell how good the map is.
+void write_map(app::Run& run, const CheckedMesh& input, const RemeshResult& result) {
+  const std::string& path = run.options().output.own.at(kMap);
+  run.report().options()["map"] = path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path);
+  if (path.empty()) return;
+  const RemeshMap map =
+      run.timed("map", [&] { return map_to_remesh(input.mesh, result, run.options().compute.threads); });
+  app::report_map(run, map);
+  app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, result, map); });
+}
+
 void run_remesh(app::Run& run, const Settings& settings) {
   if (run.options().output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
@@ -180,6 +195,7 @@ void run_remesh(app::Run& run, const Settings& settings) {
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
   app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
+  write_map(run, input, result);
   app::write_view_file(run, "gvd-remesh", [&] {
     return std::vector{coarse_scene(result), diagram_scene(mesh, result)};
   });
@@ -200,5 +216,8 @@ int main(int argc, char** argv) {
   app::Command command(info);
   app::register_relaxation(command.line(), settings.relaxation);
   register_options(command.line(), settings);
+  command.add_target(
+      {kMap, "FILE.json", "Write each output vertex's point of INPUT, and each input vertex's point of the output"},
+      {"json"});
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

@@ -76,7 +76,7 @@ def write_documents():
     run("gvd-segment", "sheet.off", *vertices, "--cut", "-o", "c.json", "--diagram", "d.json", "--report", "c-report.json")
     run("gvd-segment", "ball.off", "-n", "4", "--method", "gbgvd", "-o", "g.json", "--report", "g-report.json")
     run("gvd-lloyd", "ball.off", "-n", "6", "--sampling", "random", "-o", "l.json", "--report", "l-report.json")
-    run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--report", "r-report.json")
+    run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--map", "m.json", "--report", "r-report.json")
     (work / "list.txt").write_text("p 0 0 1.5\n3\n")
     run("gvd-remesh", "ball.off", "--generators", "list.txt", "--report", "p-report.json")
     subprocess.run([str(bin_folder / "test_io"), "[.list]"], check=True, stdout=subprocess.DEVNULL,
@@ -87,6 +87,7 @@ write_documents()
 assert "face_labels" in check("s.json")
 assert None in check("c.json")["cut_mesh"]["vertex_distances"]
 assert "remesh" in check("r.json")
+assert check("m.json")["output_vertices"]
 assert "snap_distance" in check("p-report.json")["generators"][0]
 for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglr"]:
     check(name)
