@@ -55,7 +55,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 PUBLIC = {
     "libgvd/src/base": "vec ids error counted progress diagram_steps io/read_to_end",
     "libgvd/src/mesh": "mesh surface_point surface_normal surface_area closest_point quality openmesh",
-    "libgvd/src/mesh/reading": "mesh_format read_soup",
+    "libgvd/src/mesh/reading": "mesh_format mesh_property read_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic/field": "front",
     "libgvd/src/geodesic/tracing": "geodesic_tracing log_map",
@@ -76,7 +76,7 @@ PUBLIC = {
     "libgvd/remesh/src/distance": "surface_distance",
     "libgvd/remesh/src/placement": "placement",
     "libgvd/remesh/src/certificate": "remesh_certificate",
-    "libgvd/remesh": "find_fewest remesh remesh_map",
+    "libgvd/remesh": "carry_properties find_fewest remesh remesh_map",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}

@@ -17,6 +17,7 @@
 #include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
+#include "remesh/carry.hpp"
 #include "remesh/map_json.hpp"
 #include "remesh/relax_start.hpp"
 #include "remesh/remesh_json.hpp"
@@ -48,6 +49,7 @@ struct Settings {
   app::RelaxOptions relaxation;
   std::optional<Placement> place;  ///< as given
   bool no_refine = false;
+  bool carry = false;
 };
 
 /// Listed generators are where the user wants the vertices.
@@ -79,6 +81,8 @@ void register_options(app::CommandLine& line, Settings& settings) {
   line.add_flag({"--allow-intersections", "",
                  "Accept triangles that intersect each other; without it, generators are added there", group},
                 settings.remesh.allow_intersections);
+  line.add_flag({"--carry", "", "Give PLY output the colours and other properties of a PLY input", group},
+                settings.carry);
 }
 
 /// Remeshes, and reports the time of the diagrams apart from that of all other work.
@@ -188,12 +192,18 @@ void run_remesh(app::Run& run, const Settings& settings) {
   if (run.options().output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
+  if (settings.carry) app::check_carry(run);
+  run.report().options()["carry"] = settings.carry;
   app::check_relaxation(settings.relaxation, run.options().generators);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const RemeshResult result = make_result(run, input, settings);
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
-  app::write_output_files(run, LabelledMesh{result.mesh}, {{"json", json}});
+  std::vector<MeshProperty> properties;
+  if (settings.carry) properties = app::carry(run, input, result);
+  LabelledMesh coarse{result.mesh};
+  coarse.properties = &properties;
+  app::write_output_files(run, coarse, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
   write_map(run, input, result);
   app::write_view_file(run, "gvd-remesh", [&] {

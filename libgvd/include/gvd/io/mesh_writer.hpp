@@ -4,10 +4,12 @@
 #include <optional>
 #include <ostream>
 #include <string_view>
+#include <vector>
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/mesh_property.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
@@ -36,6 +38,8 @@ struct LabelledMesh {
   const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
   /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
+  /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
+  const std::vector<MeshProperty>* properties = nullptr;
   bool ascii_ply = false;  ///< PLY as text instead of binary
 };
 

@@ -43,6 +43,11 @@ void check_lengths(const LabelledMesh& mesh) {
   check_length(mesh.face_parent, mesh.mesh.face_count(), "parent faces");
   check_length(mesh.vertex_label, mesh.mesh.vertex_count(), "vertex labels");
   check_length(mesh.vertex_distance, mesh.mesh.vertex_count(), "vertex distances");
+  if (mesh.properties == nullptr) return;
+  for (const MeshProperty& property : *mesh.properties) {
+    check_length(&property.values, property.of_vertices ? mesh.mesh.vertex_count() : mesh.mesh.face_count(),
+                 property.name.c_str());
+  }
 }
 
 void write_json(std::ostream& out, const LabelledMesh& mesh) {

@@ -1,9 +1,11 @@
 #include "io/writers/write_ply.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
@@ -29,6 +31,23 @@ void print_color_properties(ByteWriter& out) {
   out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
 }
 
+/// Properties of vertices, or of faces.
+std::vector<const MeshProperty*> further_properties(const LabelledMesh& mesh, bool of_vertices) {
+  std::vector<const MeshProperty*> found;
+  if (mesh.properties == nullptr) return found;
+  for (const MeshProperty& property : *mesh.properties) {
+    if (property.of_vertices == of_vertices) found.push_back(&property);
+  }
+  return found;
+}
+
+void print_further_properties(ByteWriter& out, const LabelledMesh& mesh, bool of_vertices) {
+  constexpr std::array<const char*, 8> kTypes{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+  for (const MeshProperty* property : further_properties(mesh, of_vertices)) {
+    out.print("property {} {}\n", kTypes[static_cast<std::size_t>(property->type)], property->name);
+  }
+}
+
 void print_vertex_properties(ByteWriter& out, const LabelledMesh& mesh, bool doubles) {
   out.print("element vertex {}\n", mesh.mesh.vertex_count());
   out.text("property double x\nproperty double y\nproperty double z\n");
@@ -37,6 +56,7 @@ void print_vertex_properties(ByteWriter& out, const LabelledMesh& mesh, bool dou
     out.text("property int label\n");
     print_color_properties(out);
   }
+  print_further_properties(out, mesh, true);
 }
 
 void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
@@ -47,6 +67,15 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   }
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
+  print_further_properties(out, mesh, false);
+}
+
+/// The nearest number of the type; 0 for what is no number.
+template <class Integer>
+Integer to_integer(double value) {
+  using Limits = std::numeric_limits<Integer>;
+  if (std::isnan(value)) return 0;
+  return static_cast<Integer>(std::clamp(std::round(value), double(Limits::min()), double(Limits::max())));
 }
 
 /// Numbers of one element after the other, as bytes or as a line of text.
@@ -69,6 +98,27 @@ class Rows {
     put(color.blue);
   }
 
+  void put_number(NumberType type, double value) {
+    switch (type) {
+      case NumberType::int8:
+        return put(to_integer<std::int8_t>(value));
+      case NumberType::uint8:
+        return put(to_integer<std::uint8_t>(value));
+      case NumberType::int16:
+        return put(to_integer<std::int16_t>(value));
+      case NumberType::uint16:
+        return put(to_integer<std::uint16_t>(value));
+      case NumberType::int32:
+        return put(to_integer<std::int32_t>(value));
+      case NumberType::uint32:
+        return put(to_integer<std::uint32_t>(value));
+      case NumberType::float32:
+        return put(static_cast<float>(value));
+      case NumberType::float64:
+        return put(value);
+    }
+  }
+
   void end() {
     if (text_) out_.text("\n");
     empty_ = true;
@@ -81,6 +131,7 @@ class Rows {
 };
 
 void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
+  const auto further = further_properties(mesh, true);
   for (VertexId v(0); v.value() < mesh.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
     const Vec3& p = mesh.mesh.position(v);
     for (int i = 0; i < 3; ++i) rows.put(p[i]);
@@ -89,17 +140,20 @@ void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
       doubles ? rows.put(distance) : rows.put(static_cast<float>(distance));
     }
     if (mesh.vertex_label != nullptr) rows.put_label((*mesh.vertex_label)[v]);
+    for (const MeshProperty* property : further) rows.put_number(property->type, property->values[v.index()]);
     rows.end();
   }
 }
 
 void write_faces(Rows& rows, const LabelledMesh& mesh) {
+  const auto further = further_properties(mesh, false);
   for (FaceId f(0); f.value() < mesh.mesh.face_count(); f = FaceId(f.value() + 1)) {
     rows.put(std::uint8_t{3});
     for (const VertexId v : mesh.mesh.vertices(f)) rows.put(v.value());
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
     if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
     if (mesh.face_label != nullptr) rows.put(static_cast<std::uint8_t>((*mesh.face_label)[f].value()));
+    for (const MeshProperty* property : further) rows.put_number(property->type, property->values[f.index()]);
     rows.end();
   }
 }

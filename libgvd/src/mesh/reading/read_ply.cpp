@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "base/printable.hpp"
 #include "gvd/error.hpp"
@@ -148,6 +150,26 @@ class BodyParser {
     return values;
   }
 
+  std::vector<MeshProperty> parse_properties() {
+    std::vector<MeshProperty> all;
+    for (const PlyElement& element : header_.elements) {
+      check_count(element);
+      if (element.properties.empty()) continue;
+      std::vector<MeshProperty> found = list_properties(element);
+      for (std::int64_t i = 0; i < element.count; ++i) {
+        read_element(element, i, [&](int p) {
+          MeshProperty* const property = found.empty() ? nullptr : &found[static_cast<std::size_t>(p)];
+          if (property == nullptr || property->name.empty()) return false;
+          property->values.push_back(source_.read(property->type, element.properties[static_cast<std::size_t>(p)]));
+          return true;
+        });
+      }
+      std::erase_if(found, [](const MeshProperty& property) { return property.name.empty(); });
+      std::move(found.begin(), found.end(), std::back_inserter(all));
+    }
+    return all;
+  }
+
   PolygonSoup parse() {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") vertices_ = element.count;
@@ -174,6 +196,18 @@ class BodyParser {
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: the header promises {} of element '{}', and the file has only {} more bytes", name_,
                             element.count, element.name, source_.remaining()));
+  }
+
+  /// One for each property of an element of vertices or faces, without a name where it is not wanted.
+  static std::vector<MeshProperty> list_properties(const PlyElement& element) {
+    std::vector<MeshProperty> found;
+    const bool vertices = element.name == "vertex";
+    if (!vertices && element.name != "face") return found;
+    for (const PlyProperty& property : element.properties) {
+      const bool coordinate = vertices && (property.name == "x" || property.name == "y" || property.name == "z");
+      found.push_back({coordinate || property.count_type ? "" : property.name, property.type, vertices, {}});
+    }
+    return found;
   }
 
   [[noreturn]] void refuse(ErrorCode code, const std::string& message, std::int64_t element) const {
@@ -307,6 +341,12 @@ std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::stri
     return found;
   }
   return std::nullopt;
+}
+
+std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name) {
+  const PlyHeader header = parse_ply_header(bytes, name);
+  if (header.encoding == PlyEncoding::ascii) return BodyParser<AsciiSource>(bytes, name, header).parse_properties();
+  return BodyParser<BinarySource>(bytes, name, header).parse_properties();
 }
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "gvd/mesh_property.hpp"
 #include "gvd/read_soup.hpp"
 
 namespace gvd {
@@ -15,5 +17,8 @@ PolygonSoup parse_ply(std::string_view bytes, std::string_view name);
 /// Errors and cost as of `parse_soup`.
 std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
                                                std::string_view name);
+
+/// All properties that read_mesh_properties returns. Errors and cost as of `parse_soup`.
+std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name);
 
 }  // namespace gvd

@@ -7,14 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "gvd/mesh_property.hpp"
+
 namespace gvd {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+using PlyType = NumberType;
 
 /// Size of a number in a binary file, in bytes.
 std::size_t size_of(PlyType type);
-inline bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 struct PlyProperty {
   std::string name;  ///< printable and short, for messages: "x" and other names that mean something stay as they are

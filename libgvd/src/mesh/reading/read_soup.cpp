@@ -82,6 +82,13 @@ std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path
   return parse_ply_property(bytes, property, name);
 }
 
+std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return {};
+  return parse_ply_properties(bytes, name);
+}
+
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
   const std::string bytes = read_bytes(path);

@@ -1,0 +1,113 @@
+// Properties of an input on its remesh: interpolated where they can be, of the nearest corner otherwise.
+#include <algorithm>
+#include <cmath>
+
+#include "gvd/carry_properties.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// A sphere as from a file without a defect.
+CheckedMesh make_input() {
+  const Mesh sphere = test::make_sphere(3);
+  PolygonSoup soup;
+  soup.positions = sphere.positions();
+  for (std::int32_t f = 0; f < sphere.face_count(); ++f) {
+    for (const VertexId v : sphere.vertices(FaceId(f))) soup.corners.push_back(v.value());
+    soup.close_polygon();
+  }
+  return build_mesh(soup);
+}
+
+/// A property of the vertices: a function of their positions.
+template <class Function>
+MeshProperty of_vertices(const CheckedMesh& input, const char* name, NumberType type, Function function) {
+  MeshProperty property{name, type, true, {}};
+  for (const Vec3& p : input.mesh.positions()) property.values.push_back(function(p));
+  return property;
+}
+
+std::vector<MeshProperty> normals(const CheckedMesh& input) {
+  return {of_vertices(input, "nx", NumberType::float32, [](const Vec3& p) { return p.x(); }),
+          of_vertices(input, "ny", NumberType::float32, [](const Vec3& p) { return p.y(); }),
+          of_vertices(input, "nz", NumberType::float32, [](const Vec3& p) { return p.z(); })};
+}
+
+RemeshResult make_remesh(const CheckedMesh& input) {
+  return remesh(input.mesh, test::random_generators(input.mesh, 60, 4));
+}
+
+}  // namespace
+
+TEST_CASE("carry: a linear function has its value at each generator") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  const auto height = [](const Vec3& p) { return 3 * p.z() - p.x() + 1; };
+  const auto carried = carry_properties(input, {of_vertices(input, "h", NumberType::float64, height)}, result);
+  REQUIRE(carried.size() == 1);
+  CHECK(carried[0].name == "h");
+  CHECK(carried[0].type == NumberType::float64);
+  REQUIRE(carried[0].values.size() == result.generators.size());
+  for (std::size_t i = 0; i < carried[0].values.size(); ++i) {
+    CHECK(carried[0].values[i] == Approx(height(position(input.mesh, result.generators[i]))).margin(1e-12));
+  }
+}
+
+TEST_CASE("carry: labels are not mixed, colours are") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  const auto half = [](const Vec3& p) { return p.z() > 0 ? 200.0 : 0.0; };
+  const auto carried = carry_properties(
+      input,
+      {of_vertices(input, "part", NumberType::uint8, half), of_vertices(input, "diffuse_red", NumberType::uint8, half)},
+      result);
+  REQUIRE(carried.size() == 2);
+  const auto is_mixed = [](double value) { return value > 1e-9 && value < 200 - 1e-9; };
+  CHECK(std::none_of(carried[0].values.begin(), carried[0].values.end(), is_mixed));
+  CHECK(std::any_of(carried[0].values.begin(), carried[0].values.end(), [](double value) { return value == 200; }));
+  CHECK(std::any_of(carried[1].values.begin(), carried[1].values.end(), is_mixed));
+}
+
+TEST_CASE("carry: normals have length 1") {
+  const CheckedMesh input = make_input();
+  const auto carried = carry_properties(input, normals(input), make_remesh(input));
+  REQUIRE(carried.size() == 3);
+  for (std::size_t i = 0; i < carried[0].values.size(); ++i) {
+    CHECK(std::hypot(carried[0].values[i], carried[1].values[i], carried[2].values[i]) == Approx(1));
+  }
+}
+
+TEST_CASE("carry: a generator at a vertex has its values, whatever those of the neighbours are") {
+  const CheckedMesh input = make_input();
+  std::vector<SurfacePoint> generators;
+  for (int i = 0; i < 30; ++i) generators.push_back(vertex_point(input.mesh, VertexId(20 * i)));
+  MeshProperty property{"value", NumberType::float64, true, {}};
+  for (int v = 0; v < input.mesh.vertex_count(); ++v) property.values.push_back(v % 20 == 0 ? v : std::nan(""));
+  const auto carried = carry_properties(input, {property}, remesh(input.mesh, generators));
+  for (std::size_t i = 0; i < 30; ++i) CHECK(carried[0].values[i] == 20.0 * static_cast<double>(i));
+}
+
+TEST_CASE("carry: a face has the value of the face in which its branch point is") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  MeshProperty number{"number", NumberType::int32, false, {}};
+  for (int f = 0; f < input.mesh.face_count(); ++f) number.values.push_back(f);
+  const auto carried = carry_properties(input, {number}, result);
+  REQUIRE(carried.size() == 1);
+  CHECK(!carried[0].of_vertices);
+  REQUIRE(carried[0].values.size() == static_cast<std::size_t>(result.mesh.face_count()));
+  for (std::size_t f = 0; f < result.face_points.size(); ++f) {
+    CHECK(carried[0].values[f] == result.face_points[f].face.value());
+  }
+}
+
+TEST_CASE("carry: a property that has no value for some elements is left out") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  CHECK(carry_properties(input, {{"short", NumberType::float32, true, {1, 2, 3}}}, result).empty());
+  CHECK(carry_properties(input, {{"short", NumberType::float32, false, {1, 2, 3}}}, result).empty());
+}
