@@ -26,7 +26,7 @@ PAPER_MODELS ?= $(wildcard $(addprefix $(or $(GVD_SHARED),../shared)/,models ref
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures test fuzz soups battery test-runs build bench bench-lloyd why-exact paper sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures test fuzz soups battery test-runs build bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -39,6 +39,7 @@ help:
 	@echo "make build     build the library and the three commands"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make bench-lloyd  time relaxations and measure their energies, beside the goals: LLOYD_BENCH_FLAGS"
+	@echo "make bench-remesh  measure remeshes, beside the figures of other programs: REMESH_BENCH_FLAGS"
 	@echo "make why-exact compare labels by Euclidean, edge and heat distances with the exact ones"
 	@echo "make paper     measure section 5 of the paper: PAPER_RUNS runs ($(PAPER_RUNS)), meshes of PAPER_MODELS ($(PAPER_MODELS))"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
@@ -109,6 +110,12 @@ bench-lloyd:
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench-lloyd
 	@$(BUILD)/bin/gvd-bench-lloyd $(LLOYD_BENCH_FLAGS)
+
+bench-remesh:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench-remesh
+	@$(BUILD)/bin/gvd-bench-remesh $(REMESH_BENCH_FLAGS)
 
 why-exact:
 	@$(install_deps) build
