@@ -67,11 +67,13 @@ void register_options(app::CommandLine& line, Settings& settings) {
                    "handle, and 100 more)",
                    group,
                    {},
-                   {"--no-refine"}},
+                   {"--no-refine", "--exact-count"}},
                   settings.remesh.max_added, kMaxAdded);
   line.add_flag(
       {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},
       settings.no_refine);
+  line.add_flag({"--exact-count", "", "The same as --no-refine: exactly the given number of vertices, or none", group},
+                settings.no_refine);
   app::add_choice(line,
                   {"--place", "",
                    "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "

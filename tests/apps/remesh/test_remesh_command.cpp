@@ -179,6 +179,18 @@ TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothi
   CHECK(!std::filesystem::exists(path));
 }
 
+TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or refuses") {
+  const ScratchFolder scratch;
+  const std::string torus = data_file("torus.ply"), path = scratch / "coarse.ply";
+  CHECK(run_command("gvd-remesh", torus + " -n 2 --exact-count -o " + path).exit_code == 5);
+  CHECK(!std::filesystem::exists(path));
+  const auto json = report_of(torus + " -n 100 --exact-count");
+  CHECK(json["options"]["no_refine"] == true);
+  CHECK(json["results"]["output"]["vertices"] == 100);
+  const CommandResult both = run_command("gvd-remesh", torus + " -n 100 --exact-count --max-added 3");
+  CHECK(both.exit_code == 2);
+}
+
 TEST_CASE("gvd-remesh: a note says why generators were added") {
   const CommandResult one = run_command("gvd-remesh", data_file("torus.ply") + " -n 1");
   CHECK(one.exit_code == 0);
