@@ -1,6 +1,9 @@
 // Generators that leave cells with little energy for distant cells with much.
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "gvd/check.hpp"
 #include "gvd/lloyd.hpp"
@@ -46,19 +49,45 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
       const auto components = compute_face_components(mesh);
       std::set<std::size_t> leaving;
       std::set<VertexId> places;
-      double given_up = 0, area = 0;
-      for (const CellMoments& m : state.moments) area += m.area;
+      double given_up = 0;
+      std::vector<double> area(2), cells(2);
+      for (std::size_t i = 0; i < 30; ++i) {
+        const auto component = static_cast<std::size_t>(components[state.generators[i].face]);
+        area[component] += state.moments[GeneratorId(static_cast<std::int64_t>(i))].area;
+        cells[component] += 1;
+      }
       for (const Relocation& relocation : plan_relocations(mesh, {}, state)) {
         const CellMoments& cell = state.moments[GeneratorId(static_cast<std::int64_t>(relocation.generator))];
         CHECK(leaving.insert(relocation.generator).second);
         CHECK(places.insert(vertex(mesh, relocation.to)).second);
         CHECK(components[state.generators[relocation.generator].face] == components[relocation.to.face]);
-        CHECK(cell.area <= 0.51 * area / 30);
+        const auto component = static_cast<std::size_t>(components[relocation.to.face]);
+        CHECK(cell.area <= 0.51 * area[component] / cells[component]);
         given_up += cell.area;
       }
-      CHECK(given_up < 0.5 * area);
+      CHECK(given_up < 0.5 * (area[0] + area[1]));
     }
   }
+}
+
+TEST_CASE("relocation: far places of one component do not keep others from theirs") {
+  // A small square with a cluster, and a large one with a single generator.
+  const Mesh small = test::make_grid(12, 12), large = test::make_grid(4, 4);
+  std::vector<Vec3> positions = small.positions();
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < small.face_count(); ++f) faces.push_back(small.vertices(FaceId(f)));
+  for (const Vec3& p : large.positions()) positions.push_back(20 * p + Vec3(100, 0, 0));
+  for (int f = 0; f < large.face_count(); ++f) {
+    const auto& [a, b, c] = large.vertices(FaceId(f));
+    const int first = small.vertex_count();
+    faces.push_back({VertexId(a.value() + first), VertexId(b.value() + first), VertexId(c.value() + first)});
+  }
+  const Mesh mesh(std::move(positions), std::move(faces));
+  std::vector<SurfacePoint> generators = clustered(FaceId(30), 24);
+  generators.push_back(make_surface_point(FaceId(small.face_count() + 3), {0.3, 0.3, 0.4}));
+  const std::vector<Relocation> plan = plan_relocations(mesh, {}, evaluate_state(mesh, generators));
+  CHECK(plan.size() >= 5);
+  for (const Relocation& relocation : plan) CHECK(relocation.to.face.value() < small.face_count());
 }
 
 TEST_CASE("relocation: relaxed generators stay where they are") {

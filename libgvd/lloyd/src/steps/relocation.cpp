@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace gvd {
@@ -27,18 +28,32 @@ constexpr double kLeastDistance = 1.5;
 /// for all cells.
 double size_of(const CellMoments& moments) { return std::sqrt(moments.mass * moments.area); }
 
-double mean_size(const RelaxationState& state) {
-  double sum = 0;
-  for (const CellMoments& moments : state.moments) sum += size_of(moments);
-  return sum / static_cast<double>(state.generators.size());
+/// The component of each generator, and the mean size of the cells of each component.
+struct Components {
+  std::vector<std::size_t> of;
+  std::vector<double> mean_size;
+};
+
+Components find_components(const IdVector<FaceId, std::int32_t>& components, const RelaxationState& state) {
+  Components found;
+  std::vector<double> cells;
+  for (std::size_t i = 0; i < state.generators.size(); ++i) {
+    const auto component = static_cast<std::size_t>(components[state.generators[i].face]);
+    found.of.push_back(component);
+    if (component >= cells.size()) cells.resize(component + 1), found.mean_size.resize(component + 1);
+    cells[component] += 1;
+    found.mean_size[component] += size_of(state.moments[GeneratorId(static_cast<std::int64_t>(i))]);
+  }
+  for (std::size_t c = 0; c < cells.size(); ++c) found.mean_size[c] /= std::max(1.0, cells[c]);
+  return found;
 }
 
 /// Chooses the cells to give up, by ascending energy.
 class PoorCells {
  public:
-  explicit PoorCells(const RelaxationState& state)
+  PoorCells(const RelaxationState& state, const Components& components)
       : state_(state),
-        largest_hole_(kLargestHole * mean_size(state)),
+        components_(components),
         order_(state.generators.size()),
         hole_(state.generators.size(), 0),
         neighbours_(state.generators.size()) {
@@ -52,26 +67,34 @@ class PoorCells {
   }
 
   /// The next cell without too large a hole round it; the number of cells if there is none.
-  std::size_t take() {
+  std::size_t next() {
     for (; next_ < order_.size(); ++next_) {
       const std::size_t i = order_[next_];
-      double hole = size_of(moments(i));
-      for (const GeneratorId g : neighbours(i)) hole += hole_[g.index()];
-      if (hole > largest_hole_) continue;
-      hole_[i] = hole;
-      for (const GeneratorId g : neighbours(i)) hole_[g.index()] = hole_[g.index()] > 0 ? hole : 0;
-      return order_[next_++];
+      if (hole_with(i) > kLargestHole * components_.mean_size[components_.of[i]]) continue;
+      ++next_;
+      return i;
     }
     return order_.size();
+  }
+  void give_up(std::size_t i) {
+    const double hole = hole_with(i);
+    hole_[i] = hole;
+    for (const GeneratorId g : neighbours(i)) hole_[g.index()] = hole_[g.index()] > 0 ? hole : 0;
   }
   double energy(std::size_t i) const { return moments(i).energy; }
 
  private:
+  /// The size of the hole about a cell, if it is given up too.
+  double hole_with(std::size_t i) const {
+    double hole = size_of(moments(i));
+    for (const GeneratorId g : neighbours(i)) hole += hole_[g.index()];
+    return hole;
+  }
   const CellMoments& moments(std::size_t i) const { return state_.moments[GeneratorId(static_cast<std::int64_t>(i))]; }
   const std::vector<GeneratorId>& neighbours(std::size_t i) const { return neighbours_[i]; }
 
   const RelaxationState& state_;
-  double largest_hole_;
+  const Components& components_;
   std::vector<std::size_t> order_;
   std::vector<double> hole_;  // size of the cells given up about it; 0 for a cell that stays
   std::vector<std::vector<GeneratorId>> neighbours_;
@@ -82,60 +105,90 @@ class PoorCells {
 /// best cells do.
 class FarVertices {
  public:
-  FarVertices(const Mesh& mesh, const Density& density, const RelaxationState& state)
-      : mesh_(mesh),
-        scale_(static_cast<std::size_t>(mesh.vertex_count()), 1),
-        distance_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (!std::isfinite(state.vertex_distance[VertexId(v)])) continue;
-      const SurfacePoint point = vertex_point(mesh, VertexId(v));
-      scale_[static_cast<std::size_t>(v)] = std::pow(density.at(point.face, point.bary), 0.25);
-      distance_[static_cast<std::size_t>(v)] = scale_[static_cast<std::size_t>(v)] * state.vertex_distance[VertexId(v)];
+  /// A vertex, and its scaled distance to the nearest generator.
+  struct Place {
+    double distance;
+    VertexId vertex;
+    std::size_t compared = 0;  // with so many of the places that were taken
+  };
+
+  /// `face_component`: of every face. Vertices too near to a generator are left out.
+  FarVertices(const Mesh& mesh, const Density& density, const RelaxationState& state,
+              const IdVector<FaceId, std::int32_t>& face_component, const Components& components)
+      : mesh_(mesh), density_(density), heaps_(components.mean_size.size()) {
+    for (const double size : components.mean_size) {
+      least_distance_.push_back(kLeastDistance * std::sqrt(size / std::numbers::pi));
     }
+    for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+      const VertexId v(i);
+      if (!mesh.halfedge(v).valid() || !std::isfinite(state.vertex_distance[v])) continue;
+      const double distance = scale(v) * state.vertex_distance[v];
+      const auto component = static_cast<std::size_t>(face_component[vertex_point(mesh, v).face]);
+      if (distance > least_distance_[component]) heaps_[component].push_back({distance, v});
+    }
+    for (std::vector<Place>& heap : heaps_) std::make_heap(heap.begin(), heap.end(), is_nearer);
   }
 
-  VertexId farthest() const {
-    const auto at = std::max_element(distance_.begin(), distance_.end());
-    return VertexId(static_cast<std::int32_t>(at - distance_.begin()));
-  }
-  double distance(VertexId v) const { return distance_[v.index()]; }
-  void take(VertexId taken) {
-    const Vec3& p = mesh_.position(taken);
-    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      double& distance = distance_[static_cast<std::size_t>(v)];
-      const double scale = scale_[static_cast<std::size_t>(v)];
-      const double squared = scale * scale * (mesh_.position(VertexId(v)) - p).squaredNorm();
-      if (squared < distance * distance) distance = std::sqrt(squared);
+  /// The farthest vertex of a component, if there is one. Only vertices at the top of the heap are compared with places
+  /// that were taken, and only with those that they do not know yet.
+  std::optional<Place> farthest(std::size_t component) {
+    std::vector<Place>& heap = heaps_[component];
+    while (!heap.empty() && heap.front().compared < taken_.size()) {
+      std::pop_heap(heap.begin(), heap.end(), is_nearer);
+      compare(heap.back());
+      if (heap.back().distance > least_distance_[component]) {
+        std::push_heap(heap.begin(), heap.end(), is_nearer);
+      } else {
+        heap.pop_back();
+      }
     }
+    return heap.empty() ? std::nullopt : std::optional(heap.front());
   }
+  void take(VertexId v) { taken_.push_back(mesh_.position(v)); }
 
  private:
+  static bool is_nearer(const Place& a, const Place& b) {
+    return std::pair(a.distance, b.vertex) < std::pair(b.distance, a.vertex);
+  }
+  double scale(VertexId v) const {
+    const SurfacePoint point = vertex_point(mesh_, v);
+    return std::pow(density_.at(point.face, point.bary), 0.25);
+  }
+  void compare(Place& place) const {
+    const Vec3& at = mesh_.position(place.vertex);
+    const double factor = scale(place.vertex);
+    for (; place.compared < taken_.size(); ++place.compared) {
+      place.distance = std::min(place.distance, factor * (taken_[place.compared] - at).norm());
+    }
+  }
+
   const Mesh& mesh_;
-  std::vector<double> scale_;     // fourth root of the density, of every vertex
-  std::vector<double> distance_;  // of every vertex, to the nearest generator, scaled
+  const Density& density_;
+  std::vector<double> least_distance_;     // of each component with generators
+  std::vector<std::vector<Place>> heaps_;  // of the same
+  std::vector<Vec3> taken_;
 };
 
 }  // namespace
 
 std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,
                                          const GeneratorConstraints& constraints) {
-  const IdVector<FaceId, std::int32_t> components = compute_face_components(mesh);
-  FarVertices places(mesh, density, state);
-  const double least_distance = kLeastDistance * std::sqrt(mean_size(state) / std::numbers::pi);
-  PoorCells poor(state);
+  const IdVector<FaceId, std::int32_t> face_component = compute_face_components(mesh);
+  const Components components = find_components(face_component, state);
+  FarVertices places(mesh, density, state, face_component, components);
+  PoorCells poor(state, components);
   std::vector<Relocation> plan;
   while (plan.size() + 1 < state.generators.size()) {
-    const std::size_t i = poor.take();
+    const std::size_t i = poor.next();
     if (i == state.generators.size()) break;
     if (!constraints.is_free(i)) continue;
-    const VertexId v = places.farthest();
-    const double distance = places.distance(v);
-    const double gain = kSplitGain * std::pow(distance, 4) - kRemovalCost * poor.energy(i);
-    if (!(distance > least_distance && gain > 0)) break;
-    const SurfacePoint to = vertex_point(mesh, v);
-    if (components[state.generators[i].face] != components[to.face]) continue;
-    plan.push_back({i, to, gain});
-    places.take(v);
+    const auto place = places.farthest(components.of[i]);
+    if (!place) continue;
+    const double gain = kSplitGain * std::pow(place->distance, 4) - kRemovalCost * poor.energy(i);
+    if (!(gain > 0)) continue;
+    plan.push_back({i, vertex_point(mesh, place->vertex), gain});
+    places.take(place->vertex);
+    poor.give_up(i);
   }
   return plan;
 }
