@@ -22,7 +22,7 @@ constexpr std::array<Advice, 8> kAdvice{{
     {"give the list as CSV", "give the list as CSV with --generators-format csv"},
     {"raise max_snap", "raise --max-snap"},
     {"set merge_coincident", "add --merge-coincident"},
-    {"set refine", "leave --no-refine out"},
+    {"set refine", "leave --no-refine or --exact-count out"},
     {"raise max_added", "raise --max-added"},
     {"choose PLY, OBJ, OFF or VTP",
      "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},

@@ -19,7 +19,7 @@ constexpr const char* kTetrahedron =
     "property float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty float u\n"
     "property list uchar int extra\nproperty short part\n"
     "element face 4\nproperty list uchar int vertex_indices\nproperty ushort material\nend_header\n"
-    "0 0 0 10 0.5 2 1 2 -3\n1 0 0 20 0.25 0 4\n0 1 0 30 1e30 1 7 5\n0 0 1 255 -1 0 6\n"
+    "0 0 0 10 0.5 2 1 2 -3\n1 0 0 20 0.25 0 4\n0 1 0 30 1e6 1 7 5\n0 0 1 255 -1 0 6\n"
     "3 0 2 1 7\n3 0 1 3 7\n3 0 3 2 7\n3 1 2 3 65535\n";
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("gvd-remesh --carry: generators at the vertices keep the values of the
     CHECK(properties[0].type == NumberType::uint8);
     CHECK(properties[0].values == std::vector<double>{10, 20, 30, 255});
     CHECK(properties[1].name == "u");
-    CHECK(properties[1].values == std::vector<double>{0.5, 0.25, 1e30F, -1});
+    CHECK(properties[1].values == std::vector<double>{0.5, 0.25, 1e6, -1});
     CHECK(properties[2].name == "part");
     CHECK(properties[2].values == std::vector<double>{-3, 4, 5, 6});
     CHECK(properties[3].name == "material");
