@@ -22,8 +22,8 @@ struct Relocation {
 /// In the best diagrams all cells have about the same area and energy. Generators of cells with little energy go to the
 /// vertex that is farthest from all generators, one after the other: farthest-point sampling, in straight distances
 /// from those that came before. Cells that are given up together have at most half of the mean area of their
-/// component wherever they adjoin, so that no holes arise. Every generator stays in its component of the mesh, and those
-/// that are not free stay where they are.
+/// component wherever they adjoin, so that no holes arise. Every generator stays in its component of the mesh, and
+/// those that are not free stay where they are.
 /// Cost: O(n + m log m) for n vertices and m generators, and, for each vertex at places that were taken, the comparison
 /// with those taken before it.
 std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,
