@@ -24,8 +24,9 @@ namespace {
 /// steps. After these all steps are halved too: down to a thousandth.
 constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
-/// Early levels end with an iteration that lowers the energy by less than this fraction of it. Their energies differ
-/// from the exact ones by about a tenth of that.
+/// Early levels end where iterations lower the energy by less than this fraction of it. Sampled energies are off by
+/// more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried: the
+/// last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
 constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.

@@ -108,9 +108,9 @@ struct LloydResult {
 /// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
 /// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
 /// of the options.
-/// Throws Error{invalid_option} for an option out of its range, Error{precondition} where `compute_diagram` does,
-/// without generators, and where the energy is too large for a number, and Error{interrupted} if the progress callback
-/// cancels. Cost: one diagram and O(n log n) for each iteration.
+/// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.
+/// Throws Error{precondition} where `compute_diagram` does, without generators, and if the energy is no finite number.
+/// Cost: the windows of a diagram and O(n log n) for an early iteration, a diagram and O(n log n) for others.
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              const LloydOptions& options = {});
 

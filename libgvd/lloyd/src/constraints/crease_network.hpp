@@ -16,8 +16,8 @@ class CreaseNetwork {
   /// The mesh has to outlive this. Cost: O(n).
   CreaseNetwork(const Mesh& mesh, const std::vector<EdgeId>& creases);
 
-  /// Keeps, of the corners where a crease only turns, those that are at least this far along the crease from corners
-  /// that turn more, and from those where other creases begin; mesh units. Cost: O(n log n).
+  /// Thins the corners where a crease only turns. One stays if it is at least this far, along the crease, from corners
+  /// that turn more and from those where other creases begin; mesh units. Cost: O(n log n).
   void thin_corners(double distance);
 
   bool is_crease(EdgeId e) const { return is_crease_[e]; }

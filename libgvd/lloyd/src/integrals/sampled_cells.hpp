@@ -10,14 +10,14 @@
 #include "integrals/cell_sums.hpp"
 
 // Every point of the surface has an exact distance to its nearest generator, whether or not a diagram is known. So the
-// energy and its gradient are sums over points of the faces. They cost about half of those of a diagram.
+// energy and its gradient are sums over points of the faces. They cost about half of a diagram with its integrals.
 
 namespace gvd {
 
 /// The cells as points of the faces see them.
 struct SampledCells {
   CellIntegrals integrals;
-  std::vector<BisectorSegment> segments;       ///< from labels of vertices: a few per cent of the cell's radius off
+  std::vector<BisectorSegment> segments;       ///< from middle to middle of the edges with two labels
   IdVector<VertexId, double> vertex_distance;  ///< mesh units; infinity where no generator reaches
 };
 

@@ -14,8 +14,8 @@ struct VertexPath {
 
 /// The slope of the energy at a generator on a vertex, in every direction.
 ///
-/// A short step of a generator in direction u shortens a path that departs in direction t by cos(u, t) of the step, and
-/// a path that departs at more than 180 degrees from u is lengthened by the whole step: it bends round the vertex. So
+/// A short step of a generator in direction u shortens a path that departs in direction t by cos(u, t) of the step. A
+/// path that departs at more than 180 degrees from u bends round the vertex: the whole step lengthens it. So
 /// the slope is -2 times the integral of density times distance times the cosine of the lesser of that angle and 180
 /// degrees. Where the vertex is flat that is the scalar product with the gradient. Where the total angle is larger,
 /// the slope can be positive in all directions: the energy has a minimum with a kink.

@@ -7,6 +7,7 @@
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
+#include "gvd/surface_area.hpp"
 #include "integrals/sampled_cells.hpp"
 #include "integrals/window_integrals.hpp"
 #include "state/vertex_rests.hpp"
@@ -20,12 +21,6 @@ constexpr double kReach = 0.1;
 
 double mean_radius(double area, std::size_t cells) {
   return std::sqrt(area / (std::numbers::pi * static_cast<double>(cells)));
-}
-
-double total_area(const Mesh& mesh) {
-  double area = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) area += mesh.area(FaceId(f));
-  return area;
 }
 
 /// The cells of a diagram.
@@ -89,7 +84,7 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
                                     const GeneratorConstraints& constraints) {
   RelaxationState state;
   state.generators = generators;
-  const double reach = kReach * mean_radius(total_area(mesh), generators.size());
+  const double reach = kReach * mean_radius(compute_area(mesh), generators.size());
   const WatchedGenerators watched = watch_generators(mesh, generators, reach);
   const Quadrature quadrature{density, watched};
   CellIntegrals integrals = precision.is_sampled ? integrate_samples(mesh, precision, quadrature, state)

@@ -13,7 +13,8 @@
 namespace gvd {
 namespace {
 
-/// Paths whose direction is within this angle of that to a vertex bend there, radians: departures are rounded to 1e-7.
+/// Paths whose direction is within this angle of that to a vertex bend there, radians: ten times
+/// what the rounding of departures (1e-7) and of samples (2e-7) makes.
 constexpr double kSameDirection = 1e-6;
 
 /// Where the total angle is larger by less than this, the slopes of a saddle differ too little to hold a generator,

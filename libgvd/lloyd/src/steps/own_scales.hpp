@@ -7,9 +7,10 @@
 
 namespace gvd {
 
-/// Shortens the steps of those generators that went beyond the lowest point of their path, by what the energy's slopes
-/// at both ends of the path tell (the secant, to a tenth or a half). `move` led from `before` to `after`, whose energy
-/// is too large; `scales` are the factors of the steps. Returns whether there is such a generator.
+/// Shortens the steps of the generators that went beyond the lowest point of their path. The energy's slopes at both
+/// ends of a path tell how far (the secant); a step keeps a tenth at least and a half at most. `move` led from `before`
+/// to `after`, whose energy is too large; `scales` are the factors of the steps. Returns whether there is such a
+/// generator.
 bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after,
                        std::vector<double>& scales);
 

@@ -41,7 +41,8 @@ Components find_components(const IdVector<FaceId, std::int32_t>& components, con
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
     const auto component = static_cast<std::size_t>(components[state.generators[i].face]);
     found.of.push_back(component);
-    if (component >= cells.size()) cells.resize(component + 1), found.mean_size.resize(component + 1);
+    cells.resize(std::max(cells.size(), component + 1));
+    found.mean_size.resize(cells.size());
     cells[component] += 1;
     found.mean_size[component] += size_of(state.moments[GeneratorId(static_cast<std::int64_t>(i))]);
   }

@@ -30,11 +30,12 @@ struct PlacementOptions {
 /// drops below the bound, and no two triangles intersect that did not at the generators. Where it is broken, the steps
 /// of the triangle's vertices are halved, at most kMaxHalvings times, and then left out.
 ///
-/// The vertices of `fixed` stay. Quadric: the least sum of square distances from the planes of the cell's faces, by
-/// their areas in the cell (Garland and Heckbert, Surface simplification using quadric error metrics, 1997), and from
-/// the lines of its boundary edges. In directions in which the sum hardly changes, the vertex keeps the generator's
-/// position. Fit: kFitRounds times, the square distances of samples of the surface from the planes of their nearest
-/// triangles are minimised over all vertices at once, with a term that holds the vertices near their generators.
+/// The vertices of `fixed` stay. Quadric: the least sum of square distances from the planes of the cell's faces and the
+/// lines of its boundary edges, by their areas in the cell. Source: Garland and Heckbert, Surface simplification using
+/// quadric error metrics, 1997. In directions in which the sum hardly changes, the vertex keeps the generator's
+/// position. Fit: kFitRounds times, a sum of square distances is minimised over all vertices at once. It has the
+/// distances of samples of the surface from the planes of their nearest triangles, those of samples of the remesh from
+/// the surface, and a term that holds the vertices near their generators.
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws Error{precondition} if the arguments do not belong together. Cost: O(n log n), and a sparse system a round.
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,

@@ -20,10 +20,10 @@ struct RemeshMap {
 
 /// Maps every vertex of the surface to a point of its remesh.
 ///
-/// A vertex in the cell of generator g goes to the nearest point of the triangles at vertex g and its neighbours,
-/// of those whose normal is within 90 degrees of the surface's there if there are any. A vertex on the boundary goes to
-/// the nearest point of their boundary edges instead if there are any. A vertex at which generator g is goes to vertex
-/// g.
+/// A vertex in the cell of generator g goes to the nearest point of the triangles at vertex g and its neighbours.
+/// Triangles whose normal is more than 90 degrees from the surface's there count only if there are no others. A vertex
+/// on the boundary goes to the nearest point of their boundary edges instead if there are any. A vertex at which
+/// generator g is goes to vertex g.
 ///
 /// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
 /// right one: its triangle has a corner in the cell or in a neighbour of it; (3) a boundary vertex goes to the

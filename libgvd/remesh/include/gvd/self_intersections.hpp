@@ -23,10 +23,10 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0)
 
 /// Of the pairs of faces of a remesh that intersect, those that intersect where the surface does itself, ascending.
 ///
-/// They are those near an intersecting pair of the surface: the part that the boxes of the remesh's two faces have in
-/// common, grown on all sides by half the longer diagonal of the two, overlaps the boxes of both faces of the pair.
-/// A remesh can't be free of intersections there. Cost: that of find_self_intersections of the surface; none without
-/// pairs.
+/// They are those near an intersecting pair of the surface. Near means: take the part that the boxes of the remesh's
+/// two faces have in common, grown on all sides by half the longer diagonal of the two. It overlaps the boxes of both
+/// faces of the pair. A remesh can't be free of intersections there. Cost: that of find_self_intersections of the
+/// surface; none without pairs.
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      int threads = 0);
 

@@ -23,8 +23,8 @@ struct FitTarget {
   int threads = 0;
 };
 
-/// The vertex positions that minimise the square distances of samples of a surface from a mesh, those of samples of the
-/// mesh from the surface, and the stretch of the springs.
+/// The vertex positions with the least sum of three terms: the square distances of samples of a surface from a mesh,
+/// those of samples of the mesh from the surface, and the stretch of the springs.
 ///
 /// A pair of a sample and its closest point counts by the plane through one across the direction to the other: the
 /// plane of a triangle, or one that touches an edge or a vertex. The pairs are those of the mesh before. Pairs of

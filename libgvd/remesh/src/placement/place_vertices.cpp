@@ -22,6 +22,9 @@ constexpr double kSamplesPerVertex = 20;
 constexpr double kSpring = 0.02;
 /// The same for cells with creases, which triangles miss unless the vertices move there.
 constexpr double kCreaseSpring = 0.003;
+/// A cell of no area must have a spring, too: that of a square with sides of a millionth of the bounding box's
+/// diagonal.
+constexpr double kLeastCellArea = 1e-12;
 /// How much stronger the springs of vertices are that stay.
 constexpr double kRigidSpring = 1e6;
 
@@ -76,8 +79,7 @@ class Placer {
     return anchors;
   }
 
-  /// A cell of no area must have a spring, too.
-  double least_area() const { return 1e-12 * surface_.bbox_diagonal() * surface_.bbox_diagonal(); }
+  double least_area() const { return kLeastCellArea * surface_.bbox_diagonal() * surface_.bbox_diagonal(); }
 
   const Mesh& surface_;
   const Mesh& remesh_;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gvd/surface_area.hpp"
 #include "gvd/surface_normal.hpp"
 
 namespace gvd {
 
 std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count) {
-  double total = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) total += mesh.area(FaceId(f));
+  const double total = compute_area(mesh);
   std::vector<SurfaceSample> samples;
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
