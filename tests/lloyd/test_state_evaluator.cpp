@@ -13,7 +13,7 @@ TEST_CASE("state evaluator: levels follow each other, and early ones can be skip
   const Mesh mesh = test::make_sphere(3);
   const LloydOptions options;
   const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free, 10);
+  StateEvaluator states(mesh, options, free);
   CHECK(states.is_first_level());
   CHECK(states.is_early_level());
   CHECK(states.precision().is_sampled);
@@ -28,11 +28,12 @@ TEST_CASE("state evaluator: levels follow each other, and early ones can be skip
   CHECK(states.is_last_level());
 }
 
-TEST_CASE("state evaluator: few faces for each generator leave one level") {
+TEST_CASE("state evaluator: without early approximation there is one level") {
   const Mesh mesh = test::make_sphere(2);
-  const LloydOptions options;
+  LloydOptions options;
+  options.early_approximation = false;
   const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free, 1000);
+  StateEvaluator states(mesh, options, free);
   CHECK(states.is_first_level());
   CHECK(states.is_last_level());
   CHECK_FALSE(states.is_early_level());
@@ -42,7 +43,7 @@ TEST_CASE("state evaluator: diagrams are counted, and each reports the fraction 
   const Mesh mesh = test::make_sphere(3);
   const LloydOptions options;
   const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free, 6);
+  StateEvaluator states(mesh, options, free);
   const std::vector<SurfacePoint> generators = test::random_generators(mesh, 6, 1);
   std::vector<double> fractions;
   const RelaxationState early = states.evaluate(generators, [&](double done) { fractions.push_back(done); });

@@ -14,8 +14,8 @@
 #include "state/relaxation_state.hpp"
 #include "state_evaluator.hpp"
 #include "steps/accelerator.hpp"
-#include "steps/own_scales.hpp"
 #include "steps/relocation.hpp"
+#include "steps/shorten_own_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -79,7 +79,7 @@ class Relaxer {
         options_(options),
         start_(start),
         constraints_(mesh, options.freedom, options.creases),
-        states_(mesh, options, constraints_, start.size()),
+        states_(mesh, options, constraints_),
         accelerator_(mesh, constraints_, options.acceleration) {}
 
   LloydResult run() {

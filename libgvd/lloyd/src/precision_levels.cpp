@@ -5,20 +5,16 @@
 namespace gvd {
 namespace {
 
-/// Least number of faces for each generator. With fewer, the faces that bisectors cross are most of a cell.
-constexpr std::size_t kLeastFaces = 20;
-
 /// Chord tolerance of the last but one level, in mean edge lengths. A diagram takes 5 to 10 % less time than with 1e-4.
 /// The energy rises with the square of the tolerance, for the true bisector is the best one.
 constexpr double kCoarseChords = 0.05;
 
 }  // namespace
 
-std::vector<Precision> make_precision_levels(const Mesh& mesh, std::size_t generators, const LloydOptions& options) {
+std::vector<Precision> make_precision_levels(const LloydOptions& options) {
   std::vector<Precision> levels;
   const bool is_sampled = options.early_approximation && max_iterations(options) > 0 &&
-                          options.acceleration != Acceleration::none && options.diagram.method == Method::exact &&
-                          static_cast<std::size_t>(mesh.face_count()) >= kLeastFaces * generators;
+                          options.acceleration != Acceleration::none && options.diagram.method == Method::exact;
   if (is_sampled) {
     levels.assign(2, {options.diagram, false});
     levels[0].is_sampled = true;

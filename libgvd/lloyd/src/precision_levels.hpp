@@ -1,16 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "gvd/lloyd.hpp"
-#include "gvd/mesh.hpp"
 #include "state/relaxation_state.hpp"
 
 namespace gvd {
 
 /// How a relaxation finds the cells: at first as samples, at last by the diagrams of `options.diagram`. Energies of
 /// different levels must not be compared with each other: they differ by the errors at the bisectors.
-std::vector<Precision> make_precision_levels(const Mesh& mesh, std::size_t generators, const LloydOptions& options);
+std::vector<Precision> make_precision_levels(const LloydOptions& options);
 
 }  // namespace gvd

@@ -8,12 +8,8 @@
 
 namespace gvd {
 
-StateEvaluator::StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints,
-                               std::size_t generators)
-    : mesh_(mesh),
-      options_(options),
-      constraints_(constraints),
-      levels_(make_precision_levels(mesh, generators, options)) {}
+StateEvaluator::StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints)
+    : mesh_(mesh), options_(options), constraints_(constraints), levels_(make_precision_levels(options)) {}
 
 RelaxationState StateEvaluator::evaluate(const std::vector<SurfacePoint>& generators,
                                          const std::function<void(double)>& report) {

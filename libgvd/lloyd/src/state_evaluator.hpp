@@ -14,9 +14,8 @@ namespace gvd {
 /// Computes the states of a relaxation with the diagrams of one level of precision after the other.
 class StateEvaluator {
  public:
-  /// Begins at the first level for so many generators. All have to outlive this.
-  StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints,
-                 std::size_t generators);
+  /// Begins at the first level. All have to outlive this.
+  StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints);
 
   bool is_first_level() const { return level_ == 0; }
   bool is_last_level() const { return level_ + 1 == levels_.size(); }

@@ -35,8 +35,8 @@ struct LloydOptions {
   /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
   /// this evens out clustered starts. Without a value, accelerated runs do.
   std::optional<bool> relocate;
-  /// Begin without diagrams, by exact distances at points of the faces, and end with those of `diagram`. Only
-  /// accelerated runs with Method::exact and many faces for each generator do.
+  /// Begin without diagrams, face by face, and end with those of `diagram`. Only accelerated runs with Method::exact
+  /// do.
   bool early_approximation = true;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
@@ -79,7 +79,7 @@ struct LloydIteration {
   std::int32_t held = 0;          ///< generators that did not move: they would collide
   std::int32_t relocated = 0;     ///< generators that left their place for a distant one; nothing else moved
   Method method = Method::exact;  ///< of the diagram that the energy was measured with
-  bool is_sampled = false;        ///< measured at points of the faces, without a diagram
+  bool is_sampled = false;        ///< measured face by face, without a diagram
   Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
 

@@ -3,40 +3,36 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
+#include "base/plane.hpp"
 #include "geodesic/windows/departures/departures.hpp"
 #include "geodesic/windows/departures/nearest_paths.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
-#include "gvd/surface_normal.hpp"
 #include "integrals/cell_sums.hpp"
+#include "integrals/lower_envelope.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
 namespace {
 
-/// Divisions of the sides of a face that a bisector may cross. With 2, 4 and 5 the error of the centroids is 1.9, 0.7
-/// and 0.5 times that with 3.
-constexpr int kDivisions = 3;
+/// A face is far from generators if none is nearer than this, in lengths of its longest side.
+constexpr double kFarDistance = 2;
 
-/// The centroids of the equal triangles into which a triangle with so many divisions of its sides falls.
-std::vector<Bary> division_centroids(int divisions) {
-  std::vector<Bary> points;
-  const auto add = [&](double i, double j) {
-    const double x = i / divisions, y = j / divisions;
-    points.push_back({1 - x - y, x, y});
-  };
-  for (int i = 0; i < divisions; ++i) {
-    for (int j = 0; i + j < divisions; ++j) {
-      add(i + 1.0 / 3, j + 1.0 / 3);
-      if (i + j + 1 < divisions) add(i + 2.0 / 3, j + 2.0 / 3);
-    }
-  }
-  return points;
-}
+/// Points of a face at which the nearest image is looked for: near the corners and the middles of the sides, where most
+/// small parts of cells are. Parts of cells that contain none of
+/// them are missed, except those of direct images near generators.
+constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
+                                       {0.96, 0.02, 0.02},
+                                       {0.02, 0.96, 0.02},
+                                       {0.02, 0.02, 0.96},
+                                       {0.02, 0.49, 0.49},
+                                       {0.49, 0.02, 0.49},
+                                       {0.49, 0.49, 0.02}}};
 
 /// What the threads read.
 struct Field {
@@ -55,22 +51,18 @@ class FaceSampler {
       : sums(field.watched),
         field_(field),
         mesh_(field.working.mesh()),
-        paths_(mesh_, field.windows, field.departures),
-        inside_(division_centroids(1)),
-        crossed_(division_centroids(kDivisions)) {}
+        paths_(mesh_, field.windows, field.departures) {}
 
   void add(FaceId face) {
     face_ = face;
     paths_.enter(face);
-    double spread = 0;
-    for (int i = 0; i < 3; ++i) spread += std::pow(mesh_.length(Mesh::halfedge(face, i)), 2) / 36;
     if (has_one_label()) {
-      for (const Bary& point : inside_) add(point, mesh_.area(face), spread);
-    } else {
-      const double share = 1 / static_cast<double>(crossed_.size());
-      for (const Bary& point : crossed_) add(point, share * mesh_.area(face), share * spread);
-      add_segments();
+      const NearestPath path = paths_.at(paths_.position(kProbes[0]));
+      if (path.generator.valid() && path.generator == label(0)) return add_whole(path);
     }
+    find_images();
+    if (images_.empty()) return;
+    for (const EnvelopePart& part : lower_envelope(square_distances())) add(part);
   }
 
   CellSums sums;
@@ -83,39 +75,104 @@ class FaceSampler {
     return field_.density.at(field_.working.parent(face_), field_.working.parent_bary(face_, point));
   }
 
-  /// Adds a point that stands for a triangle. `spread` is the mean squared distance of the triangle's points from it.
-  void add(const Bary& point, double area, double spread) {
-    const NearestPath path = paths_.at(paths_.position(point));
-    if (path.generator.valid()) sums.add(path.generator, area, area * density_at(point), path, spread);
+  void add_whole(const NearestPath& path) {
+    double spread = 0;
+    for (int i = 0; i < 3; ++i) spread += std::pow(mesh_.length(Mesh::halfedge(face_, i)), 2) / 36;
+    sums.add(path.generator, mesh_.area(face_), mesh_.area(face_) * density_at(kProbes[0]), path, spread);
   }
 
-  /// Segments between the middles of the sides that have two labels, and the centroid where there are three labels.
-  void add_segments() {
-    const auto vertices = mesh_.vertices(face_);
-    const auto corner = [&](std::size_t i) { return mesh_.position(vertices[i % 3]); };
-    const Vec3 centroid = (corner(0) + corner(1) + corner(2)) / 3;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const GeneratorId a = label(i), b = label((i + 1) % 3), c = label((i + 2) % 3);
-      if (a == b || !a.valid() || !b.valid()) continue;
-      const Vec3 middle = 0.5 * (corner(i) + corner(i + 1));
-      if (c != a && c != b) add_segment(a, b, middle, centroid);
-      if (c == a) add_segment(a, b, middle, 0.5 * (corner(i + 1) + corner(i + 2)));
+  /// Those that the probes see, and near generators all direct ones: there, small parts of cells are not small beside
+  /// the cell. An image that is behind its opening's ends does not come before those in front, unless it is that of a
+  /// pseudo-source.
+  void find_images() {
+    images_.clear();
+    const bool takes_direct = !is_far();
+    for (std::size_t image = 0; takes_direct && image < paths_.image_count(); ++image) {
+      if (paths_.is_direct(image)) images_.push_back(image);
+    }
+    for (const Bary& probe : kProbes) {
+      const std::size_t image = paths_.nearest_image(paths_.position(probe));
+      if (image != NearestPaths::kNoImage && std::find(images_.begin(), images_.end(), image) == images_.end()) {
+        images_.push_back(image);
+      }
     }
   }
 
-  /// The segments zigzag about the bisector. What counts is their length across the way between the generators.
-  void add_segment(GeneratorId a, GeneratorId b, const Vec3& from, const Vec3& to) {
-    const Mesh& input = field_.working.input();
-    const Vec3 between = position(input, field_.generators[b.index()]) - position(input, field_.generators[a.index()]);
-    const Vec3 across = (to - from).cross(face_normal(mesh_, face_));
-    const double length = between.norm() > 0 ? std::abs(across.dot(between)) / between.norm() : across.norm();
-    segments.push_back({std::min(a, b), std::max(a, b), from, to, length, density_at({1.0 / 3, 1.0 / 3, 1.0 / 3})});
+  bool is_far() const {
+    double nearest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      nearest = std::min(nearest, field_.windows.distance[mesh_.vertices(face_)[i]]);
+      longest = std::max(longest, mesh_.length(Mesh::halfedge(face_, static_cast<int>(i))));
+    }
+    return nearest > kFarDistance * longest;
+  }
+
+  /// Of the images, at the corners of the face. Differences of square distances from points are linear in the plane, so
+  /// that the envelope of these values has the true bisectors. Those of pseudo-sources become straight.
+  const std::vector<std::array<double, 3>>& square_distances() {
+    const std::array<Vec2, 3> corners{paths_.position({1, 0, 0}), paths_.position({0, 1, 0}),
+                                      paths_.position({0, 0, 1})};
+    values_.clear();
+    for (const std::size_t image : images_) {
+      const auto square = [&](const Vec2& corner) { return paths_.square_distance(image, corner); };
+      values_.push_back({square(corners[0]), square(corners[1]), square(corners[2])});
+    }
+    return values_;
+  }
+
+  void add(const EnvelopePart& part) {
+    const GeneratorId g = paths_.generator(images_[part.function]);
+    const PolygonMoments polygon = measure(part);
+    if (!(polygon.area > 0)) return;
+    const NearestPath path = paths_.at(paths_.position(polygon.centroid), g);
+    sums.add(g, polygon.area, polygon.area * density_at(polygon.centroid), path, polygon.spread);
+    for (std::size_t i = 0; i < part.corners.size(); ++i) {
+      if (part.across[i] == kTriangleSide) continue;
+      const GeneratorId other = paths_.generator(images_[part.across[i]]);
+      if (g < other) add_segment(g, other, part.corners[i], part.corners[(i + 1) % part.corners.size()]);
+    }
+  }
+
+  struct PolygonMoments {
+    double area = 0;
+    Bary centroid{};
+    double spread = 0;  // mean squared distance of the points from the centroid
+  };
+
+  /// Summed over the triangles of a fan.
+  PolygonMoments measure(const EnvelopePart& part) const {
+    PolygonMoments polygon;
+    Vec2 centroid(0, 0);
+    double second = 0;  // of the squared distances from the first corner
+    const Vec2 origin = paths_.position(part.corners[0]);
+    for (std::size_t i = 1; i + 1 < part.corners.size(); ++i) {
+      const Vec2 u = paths_.position(part.corners[i]) - origin, v = paths_.position(part.corners[i + 1]) - origin;
+      const double area = std::max(0.0, cross(u, v) / 2);
+      polygon.area += area;
+      for (std::size_t k = 0; k < 3; ++k) {
+        polygon.centroid[k] += area * (part.corners[0][k] + part.corners[i][k] + part.corners[i + 1][k]) / 3;
+      }
+      centroid += area * (u + v) / 3;
+      second += area * (u.squaredNorm() + v.squaredNorm() + u.dot(v)) / 6;
+    }
+    if (!(polygon.area > 0)) return polygon;
+    for (double& coordinate : polygon.centroid) coordinate /= polygon.area;
+    polygon.spread = std::max(0.0, second / polygon.area - (centroid / polygon.area).squaredNorm());
+    return polygon;
+  }
+
+  void add_segment(GeneratorId a, GeneratorId b, const Bary& from, const Bary& to) {
+    const auto [i, j, k] = mesh_.vertices(face_);
+    const Vec3 p = interpolate(from, mesh_.position(i), mesh_.position(j), mesh_.position(k));
+    const Vec3 q = interpolate(to, mesh_.position(i), mesh_.position(j), mesh_.position(k));
+    segments.push_back({a, b, p, q, (q - p).norm(), density_at(kProbes[0])});
   }
 
   const Field& field_;
   const Mesh& mesh_;
   NearestPaths paths_;
-  const std::vector<Bary> inside_, crossed_;
+  std::vector<std::size_t> images_;            // that the parts of the face are seen from
+  std::vector<std::array<double, 3>> values_;  // their square distances from the corners
   FaceId face_;
 };
 

@@ -9,15 +9,15 @@
 #include "integrals/bisector_segments.hpp"
 #include "integrals/cell_sums.hpp"
 
-// Every point of the surface has an exact distance to its nearest generator, whether or not a diagram is known. So the
-// energy and its gradient are sums over points of the faces. They cost about half of a diagram with its integrals.
+// The windows of a face tell which images of generators are near it. So the parts of cells in the face, the energy and
+// its gradient are known without a diagram. They cost about half of a diagram with its integrals.
 
 namespace gvd {
 
-/// The cells as points of the faces see them.
+/// The cells as the faces see them, one by one.
 struct SampledCells {
   CellIntegrals integrals;
-  std::vector<BisectorSegment> segments;       ///< from middle to middle of the edges with two labels
+  std::vector<BisectorSegment> segments;       ///< one for each face that a bisector crosses
   IdVector<VertexId, double> vertex_distance;  ///< mesh units; infinity where no generator reaches
 };
 
@@ -27,15 +27,15 @@ struct SampleOptions {
   int threads = 0;  ///< >= 1, or 0 for one a core
 };
 
-/// Integrates over the cells by points of the faces: each counts for its nearest generator, with the exact distance and
-/// log map.
+/// Integrates over the cells, face by face and without a diagram.
 ///
-/// Faces whose corners have one nearest generator have one point. Others have nine, because a bisector may cross
-/// them. Each point stands for an equal triangle, and the spread of the triangle about its centroid is added: the rule
-/// is exact for quadratic functions. Bisectors make errors: with 69,451 faces, the centroids are off by 0.1 per cent of
-/// the mean cell radius with 100 cells, and by 0.5 per cent with 1,000. The sum is continuous in the generators, and
-/// has the mean log maps for its gradient. Does not depend on the number of threads.
-/// Cost: windows, and O(windows).
+/// A face whose corners and centroid have one nearest generator is one part of its cell. Others are cut by the lower
+/// envelope of square distances from the images that are seen on the face: exactly near generators, but for bisectors
+/// of pseudo-sources, which are straight here. Far from them, only images count that one of seven points sees. Each
+/// part counts by its centroid, with the exact log map there, and by the spread of its points about the centroid: the
+/// rule is exact for quadratic functions. Measured on four models with 100, 500 and 2000 generators: energies are right
+/// to 1.1e-4, centroids on average to 8e-4 of the mean cell radius, at most to 0.032. Does not depend on the number of
+/// threads. Cost: windows, and O(windows).
 SampledCells sample_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const SampleOptions& options,
                           const Progress& progress);
 

@@ -45,22 +45,33 @@ void NearestPaths::add_window(std::size_t number) {
                      false, Vec2::Zero()});
 }
 
-NearestPath NearestPaths::find(const Vec2& p, GeneratorId only) {
-  NearestPath nearest{GeneratorId(), std::numeric_limits<double>::infinity(), Vec2::Zero()};
-  Image* best = nullptr;
-  for (Image& image : images_) {
-    const double rest = nearest.distance - image.offset;
+std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distance) const {
+  std::size_t best = kNoImage;
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const Image& image = images_[i];
+    const double rest = distance - image.offset;
     const Vec2 ray = p - image.at;
     const double squared = ray.squaredNorm();
     if (!(rest > 0) || squared >= rest * rest) continue;
     if (only.valid() && image.generator != only) continue;
     if (image.window != kCorner && (cross(ray, image.begin) < 0 || cross(ray, image.end) > 0)) continue;
-    nearest.distance = image.offset + std::sqrt(squared);
-    best = &image;
+    distance = image.offset + std::sqrt(squared);
+    best = i;
   }
-  if (!best) return find_round_ends(p, only);
-  nearest.generator = best->generator;
-  nearest.log = log(*best, p - best->at, nearest.distance);
+  return best;
+}
+
+std::size_t NearestPaths::nearest_image(const Vec2& p) const {
+  double distance = std::numeric_limits<double>::infinity();
+  return search(p, GeneratorId(), distance);
+}
+
+NearestPath NearestPaths::find(const Vec2& p, GeneratorId only) {
+  NearestPath nearest{GeneratorId(), std::numeric_limits<double>::infinity(), Vec2::Zero()};
+  const std::size_t best = search(p, only, nearest.distance);
+  if (best == kNoImage) return find_round_ends(p, only);
+  nearest.generator = images_[best].generator;
+  nearest.log = log(images_[best], p - images_[best].at, nearest.distance);
   return nearest;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +39,23 @@ class NearestPaths {
   /// The same from generator g, whose cell has a part in the face. Cost: O(windows on the face).
   NearestPath at(const Vec2& p, GeneratorId g) { return find(p, g); }
 
+  /// Of a point that no generator reaches.
+  static constexpr std::size_t kNoImage = static_cast<std::size_t>(-1);
+  /// The image that the shortest path to a point of the face comes from; kNoImage if no generator reaches it.
+  /// Cost: O(windows on the face).
+  std::size_t nearest_image(const Vec2& p) const;
+  /// The square length of the straight way from an image to a point of its plane, through its opening or not, with the
+  /// way to the image.
+  double square_distance(std::size_t image, const Vec2& p) const {
+    const double squared = (p - images_[image].at).squaredNorm(), offset = images_[image].offset;
+    return offset == 0 ? squared : squared + 2 * offset * std::sqrt(squared) + offset * offset;
+  }
+  /// Images have the numbers below this.
+  std::size_t image_count() const { return images_.size(); }
+  /// Whether an image is one of a generator, not of a pseudo-source.
+  bool is_direct(std::size_t image) const { return images_[image].offset == 0; }
+  GeneratorId generator(std::size_t image) const { return images_[image].generator; }
+
  private:
   /// An image, with the rays to the ends of its opening; a corner of the face is one without an opening.
   struct Image {
@@ -51,6 +69,8 @@ class NearestPaths {
   };
   static constexpr std::size_t kCorner = static_cast<std::size_t>(-1);
 
+  /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, or leaves it.
+  std::size_t search(const Vec2& p, GeneratorId only, double& distance) const;
   NearestPath find(const Vec2& p, GeneratorId only);
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
   void add_corner(int i);

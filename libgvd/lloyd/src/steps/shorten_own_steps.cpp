@@ -1,4 +1,4 @@
-#include "steps/own_scales.hpp"
+#include "steps/shorten_own_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
