@@ -63,3 +63,15 @@ TEST_CASE("the figures of every family are in their ranges, and thin faces lower
   CHECK(compute_triangle_quality(test::make_thin_faced_sphere(3, 7)).percent_below_30 > 30);
   CHECK(compute_triangle_quality(Mesh()).q_average == 0);
 }
+
+TEST_CASE("valences of an icosahedron, its subdivision and a grid") {
+  const Valences icosahedron = compute_valences(test::make_sphere(0)), sphere = compute_valences(test::make_sphere(1));
+  CHECK((icosahedron.least == 5 && icosahedron.largest == 5 && icosahedron.percent_regular == 0));
+  CHECK((sphere.least == 5 && sphere.largest == 6));
+  CHECK(sphere.percent_regular == Approx(100.0 * 30 / 42));
+  // 3 x 3 vertices: corners have two or three edges, the middles of the sides four, the inner one six.
+  const Valences grid = compute_valences(test::make_grid(2, 2));
+  CHECK((grid.least == 2 && grid.largest == 6));
+  CHECK(grid.percent_regular == Approx(100.0 * 5 / 9));
+  CHECK(compute_valences(Mesh()).largest == 0);
+}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -27,5 +29,15 @@ double compute_min_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// The figures of TriangleQuality over all faces, summed in the order of their ids; all zero for a mesh without faces.
 /// Cost: O(n).
 TriangleQuality compute_triangle_quality(const Mesh& mesh);
+
+/// The numbers of edges at the vertices. A regular vertex has six, on the boundary four.
+struct Valences {
+  std::int32_t least = 0;
+  std::int32_t largest = 0;
+  double percent_regular = 0;  ///< of the vertices, in [0, 100]
+};
+
+/// All zero for a mesh without vertices. Cost: O(n).
+Valences compute_valences(const Mesh& mesh);
 
 }  // namespace gvd

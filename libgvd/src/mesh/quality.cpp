@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 namespace gvd {
@@ -51,6 +53,22 @@ TriangleQuality compute_triangle_quality(const Mesh& mesh) {
   quality.angle_min_average /= mesh.face_count();
   quality.percent_below_30 = 100.0 * below / mesh.face_count();
   return quality;
+}
+
+Valences compute_valences(const Mesh& mesh) {
+  if (mesh.vertex_count() == 0) return {};
+  IdVector<VertexId, std::int32_t> edges(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
+    const HalfedgeId h = mesh.halfedge(EdgeId(e));
+    ++edges[mesh.from(h)];
+    ++edges[mesh.to(h)];
+  }
+  const auto [least, largest] = std::minmax_element(edges.begin(), edges.end());
+  std::int32_t regular = 0;
+  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+    regular += edges[VertexId(i)] == (mesh.is_boundary(VertexId(i)) ? 4 : 6);
+  }
+  return {*least, *largest, 100.0 * regular / mesh.vertex_count()};
 }
 
 }  // namespace gvd

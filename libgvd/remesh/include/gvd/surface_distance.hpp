@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gvd/distance_samples.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -30,5 +31,17 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 /// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
 /// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);
+
+/// The number of equal triangles that sample_surface_distance cuts a surface into, by area.
+inline constexpr double kSampledTriangles = 1 << 16;
+
+/// Distances of vertices and points of the faces of `from` from `to`, for pictures.
+///
+/// A face with the share a of the area is cut into k * k triangles. k is the square root of a * kSampledTriangles,
+/// rounded down, at least 1 and at most DistanceSamples::kMaxSteps.
+/// Properties: (1) a surface with many faces has no lattice, and no other one more than 1.5 * kSampledTriangles points;
+/// (2) independent of `threads` (0: one a core).
+/// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n samples and m faces.
+DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);
 
 }  // namespace gvd

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "distance/nearest_face.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_distance.hpp"
 
@@ -70,7 +70,7 @@ class DistanceMeasure {
 
  private:
   Sample sample(const Vec3& at, FaceId guess) const {
-    const NearestFace nearest = tree_.find(at, guess);
+    const NearestFace nearest = tree_.nearest_face(at, guess);
     return {at, nearest.distance, nearest.face};
   }
 
@@ -202,7 +202,7 @@ class DistanceMeasure {
   }
 
   const Mesh& from_;
-  NearestFaceTree tree_;
+  ClosestPointTree tree_;
   const Progress none_;
   ParallelChunks parallel_;
   double absolute_tolerance_ = 0;  // mesh units

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+
+namespace gvd {
+
+/// Distances of a mesh's points from another surface, mesh units: at its vertices and, in large faces, on a lattice.
+struct DistanceSamples {
+  IdVector<VertexId, double> at_vertex;
+  /// The number k of parts that each side of a face is cut into, in [1, kMaxSteps]; faces with 1 have no lattice.
+  IdVector<FaceId, std::int32_t> steps;
+  /// Of the faces with a lattice, in the order of their ids, its (k + 1) (k + 2) / 2 points with the corners. Row
+  /// i = 0 ... k has the points whose weight of corner 0 is i / k; point j = 0 ... k - i of it has the weight j / k of
+  /// corner 2.
+  std::vector<double> lattice;
+
+  static constexpr std::int32_t kMaxSteps = 64;
+  /// Points of the lattice of a face with k >= 2 steps; 0 with 1.
+  static std::int64_t lattice_size(std::int64_t k) { return k < 2 ? 0 : (k + 1) * (k + 2) / 2; }
+};
+
+}  // namespace gvd
