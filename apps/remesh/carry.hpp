@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "common/run/run.hpp"
@@ -7,10 +9,18 @@
 
 namespace gvd::app {
 
-/// For `--carry`. Throws Error{invalid_option} where no output is a PLY file, or the input is read from standard input.
+/// For `--carry`. Throws Error{invalid_option} where no output is a PLY or OBJ file.
 void check_carry(const Run& run);
 
-/// The properties of the input file on the remesh. Notes where there are none. Throws Error{unreadable_input}.
-std::vector<MeshProperty> carry(Run& run, const CheckedMesh& input, const RemeshResult& result);
+/// What the input file holds, on the remesh.
+struct Carried {
+  std::vector<MeshProperty> properties;
+  std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none
+};
+
+/// Notes where there is nothing to carry over, and what no output holds. `standard_input`: what that held, if INPUT is
+/// that. Throws Error{unreadable_input}.
+Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
+              const std::string& standard_input);
 
 }  // namespace gvd::app

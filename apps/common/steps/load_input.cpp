@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "common/options/file_extension.hpp"
 #include "common/steps/standard_input.hpp"
 #include "gvd/counted.hpp"
@@ -13,10 +15,13 @@ namespace {
 
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
-PolygonSoup read(const InputOptions& input) {
+PolygonSoup read(const InputOptions& input, std::string* standard_input) {
   const auto format = format_from_extension(input.format);
   if (input.path != "-") return read_soup(input.path, format);
-  return parse_soup(read_standard_input(), *format, kStandardInput);
+  std::string bytes = read_standard_input();
+  PolygonSoup soup = parse_soup(bytes, *format, kStandardInput);
+  if (standard_input != nullptr) *standard_input = std::move(bytes);
+  return soup;
 }
 
 DefectPolicy policy(const std::string& name) {
@@ -43,9 +48,9 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
 
 }  // namespace
 
-CheckedMesh load_input(Run& run) {
+CheckedMesh load_input(Run& run, std::string* standard_input) {
   const InputOptions& input = run.options().input;
-  const PolygonSoup soup = run.timed("read", [&] { return read(input); });
+  const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
   for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
   check_formats(run.options().output, checked.mesh);

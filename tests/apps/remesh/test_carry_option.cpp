@@ -1,9 +1,9 @@
-// gvd-remesh --carry: the properties of a PLY file on the PLY output.
+// gvd-remesh --carry: the properties and texture coordinates of a PLY or OBJ file on the output.
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
-#include "apps/run_command.hpp"
+#include "apps/remesh/run_remesh.hpp"
 #include "gvd/mesh_property.hpp"
 #include "support/catch.hpp"
 
@@ -22,38 +22,69 @@ constexpr const char* kTetrahedron =
     "0 0 0 10 0.5 2 1 2 -3\n1 0 0 20 0.25 0 4\n0 1 0 30 1e6 1 7 5\n0 0 1 255 -1 0 6\n"
     "3 0 2 1 7\n3 0 1 3 7\n3 0 3 2 7\n3 1 2 3 65535\n";
 
+/// Three faces of one chart with u below 0.5, and another face with coordinates of its own.
+constexpr const char* kTexturedTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+    "vt 0 0\nvt 0.25 0\nvt 0 0.25\nvt 0.25 0.25\nvt 0.5 0.5\nvt 1 0.5\nvt 0.5 1\n"
+    "f 1/5 3/6 2/7\nf 1/1 2/2 4/4\nf 1/1 4/4 3/3\nf 2/2/1 3/3/1 -1/4/1\n";
+
 }  // namespace
 
 TEST_CASE("gvd-remesh --carry: generators at the vertices keep the values of the file") {
   const ScratchFolder scratch;
   write_text(scratch / "in.ply", kTetrahedron);
   for (const char* format : {"", " --ascii-ply"}) {
-    const CommandResult result = run_command(
-        "gvd-remesh", scratch / "in.ply" + " --vertices 0,1,2,3 --carry -o " + scratch / "out.ply" + format);
-    CAPTURE(result.err);
-    REQUIRE(result.exit_code == 0);
-    const auto properties = read_mesh_properties(scratch / "out.ply");
-    REQUIRE(properties.size() == 4);
+    run_remesh(scratch / "in.ply" + " --vertices 0,1,2,3 --carry -o " + scratch / "out.ply" + format);
+    const auto properties = read_mesh_attributes(scratch / "out.ply").properties;
+    REQUIRE(properties.size() == 5);
     CHECK(properties[0].name == "red");
     CHECK(properties[0].type == NumberType::uint8);
     CHECK(properties[0].values == std::vector<double>{10, 20, 30, 255});
     CHECK(properties[1].name == "u");
     CHECK(properties[1].values == std::vector<double>{0.5, 0.25, 1e6, -1});
-    CHECK(properties[2].name == "part");
-    CHECK(properties[2].values == std::vector<double>{-3, 4, 5, 6});
-    CHECK(properties[3].name == "material");
-    CHECK(!properties[3].of_vertices);
-    CHECK(std::count(properties[3].values.begin(), properties[3].values.end(), 65535) == 1);
+    CHECK(properties[2].name == "extra");
+    CHECK(properties[2].count_type == NumberType::uint8);
+    CHECK(properties[2].values == std::vector<double>{1, 2, 7});
+    CHECK(properties[2].first_value == std::vector<std::size_t>{0, 2, 2, 3, 3});
+    CHECK(properties[3].name == "part");
+    CHECK(properties[3].values == std::vector<double>{-3, 4, 5, 6});
+    CHECK(properties[4].name == "material");
+    CHECK(!properties[4].of_vertices);
+    CHECK(std::count(properties[4].values.begin(), properties[4].values.end(), 65535) == 1);
   }
 }
 
 TEST_CASE("gvd-remesh: without --carry the output has coordinates and faces only") {
   const ScratchFolder scratch;
   write_text(scratch / "in.ply", kTetrahedron);
-  const CommandResult result =
-      run_command("gvd-remesh", scratch / "in.ply" + " --vertices 0,1,2,3 -o " + scratch / "out.ply");
-  REQUIRE(result.exit_code == 0);
-  CHECK(read_mesh_properties(scratch / "out.ply").empty());
+  run_remesh(scratch / "in.ply" + " --vertices 0,1,2,3 -o " + scratch / "out.ply");
+  CHECK(read_mesh_attributes(scratch / "out.ply").properties.empty());
+}
+
+TEST_CASE("gvd-remesh --carry: standard input is carried over, too") {
+  const ScratchFolder scratch;
+  write_text(scratch / "in.ply", kTetrahedron);
+  const std::string options = " --vertices 0,1,2,3 --carry -o ";
+  run_remesh(scratch / "in.ply" + options + scratch / "file.ply");
+  run_remesh("- --input-format ply" + options + scratch / "stream.ply" + " < " + scratch / "in.ply");
+  CHECK(read_text(scratch / "stream.ply") == read_text(scratch / "file.ply"));
+}
+
+TEST_CASE("gvd-remesh --carry: texture coordinates of an OBJ are on OBJ and PLY output") {
+  const ScratchFolder scratch;
+  write_text(scratch / "in.obj", kTexturedTetrahedron);
+  run_remesh(scratch / "in.obj" + " --vertices 0,1,2,3 --carry -o " + scratch / "out.obj" + " -o " +
+             scratch / "out.ply");
+  for (const char* name : {"out.obj", "out.ply"}) {
+    INFO(name);
+    const auto texture = read_mesh_attributes(scratch / name).texture;
+    REQUIRE(texture.has_value());
+    REQUIRE(texture->corners.size() == 12);
+    // The faces of vertices 0, 2, 1 and of the others are two charts.
+    std::size_t in_second = 0;
+    for (const auto& [u, v] : texture->coordinates) in_second += u >= 0.5;
+    CHECK(in_second == 3);
+  }
 }
 
 TEST_CASE("gvd-remesh --carry: what has no properties, or can't hold them, is named") {
@@ -61,9 +92,13 @@ TEST_CASE("gvd-remesh --carry: what has no properties, or can't hold them, is na
   const CommandResult none =
       run_command("gvd-remesh", data_file("figure.obj") + " -n 30 --carry -o " + scratch / "out.ply");
   CHECK(none.exit_code == 0);
-  CHECK_THAT(none.err, Contains("figure.obj: no properties of vertices or faces to carry over"));
-  const CommandResult obj =
-      run_command("gvd-remesh", data_file("torus.ply") + " -n 30 --carry -o " + scratch / "out.obj");
-  CHECK(obj.exit_code == 2);
-  CHECK_THAT(obj.err, Contains("--carry: only PLY files hold properties; write one, such as -o FILE.ply"));
+  CHECK_THAT(none.err, Contains("figure.obj: no properties and no texture coordinates to carry over"));
+  write_text(scratch / "in.ply", kTetrahedron);
+  const std::string run = scratch / "in.ply" + " --vertices 0,1,2,3 --carry -o ";
+  const CommandResult obj = run_command("gvd-remesh", run + scratch / "out.obj");
+  CHECK(obj.exit_code == 0);
+  CHECK_THAT(obj.err, Contains("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply"));
+  const CommandResult off = run_command("gvd-remesh", run + scratch / "out.off");
+  CHECK(off.exit_code == 2);
+  CHECK_THAT(off.err, Contains("--carry: only PLY and OBJ files hold what is carried over; write one, such as -o"));
 }

@@ -37,6 +37,14 @@ std::vector<MeshProperty> normals(const CheckedMesh& input) {
           of_vertices(input, "nz", NumberType::float32, [](const Vec3& p) { return p.z(); })};
 }
 
+/// Values at the generators.
+std::vector<MeshProperty> carry(const CheckedMesh& input, const std::vector<MeshProperty>& properties,
+                                const RemeshResult& result) {
+  RemeshMap map;
+  map.origins = IdVector<VertexId, SurfacePoint>(result.generators);
+  return carry_properties(input, properties, result, map);
+}
+
 RemeshResult make_remesh(const CheckedMesh& input) {
   return remesh(input.mesh, test::random_generators(input.mesh, 60, 4));
 }
@@ -47,7 +55,7 @@ TEST_CASE("carry: a linear function has its value at each generator") {
   const CheckedMesh input = make_input();
   const RemeshResult result = make_remesh(input);
   const auto height = [](const Vec3& p) { return 3 * p.z() - p.x() + 1; };
-  const auto carried = carry_properties(input, {of_vertices(input, "h", NumberType::float64, height)}, result);
+  const auto carried = carry(input, {of_vertices(input, "h", NumberType::float64, height)}, result);
   REQUIRE(carried.size() == 1);
   CHECK(carried[0].name == "h");
   CHECK(carried[0].type == NumberType::float64);
@@ -61,7 +69,7 @@ TEST_CASE("carry: labels are not mixed, colours are") {
   const CheckedMesh input = make_input();
   const RemeshResult result = make_remesh(input);
   const auto half = [](const Vec3& p) { return p.z() > 0 ? 200.0 : 0.0; };
-  const auto carried = carry_properties(
+  const auto carried = carry(
       input,
       {of_vertices(input, "part", NumberType::uint8, half), of_vertices(input, "diffuse_red", NumberType::uint8, half)},
       result);
@@ -74,7 +82,7 @@ TEST_CASE("carry: labels are not mixed, colours are") {
 
 TEST_CASE("carry: normals have length 1") {
   const CheckedMesh input = make_input();
-  const auto carried = carry_properties(input, normals(input), make_remesh(input));
+  const auto carried = carry(input, normals(input), make_remesh(input));
   REQUIRE(carried.size() == 3);
   for (std::size_t i = 0; i < carried[0].values.size(); ++i) {
     CHECK(std::hypot(carried[0].values[i], carried[1].values[i], carried[2].values[i]) == Approx(1));
@@ -87,7 +95,7 @@ TEST_CASE("carry: a generator at a vertex has its values, whatever those of the 
   for (int i = 0; i < 30; ++i) generators.push_back(vertex_point(input.mesh, VertexId(20 * i)));
   MeshProperty property{"value", NumberType::float64, true, {}};
   for (int v = 0; v < input.mesh.vertex_count(); ++v) property.values.push_back(v % 20 == 0 ? v : std::nan(""));
-  const auto carried = carry_properties(input, {property}, remesh(input.mesh, generators));
+  const auto carried = carry(input, {property}, remesh(input.mesh, generators));
   for (std::size_t i = 0; i < 30; ++i) CHECK(carried[0].values[i] == 20.0 * static_cast<double>(i));
 }
 
@@ -96,7 +104,7 @@ TEST_CASE("carry: a face has the value of the face in which its branch point is"
   const RemeshResult result = make_remesh(input);
   MeshProperty number{"number", NumberType::int32, false, {}};
   for (int f = 0; f < input.mesh.face_count(); ++f) number.values.push_back(f);
-  const auto carried = carry_properties(input, {number}, result);
+  const auto carried = carry(input, {number}, result);
   REQUIRE(carried.size() == 1);
   CHECK(!carried[0].of_vertices);
   REQUIRE(carried[0].values.size() == static_cast<std::size_t>(result.mesh.face_count()));
@@ -108,6 +116,48 @@ TEST_CASE("carry: a face has the value of the face in which its branch point is"
 TEST_CASE("carry: a property that has no value for some elements is left out") {
   const CheckedMesh input = make_input();
   const RemeshResult result = make_remesh(input);
-  CHECK(carry_properties(input, {{"short", NumberType::float32, true, {1, 2, 3}}}, result).empty());
-  CHECK(carry_properties(input, {{"short", NumberType::float32, false, {1, 2, 3}}}, result).empty());
+  CHECK(carry(input, {{"short", NumberType::float32, true, {1, 2, 3}}}, result).empty());
+  CHECK(carry(input, {{"short", NumberType::float32, false, {1, 2, 3}}}, result).empty());
+}
+
+TEST_CASE("carry: a vertex has the values at its origin, which is not always the generator") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  const RemeshMap map = map_to_remesh(input.mesh, result);
+  const auto height = [](const Vec3& p) { return 3 * p.z() - p.x() + 1; };
+  const auto carried = carry_properties(input, {of_vertices(input, "h", NumberType::float64, height)}, result, map);
+  REQUIRE(carried.size() == 1);
+  for (std::size_t i = 0; i < carried[0].values.size(); ++i) {
+    const SurfacePoint& origin = map.origins[VertexId(static_cast<std::int64_t>(i))];
+    CHECK(carried[0].values[i] == Approx(height(position(input.mesh, origin))).margin(1e-12));
+  }
+}
+
+TEST_CASE("carry: lists are those of the nearest corner, and of the polygon") {
+  const CheckedMesh input = make_input();
+  const RemeshResult result = make_remesh(input);
+  MeshProperty ids{"ids", NumberType::int32, true, {}, NumberType::uint8, {0}};
+  for (int v = 0; v < input.mesh.vertex_count(); ++v) {
+    for (int i = 0; i < v % 3; ++i) ids.values.push_back(v);
+    ids.first_value.push_back(ids.values.size());
+  }
+  MeshProperty weights{"weights", NumberType::float32, false, {}, NumberType::uint8, {0}};
+  for (int f = 0; f < input.mesh.face_count(); ++f) {
+    weights.values.insert(weights.values.end(), {0.5 * f, 1.0 * f});
+    weights.first_value.push_back(weights.values.size());
+  }
+  const auto carried = carry(input, {ids, weights}, result);
+  REQUIRE(carried.size() == 2);
+  REQUIRE(carried[0].element_count() == result.generators.size());
+  for (std::size_t i = 0; i < result.generators.size(); ++i) {
+    const SurfacePoint& at = result.generators[i];
+    const auto largest = std::max_element(at.bary.begin(), at.bary.end()) - at.bary.begin();
+    const int v = input.mesh.vertices(at.face)[static_cast<std::size_t>(largest)].value();
+    REQUIRE(carried[0].first_value[i + 1] - carried[0].first_value[i] == static_cast<std::size_t>(v % 3));
+    for (std::size_t k = carried[0].first_value[i]; k < carried[0].first_value[i + 1]; ++k) {
+      CHECK(carried[0].values[k] == v);
+    }
+  }
+  REQUIRE(carried[1].element_count() == result.face_points.size());
+  CHECK(carried[1].values[1] == result.face_points[0].face.value());
 }

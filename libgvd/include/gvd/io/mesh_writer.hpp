@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -40,6 +41,9 @@ struct LabelledMesh {
   const Mesh* diagram_mesh = nullptr;
   /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
   const std::vector<MeshProperty>* properties = nullptr;
+  /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).
+  /// A face with a number that is not finite has none. Null: none.
+  const std::vector<std::array<double, 2>>* corner_texture = nullptr;
   bool ascii_ply = false;  ///< PLY as text instead of binary
 };
 

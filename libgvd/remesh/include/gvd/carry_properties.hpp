@@ -1,24 +1,37 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gvd/mesh_property.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/remesh_map.hpp"
 #include "gvd/soup.hpp"
 
 namespace gvd {
 
 /// The properties of an input's vertices and polygons for the vertices and faces of its remesh.
 ///
-/// A vertex takes the values at its generator: numbers with fractions, and colours of 8 or 16 bits (`red`, `green`,
-/// `blue`, `alpha`, also after `diffuse_`), by barycentric coordinates; other integers, such as labels, of the corner
-/// with the largest weight. The three numbers `nx`, `ny` and `nz` are scaled to length 1. Corners without weight do not
-/// count. Midpoints of edges that the repair split do not count either. A face takes the values of the polygon in which
-/// its branch point is.
+/// A vertex takes the values at its origin (`map.origins`): numbers with fractions, and colours of 8 or 16 bits (`red`,
+/// `green`, `blue`, `alpha`, also after `diffuse_`), by barycentric coordinates; other integers, such as labels, and
+/// lists of the corner with the largest weight. The three numbers `nx`, `ny` and `nz` are scaled to length 1. Corners
+/// without weight do not count. Midpoints of edges that the repair split do not count either. A face takes the values
+/// of the polygon in which its branch point is.
 ///
 /// `properties` are those of the soup that `input` was built from. Those without a value for each of its vertices or
-/// polygons are left out. `result` is a remesh of `input.mesh`. Cost: O(k) for k values of the result.
+/// polygons are left out. `map` is that of `result`, a remesh of `input.mesh`. Cost: O(k) for k values of the result.
 std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::vector<MeshProperty>& properties,
-                                           const RemeshResult& result);
+                                           const RemeshResult& result, const RemeshMap& map);
+
+/// Texture coordinates for the corners of the remesh's faces, three for each face.
+///
+/// A chart consists of faces that are joined by edges on whose both sides the coordinates are equal. A face of the
+/// remesh takes its coordinates from one chart, in which its branch point is. A corner has those at its vertex's origin
+/// if that is in the chart or on its border, and else those at the nearest point of the chart. So no triangle goes
+/// across a seam; near one, the texture is stretched. Without a chart at the branch point they are not finite.
+///
+/// `texture` is that of the soup that `input` was built from. Cost: O(n log n).
+std::vector<std::array<double, 2>> carry_texture(const CheckedMesh& input, const CornerTexture& texture,
+                                                 const RemeshResult& result, const RemeshMap& map);
 
 }  // namespace gvd

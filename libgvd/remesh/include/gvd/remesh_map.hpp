@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
@@ -9,29 +10,42 @@
 
 namespace gvd {
 
-/// Where the surface is on its remesh. The way back needs no map: vertex i of the remesh comes from generator i.
+/// Where a surface and its remesh are on each other.
 struct RemeshMap {
-  IdVector<VertexId, SurfacePoint> points;  ///< per vertex of the surface: its point of the remesh
-  std::int64_t kept_faces = 0;              ///< faces of the surface whose image is oriented as the remesh there is
-  std::int64_t reversed_faces = 0;          ///< those whose image is turned round
-  std::int64_t collapsed_faces = 0;         ///< those whose image has no area
-  double largest_move = 0;                  ///< distance of a vertex from its image, mesh units
+  IdVector<VertexId, SurfacePoint> points;   ///< per vertex of the surface: its point of the remesh
+  IdVector<VertexId, SurfacePoint> origins;  ///< per vertex of the remesh: its point of the surface
+  bool one_to_one = false;                   ///< whether both are those of a map that was checked to be one-to-one
+  std::string obstacle;                      ///< otherwise what is in the way, as part of a sentence
+  std::int64_t kept_faces = 0;               ///< faces of the surface whose image is oriented as the remesh there is
+  std::int64_t reversed_faces = 0;           ///< those whose image is turned round
+  std::int64_t collapsed_faces = 0;          ///< those whose image has no area
+  double largest_move = 0;                   ///< distance of a vertex of the surface from its point, mesh units
+  double mean_move = 0;                      ///< the mean of these distances, mesh units
 };
 
-/// Maps every vertex of the surface to a point of its remesh.
+/// Maps every vertex of the surface to a point of its remesh, and every vertex of the remesh to a point of the surface.
 ///
-/// A vertex in the cell of generator g goes to the nearest point of the triangles at vertex g and its neighbours.
-/// Triangles whose normal is more than 90 degrees from the surface's there count only if there are no others. A vertex
-/// on the boundary goes to the nearest point of their boundary edges instead if there are any. A vertex at which
-/// generator g is goes to vertex g.
+/// The surface is cut into the cells of the remesh's diagram. Each cell is flattened by a convex combination map onto
+/// the part of the remesh that is its vertex's: the parts of the triangles at the vertex between the centres, near the
+/// branch points, and the edges' crossings with the bisectors. A remesh's vertex comes from the nearest point of its
+/// cell, or, if that is near the cell's border, from its generator. docs/developer/proofs.md has the proof that this
+/// is one-to-one, and what is checked for it: the cells are discs and join as the remesh's triangles do, and no
+/// triangle is turned round or without area in the plane. `points` and `origins` are the map's and its inverse's but
+/// for rounding.
+///
+/// Where a check fails, `one_to_one` is false. Then a vertex goes to the nearest point of the triangles at its cell's
+/// vertex and that one's neighbours, or of their boundary edges for one at the boundary. Triangles that are turned away
+/// from the surface there count only if there are no others. Several vertices may have one point. A vertex of the
+/// remesh comes from its generator.
+///
+/// The image of a face is the triangle of its corners' points here. It may be turned round even if the map is
+/// one-to-one, because the map bends it: the counts say how often.
 ///
 /// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
-/// right one: its triangle has a corner in the cell or in a neighbour of it; (3) a boundary vertex goes to the
-/// boundary; (4) vertex i of the remesh and generator i are each other's points where the generator is at a vertex; (5)
-/// deterministic, for every number of threads. Several vertices may have the same point, and the image of a face may be
-/// reversed or without area: the counts say how many. Where all faces are kept and the vertices are dense, the map is
-/// one-to-one up to the chords of the faces.
-/// Throws Error{precondition} if `result` is no remesh of `surface`. Cost: O(n) for vertices of bounded valence.
+/// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's
+/// vertex that is at its generator, and a vertex of the surface, and the generator are each other's points; (5)
+/// deterministic, for every number of threads.
+/// Throws Error{precondition} if `result` is no remesh of `surface`. Cost: O(n log n), and a sparse system for each cell.
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0);
 
 }  // namespace gvd

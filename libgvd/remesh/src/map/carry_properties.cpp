@@ -51,25 +51,49 @@ double interpolate(const std::vector<Share>& shares, const std::vector<double>& 
   return sum;
 }
 
-double take_largest(const std::vector<Share>& shares, const std::vector<double>& values) {
+/// The vertex with the largest share.
+std::size_t largest_share(const std::vector<Share>& shares) {
   const auto largest = std::max_element(shares.begin(), shares.end(),
                                         [](const Share& a, const Share& b) { return a.weight < b.weight; });
-  return largest == shares.end() ? 0 : values[largest->vertex];
+  return largest == shares.end() ? 0 : largest->vertex;
+}
+
+/// The property without values.
+MeshProperty without_values(const MeshProperty& property) {
+  MeshProperty empty{property.name, property.type, property.of_vertices, {}, property.count_type, {}};
+  if (empty.count_type) empty.first_value.push_back(0);
+  return empty;
+}
+
+void append_list(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
+  const auto at = [&](std::size_t i) {
+    return property.values.begin() + static_cast<std::ptrdiff_t>(property.first_value[i]);
+  };
+  carried.values.insert(carried.values.end(), at(element), at(element + 1));
+  carried.first_value.push_back(carried.values.size());
+}
+
+MeshProperty carry_lists(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
+  MeshProperty carried = without_values(property);
+  for (const std::vector<Share>& at : shares) append_list(property, largest_share(at), carried);
+  return carried;
 }
 
 MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
-  MeshProperty carried{property.name, property.type, true, {}};
+  if (property.count_type) return carry_lists(shares, property);
+  MeshProperty carried = without_values(property);
   const bool smooth = !is_integer(property.type) || is_color(property);
   for (const std::vector<Share>& at : shares) {
-    carried.values.push_back(smooth ? interpolate(at, property.values) : take_largest(at, property.values));
+    carried.values.push_back(smooth ? interpolate(at, property.values) : property.values[largest_share(at)]);
   }
   return carried;
 }
 
 MeshProperty carry_to_faces(const CheckedMesh& input, const RemeshResult& result, const MeshProperty& property) {
-  MeshProperty carried{property.name, property.type, false, {}};
+  MeshProperty carried = without_values(property);
   for (const SurfacePoint& point : result.face_points) {
-    carried.values.push_back(property.values[static_cast<std::size_t>(input.input_polygon[point.face])]);
+    const auto polygon = static_cast<std::size_t>(input.input_polygon[point.face]);
+    property.count_type ? append_list(property, polygon, carried) : carried.values.push_back(property.values[polygon]);
   }
   return carried;
 }
@@ -77,7 +101,7 @@ MeshProperty carry_to_faces(const CheckedMesh& input, const RemeshResult& result
 void scale_normals(std::vector<MeshProperty>& properties) {
   std::array<MeshProperty*, 3> axes{};
   for (MeshProperty& property : properties) {
-    if (!property.of_vertices || is_integer(property.type)) continue;
+    if (!property.of_vertices || is_integer(property.type) || property.count_type) continue;
     constexpr std::array<std::string_view, 3> kNames{"nx", "ny", "nz"};
     const auto axis = std::find(kNames.begin(), kNames.end(), property.name) - kNames.begin();
     if (axis < 3) axes[static_cast<std::size_t>(axis)] = &property;
@@ -93,16 +117,16 @@ void scale_normals(std::vector<MeshProperty>& properties) {
 }  // namespace
 
 std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::vector<MeshProperty>& properties,
-                                           const RemeshResult& result) {
+                                           const RemeshResult& result, const RemeshMap& map) {
   std::vector<std::vector<Share>> shares;
-  for (const SurfacePoint& point : result.generators) shares.push_back(find_shares(input, point));
+  for (const SurfacePoint& point : map.origins) shares.push_back(find_shares(input, point));
   const auto polygons = static_cast<std::size_t>(
       input.input_polygon.empty() ? 0 : 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end()));
   std::vector<MeshProperty> carried;
   for (const MeshProperty& property : properties) {
-    if (property.of_vertices && property.values.size() == input.mesh_vertex.size()) {
+    if (property.of_vertices && property.element_count() == input.mesh_vertex.size()) {
       carried.push_back(carry_to_vertices(shares, property));
-    } else if (!property.of_vertices && property.values.size() >= polygons) {
+    } else if (!property.of_vertices && property.element_count() >= polygons) {
       carried.push_back(carry_to_faces(input, result, property));
     }
   }

@@ -30,12 +30,16 @@ constexpr std::array<std::pair<std::string_view, OutputFormat>, 7> kExtensions{{
                                                                                 {"glb", OutputFormat::glb},
                                                                                 {"json", OutputFormat::json}}};
 
+void check_count(std::size_t count, std::int32_t expected, const char* what) {
+  if (count == static_cast<std::size_t>(expected)) return;
+  throw Error(ErrorCode::precondition, fmt::format("{}: {} for {}; give one for each", what,
+                                                   counted(static_cast<std::int64_t>(count), "value", "values"),
+                                                   counted(expected, "element", "elements")));
+}
+
 template <class Array>
 void check_length(const Array* values, std::int32_t expected, const char* what) {
-  if (values == nullptr || values->size() == static_cast<std::size_t>(expected)) return;
-  throw Error(ErrorCode::precondition,
-              fmt::format("{}: {} for {}; give one for each", what, counted(std::ssize(*values), "value", "values"),
-                          counted(expected, "element", "elements")));
+  if (values != nullptr) check_count(values->size(), expected, what);
 }
 
 void check_lengths(const LabelledMesh& mesh) {
@@ -43,10 +47,11 @@ void check_lengths(const LabelledMesh& mesh) {
   check_length(mesh.face_parent, mesh.mesh.face_count(), "parent faces");
   check_length(mesh.vertex_label, mesh.mesh.vertex_count(), "vertex labels");
   check_length(mesh.vertex_distance, mesh.mesh.vertex_count(), "vertex distances");
+  check_length(mesh.corner_texture, mesh.mesh.halfedge_count(), "texture coordinates of corners");
   if (mesh.properties == nullptr) return;
   for (const MeshProperty& property : *mesh.properties) {
-    check_length(&property.values, property.of_vertices ? mesh.mesh.vertex_count() : mesh.mesh.face_count(),
-                 property.name.c_str());
+    check_count(property.element_count(), property.of_vertices ? mesh.mesh.vertex_count() : mesh.mesh.face_count(),
+                property.name.c_str());
   }
 }
 

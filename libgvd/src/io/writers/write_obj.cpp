@@ -1,6 +1,11 @@
 #include "io/writers/write_obj.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/bisector_lines.hpp"
@@ -12,18 +17,55 @@ namespace {
 
 void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
 
-/// OBJ counts from 1.
-void print_face(ByteWriter& out, const Mesh& mesh, FaceId f) {
-  const auto& [a, b, c] = mesh.vertices(f);
-  out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+/// Writes the coordinates of corners, equal ones of a vertex once. Gives their number for each corner, from 1; none
+/// without a texture.
+std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
+  std::vector<std::size_t> numbers;
+  if (mesh.corner_texture == nullptr) return numbers;
+  using Numbered = std::pair<std::array<double, 2>, std::size_t>;
+  IdVector<VertexId, std::vector<Numbered>> known(static_cast<std::size_t>(mesh.mesh.vertex_count()));
+  std::size_t count = 0;
+  for (std::int32_t i = 0; i < mesh.mesh.halfedge_count(); ++i) {
+    const std::array<double, 2>& uv = (*mesh.corner_texture)[static_cast<std::size_t>(i)];
+    std::vector<Numbered>& at = known[mesh.mesh.from(HalfedgeId(i))];
+    auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
+    if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
+      out.print("vt {} {}\n", uv[0], uv[1]);
+      found = at.insert(at.end(), {uv, ++count});
+    }
+    numbers.push_back(found == at.end() ? 0 : found->second);
+  }
+  return numbers;
 }
 
-void print_regions(ByteWriter& out, const LabelledMesh& mesh, bool with_materials) {
+/// Faces without texture coordinates, or with those of their corners. OBJ counts from 1.
+class FacePrinter {
+ public:
+  FacePrinter(ByteWriter& out, const LabelledMesh& mesh)
+      : out_(out), mesh_(mesh.mesh), texture_(print_texture(out, mesh)) {}
+
+  void print(FaceId f) {
+    const auto& [a, b, c] = mesh_.vertices(f);
+    const std::size_t* t = texture_.empty() ? nullptr : texture_.data() + 3 * f.index();
+    if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
+      out_.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+    } else {
+      out_.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
+    }
+  }
+
+ private:
+  ByteWriter& out_;
+  const Mesh& mesh_;
+  std::vector<std::size_t> texture_;  // number of the coordinates of each corner
+};
+
+void print_regions(ByteWriter& out, FacePrinter& faces, const LabelledMesh& mesh, bool with_materials) {
   for (const Region& region : collect_regions(mesh)) {
     const std::string name = region_name(region.label);
     out.print("g {}\n", name);
     if (with_materials) out.print("usemtl {}\n", name);
-    for (const FaceId f : region.faces) print_face(out, mesh.mesh, f);
+    for (const FaceId f : region.faces) faces.print(f);
   }
 }
 
@@ -53,10 +95,11 @@ void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string
   ByteWriter out(stream);
   if (!material_library.empty()) out.print("mtllib {}\n", material_library);
   for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
+  FacePrinter faces(out, mesh);
   if (mesh.face_label != nullptr) {
-    print_regions(out, mesh, !material_library.empty());
+    print_regions(out, faces, mesh, !material_library.empty());
   } else {
-    for (int f = 0; f < mesh.mesh.face_count(); ++f) print_face(out, mesh.mesh, FaceId(f));
+    for (int f = 0; f < mesh.mesh.face_count(); ++f) faces.print(FaceId(f));
   }
   print_lines(out, mesh);
   out.finish();

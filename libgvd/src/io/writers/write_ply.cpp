@@ -44,7 +44,10 @@ std::vector<const MeshProperty*> further_properties(const LabelledMesh& mesh, bo
 void print_further_properties(ByteWriter& out, const LabelledMesh& mesh, bool of_vertices) {
   constexpr std::array<const char*, 8> kTypes{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
   for (const MeshProperty* property : further_properties(mesh, of_vertices)) {
-    out.print("property {} {}\n", kTypes[static_cast<std::size_t>(property->type)], property->name);
+    const auto name_of = [&](NumberType type) { return kTypes[static_cast<std::size_t>(type)]; };
+    if (property->count_type)
+      out.print("property list {} {} {}\n", name_of(*property->count_type), name_of(property->type), property->name);
+    if (!property->count_type) out.print("property {} {}\n", name_of(property->type), property->name);
   }
 }
 
@@ -67,6 +70,7 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   }
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
+  if (mesh.corner_texture != nullptr) out.text("property list uchar float texcoord\n");
   print_further_properties(out, mesh, false);
 }
 
@@ -119,6 +123,25 @@ class Rows {
     }
   }
 
+  /// The number of element i, or its list.
+  void put_property(const MeshProperty& property, std::size_t i) {
+    if (!property.count_type) return put_number(property.type, property.values[i]);
+    const std::size_t first = property.first_value[i], last = property.first_value[i + 1];
+    put_number(*property.count_type, static_cast<double>(last - first));
+    for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
+  }
+
+  /// The coordinates of a face's corners, or none where one is not finite.
+  void put_texture(const std::array<double, 2>* corners) {
+    const bool has = std::all_of(corners, corners + 3, [](const std::array<double, 2>& uv) {
+      return std::isfinite(uv[0]) && std::isfinite(uv[1]);
+    });
+    put(static_cast<std::uint8_t>(has ? 6 : 0));
+    for (int i = 0; has && i < 3; ++i) {
+      for (const double number : corners[i]) put(static_cast<float>(number));
+    }
+  }
+
   void end() {
     if (text_) out_.text("\n");
     empty_ = true;
@@ -140,7 +163,7 @@ void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
       doubles ? rows.put(distance) : rows.put(static_cast<float>(distance));
     }
     if (mesh.vertex_label != nullptr) rows.put_label((*mesh.vertex_label)[v]);
-    for (const MeshProperty* property : further) rows.put_number(property->type, property->values[v.index()]);
+    for (const MeshProperty* property : further) rows.put_property(*property, v.index());
     rows.end();
   }
 }
@@ -153,7 +176,8 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
     if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
     if (mesh.face_label != nullptr) rows.put(static_cast<std::uint8_t>((*mesh.face_label)[f].value()));
-    for (const MeshProperty* property : further) rows.put_number(property->type, property->values[f.index()]);
+    if (mesh.corner_texture != nullptr) rows.put_texture(mesh.corner_texture->data() + 3 * f.index());
+    for (const MeshProperty* property : further) rows.put_property(*property, f.index());
     rows.end();
   }
 }

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <limits>
+#include <utility>
+
 #include "base/printable.hpp"
 #include "gvd/counted.hpp"
 #include "mesh/reading/check_counts.hpp"
@@ -24,6 +28,23 @@ class ObjParser {
     soup_.first_corner.reserve(bytes.size() / 60);
   }
 
+  std::optional<CornerTexture> parse_texture() {
+    texture_.emplace();
+    parse();
+    bool is_used = false;
+    for (const std::int64_t index : texture_numbers_) {
+      const bool is_known = index >= 0 && index < std::ssize(texture_vertices_);
+      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+      is_used = is_used || is_known;
+      texture_->coordinates.push_back(is_known ? texture_vertices_[static_cast<std::size_t>(index)]
+                                               : std::array<double, 2>{kNone, kNone});
+    }
+    if (!is_used) return std::nullopt;
+    texture_->corners = std::move(soup_.corners);
+    texture_->first_corner = std::move(soup_.first_corner);
+    return std::move(texture_);
+  }
+
   PolygonSoup parse() {
     while (text_.next_content_line()) {
       const std::string_view line = text_.line();
@@ -34,6 +55,8 @@ class ObjParser {
       const std::string_view statement = text_.token();
       if (statement == "v") {
         add_vertex();
+      } else if (statement == "vt" && texture_) {
+        add_texture_vertex();
       } else if (statement == "f") {
         add_face();
       } else if (statement == "l") {
@@ -43,7 +66,7 @@ class ObjParser {
     check_forward_references();
     if (lines_ > 0)
       soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
-    return std::move(soup_);
+    return texture_ ? PolygonSoup() : std::move(soup_);
   }
 
  private:
@@ -73,6 +96,7 @@ class ObjParser {
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
       soup_.corners.push_back(vertex_index(token));
+      if (texture_) texture_numbers_.push_back(texture_number(token));
     }
     soup_.close_polygon();
   }
@@ -90,6 +114,24 @@ class ObjParser {
     if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);
     if (index >= count) forward_.push_back({polygon, *given, text_.line_number()});
     return static_cast<std::int32_t>(index);
+  }
+
+  /// Of the corner's texture vertex, 0-based; -1 for none.
+  std::int64_t texture_number(std::string_view token) const {
+    const std::size_t slash = token.find('/');
+    if (slash == std::string_view::npos) return -1;
+    token.remove_prefix(slash + 1);
+    const std::int64_t given = parse_integer(token.substr(0, token.find('/'))).value_or(0);
+    return given > 0 ? given - 1 : given < 0 ? std::ssize(texture_vertices_) + given : -1;
+  }
+
+  /// The second number is 0 where it is missing.
+  void add_texture_vertex() {
+    const double u = text_.number("u");
+    const std::string_view v = text_.token();
+    const std::optional<double> second = v.empty() ? 0.0 : parse_double(v);
+    if (!second) text_.refuse(fmt::format("{} is no texture coordinate", quoted(v)));
+    texture_vertices_.push_back({u, *second});
   }
 
   [[noreturn]] void refuse_index(std::int64_t given, std::int64_t count, std::int64_t polygon) const {
@@ -112,10 +154,17 @@ class ObjParser {
   std::vector<ForwardReference> forward_;
   std::string joined_;
   std::int64_t lines_ = 0;
+  std::optional<CornerTexture> texture_;  // only where it is wanted
+  std::vector<std::array<double, 2>> texture_vertices_;
+  std::vector<std::int64_t> texture_numbers_;  // per corner; outside of the texture vertices for none
 };
 
 }  // namespace
 
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse(); }
+
+std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::string_view name) {
+  return ObjParser(bytes, name).parse_texture();
+}
 
 }  // namespace gvd

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "base/printable.hpp"
@@ -127,6 +128,21 @@ class BinarySource {
   std::int64_t index_ = 0;
 };
 
+/// One for each property of an element of vertices or faces, without a name where it is not wanted.
+std::vector<MeshProperty> list_properties(const PlyElement& element) {
+  std::vector<MeshProperty> found;
+  const bool vertices = element.name == "vertex";
+  if (!vertices && element.name != "face") return found;
+  const int corners = vertices ? -1 : find_corner_list(element);
+  for (const PlyProperty& property : element.properties) {
+    const bool coordinate = vertices && (property.name == "x" || property.name == "y" || property.name == "z");
+    const bool wanted = !coordinate && std::ssize(found) != corners;
+    found.push_back({wanted ? property.name : "", property.type, vertices, {}, property.count_type, {}});
+    if (property.count_type) found.back().first_value.push_back(0);
+  }
+  return found;
+}
+
 template <class Source>
 class BodyParser {
  public:
@@ -160,7 +176,7 @@ class BodyParser {
         read_element(element, i, [&](int p) {
           MeshProperty* const property = found.empty() ? nullptr : &found[static_cast<std::size_t>(p)];
           if (property == nullptr || property->name.empty()) return false;
-          property->values.push_back(source_.read(property->type, element.properties[static_cast<std::size_t>(p)]));
+          read_values(*property, element.properties[static_cast<std::size_t>(p)], i);
           return true;
         });
       }
@@ -198,16 +214,10 @@ class BodyParser {
                             element.count, element.name, source_.remaining()));
   }
 
-  /// One for each property of an element of vertices or faces, without a name where it is not wanted.
-  static std::vector<MeshProperty> list_properties(const PlyElement& element) {
-    std::vector<MeshProperty> found;
-    const bool vertices = element.name == "vertex";
-    if (!vertices && element.name != "face") return found;
-    for (const PlyProperty& property : element.properties) {
-      const bool coordinate = vertices && (property.name == "x" || property.name == "y" || property.name == "z");
-      found.push_back({coordinate || property.count_type ? "" : property.name, property.type, vertices, {}});
-    }
-    return found;
+  void read_values(MeshProperty& values, const PlyProperty& property, std::int64_t i) {
+    const std::int64_t count = property.count_type ? read_count(property, i) : 1;
+    for (std::int64_t k = 0; k < count; ++k) values.values.push_back(source_.read(property.type, property));
+    if (property.count_type) values.first_value.push_back(values.values.size());
   }
 
   [[noreturn]] void refuse(ErrorCode code, const std::string& message, std::int64_t element) const {
@@ -326,6 +336,25 @@ class BodyParser {
   std::int64_t vertices_ = 0;
 };
 
+/// None where a list has numbers, but not two for each corner.
+std::optional<CornerTexture> make_texture(const MeshProperty& list, PolygonSoup soup) {
+  if (list.element_count() != soup.polygon_count()) return std::nullopt;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  CornerTexture texture;
+  for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
+    const std::size_t corners = soup.polygon(p).size(), first = list.first_value[p];
+    const std::size_t numbers = list.first_value[p + 1] - first;
+    if (numbers != 0 && numbers != 2 * corners) return std::nullopt;
+    for (std::size_t i = 0; i < corners; ++i) {
+      numbers == 0 ? texture.coordinates.push_back({kNone, kNone})
+                   : texture.coordinates.push_back({list.values[first + 2 * i], list.values[first + 2 * i + 1]});
+    }
+  }
+  texture.corners = std::move(soup.corners);
+  texture.first_corner = std::move(soup.first_corner);
+  return texture;
+}
+
 }  // namespace
 
 std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
@@ -343,10 +372,19 @@ std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::stri
   return std::nullopt;
 }
 
-std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name) {
+MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name) {
   const PlyHeader header = parse_ply_header(bytes, name);
-  if (header.encoding == PlyEncoding::ascii) return BodyParser<AsciiSource>(bytes, name, header).parse_properties();
-  return BodyParser<BinarySource>(bytes, name, header).parse_properties();
+  MeshAttributes found;
+  found.properties = header.encoding == PlyEncoding::ascii
+                         ? BodyParser<AsciiSource>(bytes, name, header).parse_properties()
+                         : BodyParser<BinarySource>(bytes, name, header).parse_properties();
+  const auto list = std::find_if(found.properties.begin(), found.properties.end(), [](const MeshProperty& property) {
+    return !property.of_vertices && property.count_type && property.name == "texcoord";
+  });
+  if (list == found.properties.end()) return found;
+  found.texture = make_texture(*list, parse_ply(bytes, name));
+  if (found.texture) found.properties.erase(list);
+  return found;
 }
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "gvd/mesh_property.hpp"
 #include "gvd/read_soup.hpp"
@@ -18,7 +17,7 @@ PolygonSoup parse_ply(std::string_view bytes, std::string_view name);
 std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
                                                std::string_view name);
 
-/// All properties that read_mesh_properties returns. Errors and cost as of `parse_soup`.
-std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name);
+/// What read_mesh_attributes returns. Errors and cost as of `parse_soup`.
+MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name);
 
 }  // namespace gvd

@@ -82,11 +82,17 @@ std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path
   return parse_ply_property(bytes, property, name);
 }
 
-std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path) {
+MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name) {
+  if (format == MeshFormat::ply) return parse_ply_attributes(bytes, name);
+  if (format == MeshFormat::obj) return {{}, parse_obj_texture(bytes, name)};
+  return {};
+}
+
+MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
   const std::string bytes = read_bytes(path);
-  if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return {};
-  return parse_ply_properties(bytes, name);
+  if (!format) format = detect_format(bytes, name);
+  return format ? parse_mesh_attributes(bytes, *format, name) : MeshAttributes();
 }
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {

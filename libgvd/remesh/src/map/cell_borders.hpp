@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// Consecutive halfedges of a cell's border, along one other cell or along the mesh's boundary.
+struct BorderRun {
+  GeneratorId other;           ///< invalid along the mesh's boundary
+  std::size_t begin = 0, end;  ///< into the loop; end is not included
+};
+
+/// The border of a cell that is a disc.
+struct CellBorder {
+  std::vector<HalfedgeId> loop;  ///< with the cell on their left, counter-clockwise
+  std::vector<BorderRun> runs;   ///< in the loop's order; one along the mesh's boundary comes last
+
+  bool at_boundary() const { return !runs.back().other.valid(); }
+};
+
+/// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
+///
+/// Throws Error{no_valid_result} where a face has no label, a cell is no disc, two cells have more than one run in
+/// common, or a cell has one run only. Cost: O(n), and O(k log k) for a cell with k neighbours.
+IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
+                                                     std::size_t cells);
+
+}  // namespace gvd

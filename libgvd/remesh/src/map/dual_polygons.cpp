@@ -1,0 +1,150 @@
+#include "map/dual_polygons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "base/barycentric.hpp"
+#include "base/plane.hpp"
+#include "gvd/closest_point.hpp"
+#include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// Least barycentric coordinate of a triangle's centre: the branch point of an obtuse triangle is outside of it. A
+/// centre near a side would squeeze the parts of the cells there.
+constexpr double kLeastOfCentre = 0.08;
+
+[[noreturn]] void refuse(VertexId at, const char* what) {
+  throw Error(ErrorCode::no_valid_result,
+              fmt::format("the cells round vertex {} of the cut surface {}", at.value(), what), at.value());
+}
+
+/// The labels round v, counter-clockwise, without repetitions; from boundary to boundary where v is on it.
+std::vector<GeneratorId> cells_round(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, VertexId v) {
+  std::vector<GeneratorId> cells;
+  for_each_outgoing(cut, v, [&](HalfedgeId h) {
+    const GeneratorId g = label[Mesh::face(h)];
+    if (cells.empty() || cells.back() != g) cells.push_back(g);
+  });
+  if (!cut.is_boundary(v) && cells.size() > 1 && cells.back() == cells.front()) cells.pop_back();
+  return cells;
+}
+
+Bary coordinates(const DualPolygon& polygon, const DualPolygon::Triangle& triangle, const Vec2& point) {
+  std::array<Vec2, 3> at;
+  for (std::size_t i = 0; i < 3; ++i) at[i] = polygon.corner(triangle.corners[i]);
+  const double area = twice_signed_area(at[0], at[1], at[2]);
+  return {twice_signed_area(point, at[1], at[2]) / area, twice_signed_area(at[0], point, at[2]) / area,
+          twice_signed_area(at[0], at[1], point) / area};
+}
+
+/// The point of a triangle nearest to a branch point, but not at a side.
+Vec2 inner_centre(const DualPolygon& polygon, const Mesh& remesh, const Vec3& branch_point) {
+  const DualPolygon::Triangle& triangle = polygon.triangles.front();
+  const Bary bary = closest_point_on_face(remesh, triangle.face, branch_point).point.bary;
+  Vec2 centre = Vec2::Zero();
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double weight = std::max(bary[i], kLeastOfCentre);
+    centre += weight * polygon.corner(triangle.corners[i]);
+    sum += weight;
+  }
+  return centre / sum;
+}
+
+}  // namespace
+
+Vec2 DualPolygon::corner(std::size_t i) const {
+  return unit_vector(2 * std::numbers::pi * static_cast<double>(i % cells.size()) / static_cast<double>(cells.size()));
+}
+
+std::size_t DualPolygon::find(GeneratorId cell) const {
+  return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+}
+
+SurfacePoint DualPolygon::on_remesh(const Vec2& point) const {
+  FaceId face;
+  Bary best{};
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Triangle& triangle : triangles) {
+    const Bary bary = coordinates(*this, triangle, point);
+    const double least = std::min({bary[0], bary[1], bary[2]});
+    if (least <= largest) continue;
+    largest = least;
+    best = bary;
+    face = triangle.face;
+  }
+  for (double& b : best) b = std::max(b, 0.0);
+  return make_surface_point(face, best);
+}
+
+DualPolygons::DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh)
+    : remesh_(remesh),
+      number_(static_cast<std::size_t>(cut.vertex_count()), -1),
+      is_used_(static_cast<std::size_t>(remesh.face_count()), 0) {
+  for (std::int32_t i = 0; i < cut.vertex_count(); ++i) {
+    std::vector<GeneratorId> cells = cells_round(cut, label, VertexId(i));
+    if (cells.size() >= 3) add(cut, VertexId(i), std::move(cells));
+  }
+  const auto unused = std::find(is_used_.begin(), is_used_.end(), 0);
+  if (unused == is_used_.end()) return;
+  const auto f = static_cast<std::int64_t>(unused - is_used_.begin());
+  throw Error(ErrorCode::no_valid_result,
+              fmt::format("face {} of the remesh stands for no point of the cut surface", f), f);
+}
+
+void DualPolygons::add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells) {
+  DualPolygon polygon{std::move(cells), {}, Vec2::Zero(), {}};
+  polygon.crossings.assign(polygon.cells.size(), 0.5);
+  fill(polygon, v);
+  if (cut.is_boundary(v)) {
+    polygon.centre = polygon.crossing(polygon.cells.size() - 1);
+  } else if (polygon.cells.size() == 3) {
+    polygon.centre = inner_centre(polygon, remesh_, cut.position(v));
+  }
+  number_[v] = static_cast<std::int32_t>(polygons_.size());
+  polygons_.push_back(std::move(polygon));
+}
+
+void DualPolygons::set_crossing(VertexId v, GeneratorId a, double t) {
+  if (number_[v] < 0) return;
+  DualPolygon& polygon = polygons_[static_cast<std::size_t>(number_[v])];
+  polygon.crossings[polygon.find(a)] = t;
+}
+
+/// From the side between the last corner and the first one, which determines one triangle, across its other two sides.
+void DualPolygons::fill(DualPolygon& polygon, VertexId at) {
+  std::vector<std::pair<std::size_t, std::size_t>> chains{{0, polygon.cells.size() - 1}};
+  while (!chains.empty()) {
+    const auto [first, last] = chains.back();
+    chains.pop_back();
+    const HalfedgeId side = find_halfedge(polygon.cells[last], polygon.cells[first], at);
+    const std::size_t apex = polygon.find(GeneratorId(remesh_.opposite(side).value()));
+    if (apex <= first || apex >= last || is_used_[Mesh::face(side)]) refuse(at, "are not those of faces of the remesh");
+    is_used_[Mesh::face(side)] = 1;
+    DualPolygon::Triangle triangle{Mesh::face(side), {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.corners[i] = polygon.find(GeneratorId(remesh_.vertices(triangle.face)[i].value()));
+    }
+    polygon.triangles.push_back(triangle);
+    if (apex > first + 1) chains.emplace_back(first, apex);
+    if (last > apex + 1) chains.emplace_back(apex, last);
+  }
+}
+
+HalfedgeId DualPolygons::find_halfedge(GeneratorId from, GeneratorId to, VertexId at) const {
+  HalfedgeId found;
+  for_each_outgoing(remesh_, VertexId(from.value()), [&](HalfedgeId h) {
+    if (remesh_.to(h).value() == to.value()) found = h;
+  });
+  if (!found.valid()) refuse(at, "are not joined by edges of the remesh");
+  return found;
+}
+
+}  // namespace gvd

@@ -1,0 +1,138 @@
+#include "map/plane_border.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "base/plane.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side:
+/// it keeps triangles of three of them from having no area within rounding.
+constexpr double kEvenShare = 0.1;
+
+/// Bounds of the angle of a sector. A straight angle would let edges between its two sides fall onto them.
+constexpr double kLeastSector = kPi / 3, kLargestSector = 0.95 * kPi;
+
+/// How far the sides of a star are bent outwards, as a fraction of their distance: triangles of three vertices of one
+/// side need an area.
+constexpr double kBulge = 0.02;
+
+/// Scales ascending numbers, which begin with 0, to a last one, and makes their distances more even.
+void scale(std::vector<double>& values, double last, double even_share) {
+  const double given = values.back(), steps = static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = last * ((1 - even_share) * values[i] / given + even_share * static_cast<double>(i) / steps);
+  }
+}
+
+class BorderPlacer {
+ public:
+  BorderPlacer(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
+               const std::vector<BorderTarget>& targets)
+      : surface_(surface), mesh_(surface.cut.mesh), remesh_(remesh), cell_(cell), targets_(targets) {}
+
+  PlaneBorder run(BorderShape shape) {
+    measure();
+    const bool is_star = shape == BorderShape::star;
+    if (!is_star) radii_.assign(radii_.size(), 1);
+    const double largest = *std::max_element(radii_.begin(), radii_.end());
+    for (double& radius : radii_) radius /= largest;
+    const double even_share = is_star ? 0 : kEvenShare;
+    surface_.borders[cell_].at_boundary() ? place_sector(even_share) : place_round(even_share);
+    return std::move(border_);
+  }
+
+ private:
+  /// Angles and distances of the targets' ends at the remesh's vertex.
+  void measure() {
+    const Vec3& at = remesh_.position(VertexId(cell_.value()));
+    const auto offset = [&](const BorderTarget& t, const Vec2& point) -> Vec3 {
+      return position(remesh_, t.polygon->on_remesh(point)) - at;
+    };
+    angles_.push_back(0);
+    for (const BorderTarget& t : targets_) {
+      const Vec3 from = offset(t, t.from), to = offset(t, t.to);
+      angles_.push_back(angles_.back() + std::atan2(from.cross(to).norm(), from.dot(to)));
+      radii_.push_back(from.norm() * (1 + kBulge * t.at_from * (1 - t.at_from)));
+    }
+    radii_.push_back(offset(targets_.back(), targets_.back().to).norm());
+  }
+
+  void place_round(double even_share) {
+    scale(angles_, 2 * kPi, even_share);
+    for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
+    border_.bases.push_back(border_.bases.front());
+    place_bases();
+  }
+
+  /// In a frame of the two sides, so that points on them lie on one line without rounding.
+  void place_sector(double even_share) {
+    const double sector = std::clamp(angles_.back(), kLeastSector, kLargestSector);
+    scale(angles_, sector, even_share);
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      const double along = std::sin(angles_[i]) / std::sin(sector);
+      border_.bases.push_back(radii_[i] * Vec2(std::cos(angles_[i]) - along * std::cos(sector), along));
+    }
+    border_.bases.front() = Vec2(radii_.front(), 0);
+    border_.bases.back() = Vec2(0, radii_.back());
+    place_bases();
+    place_sides();
+  }
+
+  void place_bases() {
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
+    }
+  }
+
+  void place_sides() {
+    const CellBorder& border = surface_.borders[cell_];
+    std::vector<VertexId> vertices;
+    for (std::size_t i = border.runs.back().begin; i < border.loop.size(); ++i) {
+      vertices.push_back(mesh_.from(border.loop[i]));
+    }
+    vertices.push_back(mesh_.to(border.loop.back()));
+    const auto anchor = std::find(vertices.begin(), vertices.end(), surface_.anchors[cell_]);
+    const std::vector<double> down = fractions({anchor, vertices.end()}),
+                              up = fractions({std::make_reverse_iterator(anchor + 1), vertices.rend()});
+    const auto at = static_cast<std::size_t>(anchor - vertices.begin());
+    const auto &right = border_.bases.front(), &left = border_.bases.back();
+    for (std::size_t i = 0; i <= at; ++i) border_.points.push_back({vertices[i], Vec2(0, up[at - i] * left.y())});
+    for (std::size_t i = 1; i + 1 < down.size(); ++i) {
+      border_.points.push_back({vertices[at + i], Vec2(down[i] * right.x(), 0)});
+    }
+  }
+
+  /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
+  std::vector<double> fractions(const std::vector<VertexId>& path) const {
+    std::vector<double> at{0};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      at.push_back(at.back() + (mesh_.position(path[i]) - mesh_.position(path[i - 1])).norm());
+    }
+    scale(at, 1, kEvenShare);
+    return at;
+  }
+
+  const CellSurface& surface_;
+  const Mesh& mesh_;
+  const Mesh& remesh_;
+  GeneratorId cell_;
+  const std::vector<BorderTarget>& targets_;
+  std::vector<double> angles_, radii_;  // of the bases
+  PlaneBorder border_;
+};
+
+}  // namespace
+
+PlaneBorder place_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
+                         const std::vector<BorderTarget>& targets, BorderShape shape) {
+  return BorderPlacer(surface, remesh, cell, targets).run(shape);
+}
+
+}  // namespace gvd
