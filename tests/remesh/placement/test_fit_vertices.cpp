@@ -11,10 +11,10 @@ using namespace gvd;
 namespace {
 
 std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
-  const NearestFaceTree tree(surface);
+  const ClosestPointTree tree(surface);
   const FitTarget target{&surface, &tree, sample_surface(surface, 4000), 4000, 1};
   std::vector<VertexAnchor> anchors;
-  for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring});
+  for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring * Eigen::Matrix3d::Identity()});
   return fit_vertices(remesh, target, anchors);
 }
 

@@ -74,3 +74,27 @@ TEST_CASE("one vertex goes through the opposite sheet only as far as it may") {
   CHECK(moved[inner].z() > 0);
   CHECK(moved[inner].z() < plate.mesh.positions()[inner].z());
 }
+
+TEST_CASE("loosened triangles may be thinner than the others") {
+  const Copy sphere(test::make_sphere(2));
+  test::Random random(1);
+  std::vector<Vec3> to = sphere.mesh.positions();
+  for (Vec3& p : to) p += sphere.mesh.mean_edge_length() * 0.6 * Vec3(random.real(-1, 1), random.real(-1, 1), 0);
+  PlacementOptions options;
+  MoveGuard guard(sphere.mesh, sphere.mesh, sphere.generators, sphere.face_points, options);
+  CHECK(sphere.is_valid(guard.move(sphere.mesh.positions(), to), options.least_angle));
+  std::vector<char> upper;
+  for (const Vec3& p : sphere.mesh.positions()) upper.push_back(p.z() > 0.3);
+  guard.loosen(upper, options.least_crease_angle);
+  const Mesh moved = with_positions(sphere.mesh, guard.move(sphere.mesh.positions(), to));
+  double least_above = 60, least_below = 60;
+  for (std::int32_t f = 0; f < moved.face_count(); ++f) {
+    const auto& [a, b, c] = moved.vertices(FaceId(f));
+    const double angle = compute_min_angle(moved.position(a), moved.position(b), moved.position(c));
+    double& least = upper[a.index()] || upper[b.index()] || upper[c.index()] ? least_above : least_below;
+    least = std::min(least, angle);
+  }
+  CHECK(least_below >= options.least_angle);
+  CHECK(least_above >= options.least_crease_angle);
+  CHECK(least_above < options.least_angle);
+}

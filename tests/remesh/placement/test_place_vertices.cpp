@@ -1,10 +1,12 @@
 // Whole placements: features are met, fixed vertices stay, and the result depends on no thread.
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "gvd/error.hpp"
 #include "gvd/placement.hpp"
+#include "gvd/quality.hpp"
 #include "gvd/remesh.hpp"
-#include "placement/crease_cells.hpp"
+#include "gvd/surface_area.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -41,6 +43,18 @@ TEST_CASE("the rim of a plate is met: the distances fall by more than on smooth 
   }
 }
 
+TEST_CASE("the fit brings the mesh nearer and its triangles do not get worse") {
+  const Mesh mesh = test::make_bumpy_sphere(4, 1);
+  const RemeshResult before = remesh_at_generators(mesh, 150);
+  RemeshOptions fit;
+  fit.placement.method = Placement::fit;
+  const RemeshResult after = remesh(mesh, before.generators, fit);
+  CHECK(after.input_to_output.rms < 0.6 * before.input_to_output.rms);
+  const TriangleQuality was = compute_triangle_quality(before.mesh), is = compute_triangle_quality(after.mesh);
+  CHECK(is.q_average > was.q_average);
+  CHECK(is.angle_min >= 0.999 * std::min(was.angle_min, PlacementOptions().least_angle));
+}
+
 TEST_CASE("fixed vertices stay at their generators") {
   const Mesh mesh = test::make_bumpy_sphere(3, 1);
   const RemeshResult before = remesh_at_generators(mesh, 40);
@@ -71,14 +85,25 @@ TEST_CASE("a remesh of another diagram is refused") {
   CHECK_THROWS_AS(place_vertices(mesh, a.diagram, b.mesh, b.face_points), Error);
 }
 
-TEST_CASE("cells with a share of a sharp edge or of the boundary are found") {
-  const auto count_cells = [](const Mesh& mesh) {
-    const auto found = find_crease_cells(mesh, compute_diagram(mesh, test::random_generators(mesh, 50, 1)));
-    return std::count(found.begin(), found.end(), 1);
-  };
-  CHECK(count_cells(test::make_sphere(3)) == 0);
-  CHECK(count_cells(test::make_torus(24, 12)) == 0);
-  const auto on_grid = count_cells(test::make_grid(12, 12));
-  CHECK((on_grid > 10 && on_grid < 40));
-  CHECK(count_cells(test::make_plate(8, 0.3)) > 20);
+TEST_CASE("a cube with a generator at each corner stays a cube") {
+  const Mesh cube = test::make_plate(4, 1);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : cube.positions()) box.extend(p);
+  std::vector<SurfacePoint> corners;
+  for (std::int32_t v = 0; v < cube.vertex_count(); ++v) {
+    const Vec3 at = (cube.position(VertexId(v)) - box.center()).cwiseQuotient(box.sizes());
+    if (at.cwiseAbs().minCoeff() > 0.49) corners.push_back(vertex_point(cube, VertexId(v)));
+  }
+  REQUIRE(corners.size() == 8);
+  const RemeshResult result = remesh(cube, corners, {});
+  CHECK(result.input_to_output.hausdorff < 1e-6);
+  CHECK(result.output_to_input.hausdorff < 1e-6);
+}
+
+TEST_CASE("vertices of cells at the boundary go to it") {
+  const Mesh grid = test::make_grid(12, 12);
+  const RemeshResult before = remesh_at_generators(grid, 60);
+  const RemeshResult after = remesh(grid, before.generators, {});
+  CHECK(compute_area(after.mesh) > compute_area(before.mesh));
+  CHECK(after.input_to_output.rms < 0.5 * before.input_to_output.rms);
 }

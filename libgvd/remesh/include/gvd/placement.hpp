@@ -12,14 +12,16 @@ namespace gvd {
 enum class Placement {
   generator,  ///< at the generators, on the surface
   quadric,    ///< at the points nearest to the planes of their cells' faces
-  fit,        ///< from there, so that the remesh is near the surface in the sense of least squares
+  fit,        ///< so that the remesh is near the surface in the sense of least squares, with good triangles
 };
 
 struct PlacementOptions {
   Placement method = Placement::fit;
   std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
-  /// No angle of a triangle drops below this, or stays as it is where it is smaller already; degrees, in [0, 60].
-  double least_angle = 10;
+  /// No move takes an angle of a triangle below this; degrees, in [0, 60]. Smaller ones do not shrink.
+  double least_angle = 33;
+  /// The same of triangles at creases, and of all triangles with Placement::quadric.
+  double least_crease_angle = 10;
   int threads = 0;  ///< 0: one a core; the result does not depend on it
 };
 
@@ -34,8 +36,9 @@ struct PlacementOptions {
 /// lines of its boundary edges, by their areas in the cell. Source: Garland and Heckbert, Surface simplification using
 /// quadric error metrics, 1997. In directions in which the sum hardly changes, the vertex keeps the generator's
 /// position. Fit: kFitRounds times, a sum of square distances is minimised over all vertices at once. It has the
-/// distances of samples of the surface from the planes of their nearest triangles, those of samples of the remesh from
-/// the surface, and a term that holds the vertices near their generators.
+/// distances of samples of the surface from the planes of their nearest triangles, and those of samples of the remesh
+/// from the surface. Springs pull the vertices along the surface to positions of better triangles. At last the smallest
+/// angles are raised.
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws Error{precondition} if the arguments do not belong together. Cost: O(n log n), and a sparse system a round.
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
@@ -45,6 +48,6 @@ std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, co
 inline constexpr int kMaxHalvings = 4;
 
 /// Rounds of the fit.
-inline constexpr int kFitRounds = 3;
+inline constexpr int kFitRounds = 5;
 
 }  // namespace gvd

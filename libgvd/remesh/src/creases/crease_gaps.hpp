@@ -34,14 +34,13 @@ struct CreaseGap {
 ///
 /// The generators of the ends and of turns have to be at the corners themselves, and a closed curve needs three.
 ///
-/// | gap                             | place | | ------------------------------- |
-/// ------------------------------------------------------------------------------- | | a corner without a generator |
-/// the corner                                                                      | | a curve with too few generators
-/// | thirds of its length                                                            | | beside a corner that a curve
-/// of | the point whose distance from the corner is a power of two, and a third to two  | | the foreign generator
-/// leaves    | thirds of the gap                                                               | | any other | the
-/// point nearest to the foreign generator; next to an end (kLeastGapShare) the | |                                 |
-/// middle of the foreign parts                                                     |
+/// The place of a generator in each kind of gap:
+/// - a corner without a generator: the corner;
+/// - a curve with too few generators: thirds of its length;
+/// - beside a corner that a curve of the foreign generator leaves: the point whose distance from the corner is a power
+///   of two, and a third to two thirds of the gap;
+/// - any other: the point nearest to the foreign generator;
+/// - any other, where that point is next to an end (kLeastGapShare): the middle of the foreign parts.
 ///
 /// Opposite generators of two parallel curves do not disturb each other, however close the curves are. Two curves that
 /// leave a corner at an acute angle would disturb each other without end, unless their generators are equally far from

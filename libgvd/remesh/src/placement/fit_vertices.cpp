@@ -56,7 +56,7 @@ class ResidualFinder {
  private:
   /// Calls residual(sample, nearest face) of every sample.
   template <class Find>
-  std::vector<Residual> collect(const std::vector<SurfaceSample>& samples, const NearestFaceTree& tree,
+  std::vector<Residual> collect(const std::vector<SurfaceSample>& samples, const ClosestPointTree& tree,
                                 const Find& residual) const {
     const Progress none;
     const auto chunks = cut_into_chunks(samples.size(), kSamplesPerChunk);
@@ -64,7 +64,7 @@ class ResidualFinder {
       std::vector<Residual> residuals;
       FaceId nearest(0);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        nearest = tree.find(samples[i].position, nearest).face;
+        nearest = tree.nearest_face(samples[i].position, nearest).face;
         residuals.push_back(residual(samples[i], nearest));
       }
       return residuals;
@@ -82,7 +82,7 @@ class ResidualFinder {
 
   const Mesh& remesh_;
   const FitTarget& target_;
-  NearestFaceTree tree_;
+  ClosestPointTree tree_;
 };
 
 void add_up(const std::vector<Residual>& residuals, IdVector<FaceId, FaceSystem>& systems) {
@@ -122,7 +122,7 @@ std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, cons
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
     const VertexAnchor& anchor = anchors[static_cast<std::size_t>(v)];
     right.segment<3>(3 * v) += anchor.weight * (anchor.position - remesh.position(VertexId(v)));
-    for (int i = 0; i < 3; ++i) entries.emplace_back(3 * v + i, 3 * v + i, anchor.weight);
+    for (int i = 0; i < 9; ++i) entries.emplace_back(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
   }
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());

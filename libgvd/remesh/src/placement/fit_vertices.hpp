@@ -2,24 +2,24 @@
 
 #include <vector>
 
-#include "distance/nearest_face.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/mesh.hpp"
 #include "placement/surface_samples.hpp"
 
 namespace gvd {
 
-/// A spring that holds a vertex near a position.
+/// A spring that holds a vertex near a position, in each direction with a strength of its own.
 struct VertexAnchor {
   Vec3 position;
-  double weight = 0;  ///< square mesh units, > 0
+  Eigen::Matrix3d weight = Eigen::Matrix3d::Zero();  ///< square mesh units, positive definite
 };
 
 /// The surface that a mesh is fitted to.
 struct FitTarget {
   const Mesh* surface = nullptr;
-  const NearestFaceTree* tree = nullptr;  ///< of the surface
-  std::vector<SurfaceSample> samples;     ///< of the surface
-  double count = 0;                       ///< of samples of the mesh
+  const ClosestPointTree* tree = nullptr;  ///< of the surface
+  std::vector<SurfaceSample> samples;      ///< of the surface
+  double count = 0;                        ///< of samples of the mesh
   int threads = 0;
 };
 

@@ -25,6 +25,15 @@ MoveGuard::MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<
   }
 }
 
+void MoveGuard::loosen(const std::vector<char>& vertices, double least_angle) {
+  for (std::int32_t i = 0; i < remesh_.face_count(); ++i) {
+    const FaceId f(i);
+    const auto& [a, b, c] = remesh_.vertices(f);
+    if (!vertices[a.index()] && !vertices[b.index()] && !vertices[c.index()]) continue;
+    least_angle_[f] = std::min(least_angle_[f], least_angle);
+  }
+}
+
 MoveGuard::Corners MoveGuard::corners(FaceId f, const std::vector<Vec3>& positions) const {
   const auto& [a, b, c] = remesh_.vertices(f);
   return {positions[a.index()], positions[b.index()], positions[c.index()]};

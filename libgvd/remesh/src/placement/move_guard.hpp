@@ -18,6 +18,9 @@ class MoveGuard {
   MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
             const std::vector<SurfacePoint>& face_points, const PlacementOptions& options);
 
+  /// Lets the triangles of these vertices have angles down to `least_angle`, degrees: they have to meet creases.
+  void loosen(const std::vector<char>& vertices, double least_angle);
+
   /// The steps from one valid list of positions to another, each halved until all triangles are valid, or left out.
   /// Deterministic: all triangles are tested, then all steps are changed. Cost: O(n log n) a test.
   std::vector<Vec3> move(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const;

@@ -1,12 +1,14 @@
 #include <algorithm>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/placement.hpp"
 #include "placement/cell_quadrics.hpp"
-#include "placement/crease_cells.hpp"
 #include "placement/fit_vertices.hpp"
 #include "placement/move_guard.hpp"
+#include "placement/raise_least_angles.hpp"
 #include "placement/surface_samples.hpp"
+#include "placement/vertex_springs.hpp"
 #include "placement/with_positions.hpp"
 
 namespace gvd {
@@ -17,17 +19,9 @@ namespace {
 constexpr double kQuadricTruncation = 0.01;
 /// Samples for each vertex.
 constexpr double kSamplesPerVertex = 20;
-/// Weight of the springs in the rounds of the fit, as a fraction of a cell's area. They matter along the surface, where
-/// the distances hardly change: docs/notes/remesh-placement.md has what weaker and stronger ones give.
-constexpr double kSpring = 0.02;
-/// The same for cells with creases, which triangles miss unless the vertices move there.
-constexpr double kCreaseSpring = 0.003;
 /// A cell of no area must have a spring, too: that of a square with sides of a millionth of the bounding box's
 /// diagonal.
 constexpr double kLeastCellArea = 1e-12;
-/// How much stronger the springs of vertices are that stay.
-constexpr double kRigidSpring = 1e6;
-
 class Placer {
  public:
   Placer(const Mesh& surface, const Diagram& diagram, const Mesh& remesh, const std::vector<SurfacePoint>& face_points,
@@ -36,29 +30,35 @@ class Placer {
         remesh_(remesh),
         options_(options),
         quadrics_(compute_cell_quadrics(surface, diagram)),
-        creased_(find_crease_cells(surface, diagram)),
-        guard_(surface, remesh, diagram.generators, face_points, options) {}
+        is_held_(remesh.positions().size(), 0),
+        guard_(surface, remesh, diagram.generators, face_points, options) {
+    for (std::size_t v = 0; v < is_held_.size(); ++v) is_held_[v] = is_on_boundary(surface, diagram.generators[v]);
+    for (const GeneratorId g : options.fixed) is_held_[g.index()] = 1;
+  }
 
-  std::vector<Vec3> run() {
-    std::vector<Vec3> positions = guard_.move(remesh_.positions(), find_optima());
-    if (options_.method == Placement::quadric) return positions;
-    const NearestFaceTree tree(surface_);
-    const double count = kSamplesPerVertex * remesh_.vertex_count();
-    const FitTarget target{&surface_, &tree, sample_surface(surface_, count), count, options_.threads};
-    const std::vector<VertexAnchor> anchors = make_anchors();
-    for (int round = 0; round < kFitRounds; ++round) {
-      std::vector<Vec3> fitted = fit_vertices(with_positions(remesh_, positions), target, anchors);
-      keep_fixed(fitted);
-      positions = guard_.move(positions, fitted);
+  std::vector<Vec3> run(const Diagram& diagram) {
+    if (options_.method == Placement::quadric) {
+      guard_.loosen(std::vector<char>(is_held_.size(), 1), options_.least_crease_angle);
+      return guard_.move(remesh_.positions(), find_optima([](std::size_t) { return true; }));
     }
-    return positions;
+    SpringPlan plan{&remesh_, find_crease_cells(surface_, diagram, remesh_), {}, find_areas()};
+    plan.roles = find_vertex_roles(remesh_, plan.creases, is_held_);
+    guard_.loosen(list_vertices(plan, VertexRole::at_crease), options_.least_crease_angle);
+    // Creases first: the samples of a round see only the triangles that are nearest to them.
+    const auto starts_at_optimum = [&](std::size_t v) { return plan.roles[v] >= VertexRole::at_crease; };
+    std::vector<Vec3> positions = guard_.move(remesh_.positions(), find_optima(starts_at_optimum));
+    positions = fit(std::move(positions), plan);
+    const Mesh fitted = with_positions(remesh_, positions);
+    const auto movable = list_vertices(plan, VertexRole::free);
+    return guard_.move(positions, raise_least_angles(fitted, movable, options_.least_angle));
   }
 
  private:
-  std::vector<Vec3> find_optima() const {
+  template <class Takes>
+  std::vector<Vec3> find_optima(const Takes& takes) const {
     std::vector<Vec3> optima = remesh_.positions();
     for (std::size_t v = 0; v < optima.size(); ++v) {
-      optima[v] += quadrics_[GeneratorId(static_cast<std::int64_t>(v))].minimize(kQuadricTruncation);
+      if (takes(v)) optima[v] += quadrics_[GeneratorId(static_cast<std::int64_t>(v))].minimize(kQuadricTruncation);
     }
     keep_fixed(optima);
     return optima;
@@ -68,24 +68,37 @@ class Placer {
     for (const GeneratorId g : options_.fixed) positions[g.index()] = remesh_.position(VertexId(g.value()));
   }
 
-  std::vector<VertexAnchor> make_anchors() const {
-    std::vector<VertexAnchor> anchors;
-    for (std::int32_t i = 0; i < remesh_.vertex_count(); ++i) {
-      const GeneratorId g(i);
-      const double spring = creased_[g] ? kCreaseSpring : kSpring;
-      anchors.push_back({remesh_.position(VertexId(i)), spring * std::max(quadrics_[g].area, least_area())});
+  std::vector<Vec3> fit(std::vector<Vec3> positions, const SpringPlan& plan) const {
+    const ClosestPointTree tree(surface_);
+    const double count = kSamplesPerVertex * remesh_.vertex_count();
+    const FitTarget target{&surface_, &tree, sample_surface(surface_, count), count, options_.threads};
+    for (int round = 0; round < kFitRounds; ++round) {
+      const Mesh current = with_positions(remesh_, positions);
+      std::vector<Vec3> fitted = fit_vertices(current, target, make_springs(current, plan));
+      keep_fixed(fitted);
+      positions = guard_.move(positions, fitted);
     }
-    for (const GeneratorId g : options_.fixed) anchors[g.index()].weight *= kRigidSpring;
-    return anchors;
+    return positions;
   }
 
-  double least_area() const { return kLeastCellArea * surface_.bbox_diagonal() * surface_.bbox_diagonal(); }
+  std::vector<double> find_areas() const {
+    const double least = kLeastCellArea * surface_.bbox_diagonal() * surface_.bbox_diagonal();
+    std::vector<double> areas;
+    for (const Quadric& quadric : quadrics_) areas.push_back(std::max(quadric.area, least));
+    return areas;
+  }
+
+  static std::vector<char> list_vertices(const SpringPlan& plan, VertexRole role) {
+    std::vector<char> chosen;
+    for (const VertexRole r : plan.roles) chosen.push_back(r == role);
+    return chosen;
+  }
 
   const Mesh& surface_;
   const Mesh& remesh_;
   const PlacementOptions& options_;
   IdVector<GeneratorId, Quadric> quadrics_;
-  IdVector<GeneratorId, char> creased_;
+  std::vector<char> is_held_;  // at the boundary, or fixed
   MoveGuard guard_;
 };
 
@@ -98,7 +111,7 @@ std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, co
     throw Error(ErrorCode::precondition, "the remesh is not the dual of the diagram");
   }
   if (options.method == Placement::generator) return remesh.positions();
-  return Placer(surface, diagram, remesh, face_points, options).run();
+  return Placer(surface, diagram, remesh, face_points, options).run(diagram);
 }
 
 }  // namespace gvd

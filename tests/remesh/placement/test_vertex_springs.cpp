@@ -1,0 +1,42 @@
+// What the springs of the fit pull on.
+#include "placement/vertex_springs.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+/// A grid in the plane z = 0 with one creased vertex in its middle, and its corner held.
+SpringPlan make_plan(const Mesh& grid, VertexId middle) {
+  SpringPlan plan{&grid, IdVector<GeneratorId, CreaseCell>(grid.positions().size()), {}, {}};
+  plan.creases[GeneratorId(middle.value())] = {true, Vec3(1, 0, 0)};
+  std::vector<char> held(grid.positions().size(), 0);
+  held[0] = 1;
+  plan.roles = find_vertex_roles(grid, plan.creases, held);
+  plan.areas.assign(grid.positions().size(), 2.0);
+  return plan;
+}
+
+}  // namespace
+
+TEST_CASE("vertices at creases, their neighbours and held ones have their own springs") {
+  const Mesh grid = test::make_grid(4, 4);
+  const VertexId middle(12);
+  const SpringPlan plan = make_plan(grid, middle);
+  CHECK(plan.roles[0] == VertexRole::held);
+  CHECK(plan.roles[middle.index()] == VertexRole::at_crease);
+  CHECK(plan.roles[middle.index() + 1] == VertexRole::near_crease);
+  CHECK(plan.roles.back() == VertexRole::free);
+  const std::vector<VertexAnchor> springs = make_springs(grid, plan);
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto stiffness = [&](std::size_t v, const Vec3& d) { return d.dot(springs[v].weight * d) / 2.0; };
+  CHECK(stiffness(0, x) > 1e5);
+  CHECK(springs[0].position == grid.positions()[0]);
+  CHECK(stiffness(middle.index(), x) > 5 * stiffness(middle.index(), y));
+  CHECK(stiffness(grid.positions().size() - 1, x) > 50 * stiffness(middle.index() + 1, x));
+  for (std::size_t v = 1; v < springs.size(); ++v) {
+    CHECK(stiffness(v, z) > 0);
+    CHECK(stiffness(v, z) < 0.01);
+  }
+}
