@@ -70,6 +70,27 @@ TEST_CASE("remesh: a certified mesh on every family, from one generator to a hun
   }
 }
 
+TEST_CASE("remesh: no more rounds than generators may be added, and one") {
+  int ended = 0, refused = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const std::int64_t most : {0, 1, 2, 5, 9}) {
+      INFO(name << ", " << most);
+      RemeshOptions options;
+      options.max_added = most;
+      try {
+        const RemeshResult result = remesh(mesh, test::random_generators(mesh, 10, 2), options);
+        CHECK(result.rounds <= most + 1);
+        ++ended;
+      } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::no_valid_result);
+        ++refused;
+      }
+    }
+  }
+  CHECK(ended > 0);
+  CHECK(refused > 0);
+}
+
 TEST_CASE("remesh: planar fronts") {
   RemeshOptions options;
   options.diagram.method = Method::gbgvd;
@@ -306,6 +327,7 @@ TEST_CASE("remesh: triangles that intersect get more generators, unless they are
   allow.placement.method = refine.placement.method = Placement::generator;
   allow.allow_intersections = true;
   std::size_t crossed = 0;
+  std::int64_t added_before = 0, added_after = 0;
   for (const auto& [name, mesh] : test::small_family()) {
     for (unsigned seed = 0; seed < 6; ++seed) {
       const auto generators = test::random_generators(mesh, 12, seed);
@@ -317,10 +339,12 @@ TEST_CASE("remesh: triangles that intersect get more generators, unless they are
       const RemeshResult after = require_remesh(mesh, generators, refine);
       CHECK(after.certificate.self_intersections.empty());
       CHECK(require_remesh(mesh, generators).certificate.self_intersections.empty());
-      CHECK(after.added > before.added);
+      added_before += before.added;
+      added_after += after.added;
     }
   }
   CHECK(crossed > 0);
+  CHECK(added_after > added_before);
 }
 
 TEST_CASE("remesh: the vertices are at the generators, bit by bit, where placement asks for it") {

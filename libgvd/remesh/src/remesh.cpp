@@ -10,7 +10,9 @@
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "placement/with_positions.hpp"
+#include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
+#include "repair/propose_nearby.hpp"
 
 namespace gvd {
 namespace {
@@ -30,6 +32,9 @@ constexpr std::int32_t kRoundsWithoutFlips = 12;
 /// than that stays as it is.
 std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
 
+/// Where more than this fraction of the given generators was added, fewer are looked for.
+constexpr double kWorthSearching = 0.1;
+
 std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
   const Vec3& at = mesh.position(narrow.tip);
   const std::string advice = narrow.least_distance < mesh.bbox_diagonal()
@@ -45,42 +50,12 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
 }
 
-class Remesher {
+/// Makes the mesh of the generators and the diagram in a result, and finds the defects that keep it from being one.
+class MeshMaker {
  public:
-  Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
-      : mesh_(mesh),
-        options_(options),
-        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
-        creases_(mesh, options.creases, options.refine ? std::min(max_added_, max_on_creases(generators.size())) : 0) {
-    result_.generators = generators;
-  }
-
-  RemeshResult run() {
-    while (true) {
-      enter(RemeshStage::diagram);
-      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
-      ++result_.rounds;
-      enter(RemeshStage::dual);
-      const DualMesh dual = build_dual(mesh_, result_.diagram);
-      std::vector<DualDefect> defects = find_defects(dual);
-      if (result_.rounds == 1) result_.given_defects = defects;
-      if (follow_creases()) continue;
-      if (defects.empty()) {
-        place();
-        defects = find_intersections(dual);
-        if (result_.rounds == 1) result_.given_defects = defects;
-      }
-      if (defects.empty()) break;
-      refine(defects);
-    }
-    measure();
-    return std::move(result_);
-  }
-
- private:
-  void enter(RemeshStage stage) const {
-    if (options_.on_stage) options_.on_stage(stage);
-  }
+  /// All must outlive this.
+  MeshMaker(const Mesh& mesh, const RemeshOptions& options, RemeshResult& result)
+      : mesh_(mesh), options_(options), result_(result) {}
 
   /// Builds the mesh where the dual has no defect, and then looks for flipped faces.
   std::vector<DualDefect> find_defects(const DualMesh& dual) {
@@ -103,6 +78,18 @@ class Remesher {
     return defects;
   }
 
+  /// Moves the vertices, and then looks for intersections.
+  std::vector<DualDefect> place(const DualMesh& dual) {
+    PlacementOptions options = options_.placement;
+    options.threads = options_.diagram.threads;
+    if (options.method != Placement::generator) {
+      const auto positions = place_vertices(mesh_, result_.diagram, result_.mesh, result_.face_points, options);
+      result_.mesh = with_positions(result_.mesh, positions);
+    }
+    return find_intersections(dual);
+  }
+
+ private:
   /// Of the placed mesh: its vertices may have left the intersections that there were at the generators.
   std::vector<DualDefect> find_intersections(const DualMesh& dual) const {
     if (options_.allow_intersections) return {};
@@ -161,6 +148,49 @@ class Remesher {
     return defect;
   }
 
+  const Mesh& mesh_;
+  const RemeshOptions& options_;
+  RemeshResult& result_;
+};
+
+class Remesher {
+ public:
+  Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
+        creases_(mesh, options.creases, options.refine ? std::min(max_added_, max_on_creases(generators.size())) : 0) {
+    result_.generators = generators;
+  }
+
+  RemeshResult run() {
+    while (true) {
+      enter(RemeshStage::diagram);
+      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
+      ++result_.rounds;
+      enter(RemeshStage::dual);
+      const DualMesh dual = build_dual(mesh_, result_.diagram);
+      std::vector<DualDefect> defects = maker_.find_defects(dual);
+      if (result_.rounds == 1) result_.given_defects = defects;
+      if (follow_creases()) continue;
+      if (defects.empty()) {
+        enter(RemeshStage::placement);
+        defects = maker_.place(dual);
+        if (result_.rounds == 1) result_.given_defects = defects;
+      }
+      if (defects.empty()) break;
+      refine(defects);
+    }
+    if (is_worth_searching()) search_fewer();
+    measure();
+    return std::move(result_);
+  }
+
+ private:
+  void enter(RemeshStage stage) const {
+    if (options_.on_stage) options_.on_stage(stage);
+  }
+
   /// Adds generators on creases. They come before repairs, which they often make needless.
   bool follow_creases() {
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram);
@@ -189,7 +219,10 @@ class Remesher {
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     }
+    const auto nearby = propose_nearby(mesh_, result_.diagram, points,
+                                       static_cast<std::size_t>(may_add) - points.size(), options_.diagram);
     append(points);
+    append(nearby);
   }
 
   std::string given() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
@@ -203,13 +236,35 @@ class Remesher {
                 cells.empty() ? -1 : cells.front().value());
   }
 
-  void place() {
-    enter(RemeshStage::placement);
-    PlacementOptions options = options_.placement;
-    options.threads = options_.diagram.threads;
-    if (options.method == Placement::generator) return;
-    const auto positions = place_vertices(mesh_, result_.diagram, result_.mesh, result_.face_points, options);
-    result_.mesh = with_positions(result_.mesh, positions);
+  std::size_t given_count() const { return result_.generators.size() - static_cast<std::size_t>(result_.added); }
+
+  /// Not where edges shall follow creases: fewer generators could leave these.
+  bool is_worth_searching() const {
+    return options_.creases.empty() &&
+           static_cast<double>(result_.added) > kWorthSearching * static_cast<double>(given_count());
+  }
+
+  void search_fewer() {
+    enter(RemeshStage::search);
+    FewerGenerators fewer(mesh_, result_.diagram, given_count(), options_.diagram,
+                          [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
+    fewer.search();
+  }
+
+  /// Makes the result that of these generators, with the same given ones, if their dual has no defect.
+  bool take_if_right(const std::vector<SurfacePoint>& generators) {
+    RemeshResult before = result_;
+    result_.added -= std::ssize(result_.generators) - std::ssize(generators);
+    result_.generators = generators;
+    try {
+      result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
+      const DualMesh dual = build_dual(mesh_, result_.diagram);
+      if (maker_.find_defects(dual).empty() && maker_.place(dual).empty()) return true;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::no_valid_result) throw;
+    }
+    result_ = std::move(before);
+    return false;
   }
 
   void measure() {
@@ -235,6 +290,7 @@ class Remesher {
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
+  MeshMaker maker_{mesh_, options_, result_};
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ enum class RemeshStage {
   diagram,    ///< computes the diagram
   dual,       ///< checks its dual, and adds generators or builds and certifies the mesh
   placement,  ///< moves the vertices; then triangles that intersect may lead to another round
+  search,     ///< looks for fewer generators, where many were added
   distance,   ///< measures the distances of the input and the mesh, at the end
 };
 
@@ -59,7 +60,7 @@ struct RemeshResult {
   std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
   double crease_length = 0;               ///< of the creases of the options, mesh units
   double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
-  std::int32_t rounds = 0;                ///< number of diagrams computed
+  std::int32_t rounds = 0;                ///< number of diagrams computed before a search for fewer
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   Diagram diagram;                        ///< of all generators
   RemeshCertificate certificate;
@@ -72,8 +73,10 @@ struct RemeshResult {
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
 /// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces, find_self_intersections),
-/// generators are added near the defects and the diagram is computed again. docs/guide/remesh.md says where they go. No
-/// generator is removed or moved. At last the vertices are moved off their generators as `placement` says.
+/// generators are added near the defects and the diagram is computed again. docs/guide/remesh.md says where they go.
+/// Where more than a tenth of the given ones was added, those that the mesh can do without are left out again. One
+/// is put in the place of two where that will do. No given generator is removed or moved. At last the vertices are
+/// moved off their generators as `placement` says.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,

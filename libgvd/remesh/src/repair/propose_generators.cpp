@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "repair/added_generators.hpp"
+#include "repair/mesh_part.hpp"
 #include "repair/repair_defect.hpp"
 
 namespace gvd {
 namespace {
-
-using CellFlags = IdVector<GeneratorId, char>;
 
 bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
   return std::any_of(cells.begin(), cells.end(), [&](GeneratorId g) { return flags[g] != 0; });

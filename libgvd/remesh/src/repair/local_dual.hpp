@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "repair/mesh_part.hpp"
+
+namespace gvd {
+
+/// The diagram and the dual near some cells of a diagram, after generators have been removed and added there. Only the
+/// faces of these cells and of two rings of cells round them are computed again.
+///
+/// Why it is right. A shortest path from a generator stays in its cell. New generators take area away from cells, and
+/// the cells round a removed one share what was its own. So all shortest paths to points of the part's cells stay in
+/// the part, as long as no new cell reaches its fringe: the faces in which other cells begin. There other generators
+/// may be nearer. A cell that meets no face of the fringe is the same in the diagram of the whole mesh.
+/// docs/developer/proofs.md has the proof.
+class LocalDual {
+ public:
+  /// `removed`: cells whose generators go, also to be listed in `cells`. Mesh and diagram must outlive this. Cost:
+  /// O(n).
+  LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector<GeneratorId>& cells,
+            const std::vector<GeneratorId>& removed, const DiagramOptions& options);
+
+  const MeshPart& part() const { return part_; }
+
+  struct Result {
+    Diagram diagram;  ///< of the part; its first generators are those kept, in their order, then the added ones
+    CellFlags inner;  ///< cells that are the same in the diagram of the whole mesh
+    /// Of the dual, as far as all their cells are inner. Flipped triangles follow where there are no others.
+    std::vector<DualDefect> defects;
+  };
+  /// With these points of the whole mesh added. Nothing where that can't be told from the part: a new cell reaches its
+  /// fringe, or a point lies outside. Nothing too where a point coincides with another generator, or a component of the
+  /// mesh is left without any.
+  std::optional<Result> compute(const std::vector<SurfacePoint>& added) const;
+
+  /// Generators of the whole diagram that are kept, in the order of the part's.
+  const std::vector<GeneratorId>& kept() const { return kept_; }
+
+ private:
+  bool add_generators(const std::vector<SurfacePoint>& added, std::vector<SurfacePoint>& generators) const;
+  CellFlags find_inner_cells(const Diagram& diagram) const;
+  std::vector<DualDefect> find_defects(const Result& result) const;
+
+  const Diagram& diagram_;
+  MeshPart part_;
+  DiagramOptions options_;
+  std::vector<GeneratorId> kept_;
+};
+
+}  // namespace gvd

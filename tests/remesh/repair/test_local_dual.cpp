@@ -1,0 +1,183 @@
+// Diagrams of a part of the mesh: the same as those of the whole mesh, cell by cell.
+#include <algorithm>
+#include <vector>
+
+#include "repair/local_dual.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+
+using namespace gvd;
+
+namespace {
+
+std::vector<test::NamedMesh> fine_family() {
+  return {{"sphere", test::make_sphere(4)},
+          {"torus", test::make_torus(72, 36)},
+          {"plate", test::make_plate(24)},
+          {"grid", test::make_grid(40, 40)},
+          {"ring", test::make_ring(96, 24)},
+          {"half sphere", test::make_half_sphere(4)},
+          {"bumpy sphere", test::make_bumpy_sphere(4, 3)},
+          {"thin faces", test::make_thin_faced_sphere(4, 3)},
+          {"genus 3", test::make_genus3(30)}};
+}
+
+/// Generators of the whole mesh before a change and after it.
+struct Change {
+  std::vector<SurfacePoint> before, added;
+  std::vector<GeneratorId> cells, removed;
+
+  std::vector<SurfacePoint> after() const {
+    std::vector<SurfacePoint> all;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const GeneratorId g(static_cast<std::int64_t>(i));
+      if (std::find(removed.begin(), removed.end(), g) == removed.end()) all.push_back(before[i]);
+    }
+    all.insert(all.end(), added.begin(), added.end());
+    return all;
+  }
+};
+
+/// The id in the whole diagram after the change, for each cell of the part.
+std::vector<GeneratorId> whole_ids(const LocalDual& local, const Change& change) {
+  std::vector<GeneratorId> ids;
+  for (const GeneratorId g : local.kept()) {
+    const auto before =
+        std::count_if(change.removed.begin(), change.removed.end(), [&](GeneratorId r) { return r < g; });
+    ids.emplace_back(g.value() - before);
+  }
+  const std::size_t first = change.before.size() - change.removed.size();
+  for (std::size_t i = 0; i < change.added.size(); ++i) ids.emplace_back(static_cast<std::int64_t>(first + i));
+  return ids;
+}
+
+/// Requires equal inner cells; returns their number.
+int require_equal_cells(const Diagram& whole, const LocalDual::Result& local, const std::vector<GeneratorId>& ids) {
+  int inner = 0;
+  for (const Cell& cell : local.diagram.cells) {
+    if (!local.inner[cell.generator]) continue;
+    ++inner;
+    const Cell& other = whole.cells[ids[cell.generator.index()]];
+    CHECK(cell.area == Approx(other.area).epsilon(1e-7));
+    CHECK(cell.euler_characteristic == other.euler_characteristic);
+    CHECK(cell.components == other.components);
+    CHECK(cell.boundary_loops == other.boundary_loops);
+    std::vector<GeneratorId> neighbours;
+    for (const GeneratorId n : cell.neighbours) neighbours.push_back(ids[n.index()]);
+    std::sort(neighbours.begin(), neighbours.end());
+    CHECK(neighbours == other.neighbours);
+  }
+  return inner;
+}
+
+/// The branch points between inner cells are those of the whole mesh, in position too.
+void require_equal_branch_points(const Diagram& whole, const LocalDual::Result& local,
+                                 const std::vector<GeneratorId>& ids, double size) {
+  for (const BranchPoint& b : local.diagram.branch_points) {
+    if (!std::all_of(b.generators.begin(), b.generators.end(), [&](GeneratorId g) { return local.inner[g]; })) continue;
+    double nearest = size;
+    for (const BranchPoint& other : whole.branch_points) {
+      nearest = std::min(nearest, (b.position - other.position).norm());
+    }
+    CHECK(nearest < 1e-9 * size);
+  }
+  CHECK(ids.size() == local.diagram.generators.size());
+}
+
+/// Returns the number of inner cells; -1 where the part can't tell.
+int require_same_as_whole(const Mesh& mesh, const Change& change) {
+  const Diagram diagram = compute_diagram(mesh, change.before);
+  const LocalDual local(mesh, diagram, change.cells, change.removed, {});
+  const auto result = local.compute(change.added);
+  if (!result) return -1;
+  const auto ids = whole_ids(local, change);
+  const Diagram whole = compute_diagram(mesh, change.after());
+  require_equal_branch_points(whole, *result, ids, mesh.bbox_diagonal());
+  return require_equal_cells(whole, *result, ids);
+}
+
+GeneratorId cell_at(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& point) {
+  return diagram.vertex_label[mesh.vertices(point.face)[0]];
+}
+
+}  // namespace
+
+TEST_CASE("local dual: after generators are added, the cells are those of the whole mesh") {
+  int told = 0, tried = 0;
+  for (const auto& [name, mesh] : fine_family()) {
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      INFO(name << ", seed " << seed);
+      Change change;
+      change.before = test::random_generators(mesh, 80, seed);
+      change.added = test::random_generators(mesh, 1 + static_cast<int>(seed % 2), seed + 100);
+      const Diagram diagram = compute_diagram(mesh, change.before);
+      for (const SurfacePoint& p : change.added) change.cells.push_back(cell_at(mesh, diagram, p));
+      ++tried;
+      if (require_same_as_whole(mesh, change) > 0) ++told;
+    }
+  }
+  CHECK(told >= tried * 2 / 3);
+}
+
+TEST_CASE("local dual: after generators are removed, and one added in their place") {
+  int told = 0, tried = 0;
+  for (const auto& [name, mesh] : fine_family()) {
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      INFO(name << ", seed " << seed);
+      Change change;
+      change.before = test::random_generators(mesh, 80, seed);
+      const Diagram diagram = compute_diagram(mesh, change.before);
+      const GeneratorId first(7 + static_cast<int>(seed));
+      change.removed = {first, diagram.cells[first].neighbours[0]};
+      std::sort(change.removed.begin(), change.removed.end());
+      change.cells = change.removed;
+      if (seed % 2 == 0) change.added = {diagram.branch_points[BranchPointId(0)].point};
+      for (const BranchPoint& b : diagram.branch_points) {
+        if (seed % 2 == 0 && b.generators[0] == first) change.added = {b.point};
+      }
+      ++tried;
+      if (require_same_as_whole(mesh, change) > 0) ++told;
+    }
+  }
+  CHECK(told >= tried * 2 / 3);
+}
+
+TEST_CASE("local dual: defects are those of the whole mesh where it can tell") {
+  const Mesh mesh = test::make_torus(96, 24);
+  // Six round the torus: annuli. One more in the first.
+  std::vector<SurfacePoint> generators;
+  for (int i = 0; i < 8; ++i) generators.push_back(vertex_point(mesh, VertexId(i * 12 * 24)));
+  const Diagram diagram = compute_diagram(mesh, generators);
+  const auto whole = check_dual(mesh, diagram);
+  const LocalDual local(mesh, diagram, {GeneratorId(0)}, {}, {});
+  CHECK(local.part().size() < static_cast<std::size_t>(mesh.face_count()));
+  const auto result = local.compute({});
+  REQUIRE(result);
+  const auto discs = [](const std::vector<DualDefect>& defects) {
+    return std::count_if(defects.begin(), defects.end(),
+                         [](const DualDefect& d) { return d.property == DualProperty::cell_is_disc; });
+  };
+  CHECK(discs(whole) == 8);
+  CHECK(discs(result->defects) >= 1);
+  CHECK(discs(result->defects) < 8);
+}
+
+TEST_CASE("local dual: nothing where a point lies outside, coincides, or a component loses its only generator") {
+  const Mesh mesh = test::make_torus(96, 24);
+  const auto generators = test::random_generators(mesh, 60, 1);
+  const Diagram diagram = compute_diagram(mesh, generators);
+  const LocalDual local(mesh, diagram, {GeneratorId(0)}, {}, {});
+  CHECK_FALSE(local.compute({generators[0]}));
+  const auto& near = diagram.cells[GeneratorId(0)].neighbours;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const GeneratorId g(static_cast<std::int64_t>(i));
+    if (local.part().to_part(generators[i]) || std::find(near.begin(), near.end(), g) != near.end()) continue;
+    CHECK_FALSE(local.compute({generators[i]}));
+  }
+  const Mesh two = test::make_two_components();
+  const auto component = compute_face_components(two);
+  const FaceId other(std::find(component.begin(), component.end(), 1) - component.begin());
+  const Diagram both = compute_diagram(two, {vertex_point(two, VertexId(0)), make_surface_point(other, {1, 0, 0})});
+  CHECK_FALSE(LocalDual(two, both, {GeneratorId(0), GeneratorId(1)}, {GeneratorId(1)}, {}).compute({}));
+}
