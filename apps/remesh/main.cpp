@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -17,11 +16,13 @@
 #include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/surface_area.hpp"
 #include "remesh/carry.hpp"
 #include "remesh/map_json.hpp"
 #include "remesh/relax_start.hpp"
 #include "remesh/remesh_json.hpp"
 #include "remesh/remesh_report.hpp"
+#include "remesh/remesh_scenes.hpp"
 #include "remesh/search_count.hpp"
 
 namespace {
@@ -83,8 +84,10 @@ void register_options(app::CommandLine& line, Settings& settings) {
   line.add_flag({"--allow-intersections", "",
                  "Accept triangles that intersect each other; without it, generators are added there", group},
                 settings.remesh.allow_intersections);
-  line.add_flag({"--carry", "", "Give PLY output the colours and other properties of a PLY input", group},
-                settings.carry);
+  line.add_flag(
+      {"--carry", "",
+       "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates", group},
+      settings.carry);
 }
 
 /// Remeshes, and reports the time of the diagrams apart from that of all other work.
@@ -92,7 +95,7 @@ RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<Sur
                           RemeshOptions options) {
   app::StepTimes times(run);
   options.on_stage = [&times](RemeshStage stage) {
-    constexpr std::array<const char*, 4> kNames{"diagram", "dual", "placement", "distance"};
+    constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
     times.start(kNames[static_cast<std::size_t>(stage)]);
   };
   return remesh(mesh, generators, options);
@@ -138,56 +141,27 @@ RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings setti
   return remesh_with(run, app::search_count(run, input.mesh, remesh_with));
 }
 
-/// Moves the added generators, which come last, to a list of their own.
-void mark_added(const RemeshResult& result, ViewScene& scene) {
-  const auto first = scene.generators.end() - static_cast<std::ptrdiff_t>(result.added);
-  scene.added_generators.assign(first, scene.generators.end());
-  scene.generators.erase(first, scene.generators.end());
+/// Triangles without area are ordinary input, but a mesh of nothing else has no remesh.
+void check_area(const app::Run& run, const Mesh& mesh) {
+  if (compute_area(mesh) > 0) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("{}: no triangle has an area, so there is nothing to remesh; give a surface with area",
+                          run.options().input.path));
 }
 
-ViewScene diagram_scene(const Mesh& mesh, const RemeshResult& result) {
-  ViewScene scene = make_view_scene("Diagram", mesh, result.diagram);
-  mark_added(result, scene);
-  return scene;
-}
-
-/// The larger of the two directions.
-template <class Of>
-std::string percent_of_diagonal(const RemeshResult& result, Of of) {
-  const double distance = std::max(of(result.input_to_output), of(result.output_to_input));
-  return fmt::format("{:.3g} % of the diagonal", 100 * distance / result.certificate.input.bbox_diagonal);
-}
-
-ViewScene coarse_scene(const RemeshResult& result) {
-  ViewScene scene;
-  scene.name = "Remesh";
-  scene.mesh = &result.mesh;
-  scene.generators = result.mesh.positions();  // vertex i stands for generator i
-  mark_added(result, scene);
-  scene.wireframe = true;
-  scene.smooth = false;
-  scene.figures = {
-      {"Vertices", fmt::format("{}", result.mesh.vertex_count())},
-      {"Faces", fmt::format("{}", result.mesh.face_count())},
-      {"Generators added", fmt::format("{}", result.added)},
-      {"Euler characteristic", fmt::format("{}", result.certificate.output.euler_characteristic)},
-      {"Mean quality Q", fmt::format("{:.3f}", result.output_quality.q_average)},
-      {"Distance from the input, RMS", percent_of_diagonal(result, [](const SurfaceDistance& d) { return d.rms; })},
-      {"Largest distance", percent_of_diagonal(result, [](const SurfaceDistance& d) { return d.hausdorff; })},
-      {"Pairs of faces that intersect", fmt::format("{}", result.certificate.self_intersections.size())},
-      {"Angles below 30 degrees", fmt::format("{:.1f} %", result.output_quality.percent_below_30)}};
-  return scene;
+/// For `--map` and `--carry`; empty without them.
+RemeshMap make_map(app::Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
+  const std::string& path = run.options().output.own.at(kMap);
+  run.report().options()["map"] = path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path);
+  if (path.empty() && !carry) return {};
+  return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads); });
 }
 
 /// Writes `--map`; the report and a note tell how good the map is.
-void write_map(app::Run& run, const CheckedMesh& input, const RemeshResult& result) {
-  const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path);
-  if (path.empty()) return;
-  const RemeshMap map =
-      run.timed("map", [&] { return map_to_remesh(input.mesh, result, run.options().compute.threads); });
+void write_map(app::Run& run, const CheckedMesh& input, const RemeshMap& map) {
+  if (run.options().output.own.at(kMap).empty()) return;
   app::report_map(run, map);
-  app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, result, map); });
+  app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, map); });
 }
 
 void run_remesh(app::Run& run, const Settings& settings) {
@@ -197,19 +171,25 @@ void run_remesh(app::Run& run, const Settings& settings) {
   if (settings.carry) app::check_carry(run);
   run.report().options()["carry"] = settings.carry;
   app::check_relaxation(settings.relaxation, run.options().generators);
-  const CheckedMesh input = app::load_input(run);
+  std::string standard_input;
+  const CheckedMesh input = app::load_input(run, settings.carry ? &standard_input : nullptr);
   const Mesh& mesh = input.mesh;
+  check_area(run, mesh);
   const RemeshResult result = make_result(run, input, settings);
+  const RemeshMap map = make_map(run, mesh, result, settings.carry);
   const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
-  std::vector<MeshProperty> properties;
-  if (settings.carry) properties = app::carry(run, input, result);
+  app::Carried carried;
+  if (settings.carry) carried = app::carry(run, input, result, map, standard_input);
   LabelledMesh coarse{result.mesh};
-  coarse.properties = &properties;
+  coarse.properties = &carried.properties;
+  if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
   app::write_output_files(run, coarse, {{"json", json}});
   app::write_diagram_file(run, mesh, result.diagram);
-  write_map(run, input, result);
+  write_map(run, input, map);
+  Mesh unplaced;  // the scenes refer to it
   app::write_view_file(run, "gvd-remesh", [&] {
-    return std::vector{coarse_scene(result), diagram_scene(mesh, result)};
+    unplaced = app::make_unplaced(mesh, result);
+    return app::make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
   });
   app::verify(run, mesh, result.diagram);
   app::write_report_file(run);

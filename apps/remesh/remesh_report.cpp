@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gvd/counted.hpp"
+#include "gvd/quality.hpp"
 
 namespace gvd::app {
 namespace {
@@ -29,6 +30,10 @@ Json to_json(const TriangleQuality& q) {
           {"angle_min", q.angle_min},
           {"angle_min_average", q.angle_min_average},
           {"percent_below_30", q.percent_below_30}};
+}
+
+Json to_json(const Valences& v) {
+  return {{"least", v.least}, {"largest", v.largest}, {"percent_regular", v.percent_regular}};
 }
 
 Json to_json(const RemeshCertificate& c) {
@@ -145,6 +150,8 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
   results["output"] = to_json(result.certificate.output);
   results["certificate"] = to_json(result.certificate);
   results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};
+  results["valences"] = {{"input", to_json(compute_valences(mesh))},
+                         {"output", to_json(compute_valences(result.mesh))}};
   results["distance"] = {{"input_to_output", to_json(result.input_to_output)},
                          {"output_to_input", to_json(result.output_to_input)}};
   run.report().set_diagram(result.diagram);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "gvd/error.hpp"
@@ -22,17 +25,53 @@ double distance_of(const RemeshResult& result) {
 
 void report_trials(Run& run, double target, const Fewest& found) {
   nlohmann::ordered_json trials = nlohmann::ordered_json::array();
-  for (const CountTrial& trial : found.trials) trials.push_back({{"n", trial.count}, {"hausdorff", trial.error}});
+  for (const CountTrial& trial : found.trials) {
+    const auto distance = std::isfinite(trial.error) ? nlohmann::ordered_json(trial.error) : nullptr;
+    trials.push_back({{"n", trial.count}, {"hausdorff", distance}});
+  }
   run.report().results()["search"] = {{"hausdorff", target}, {"trials", std::move(trials)}};
 }
 
-[[noreturn]] void refuse(double target, const Fewest& found) {
+/// Distances of remeshes, infinite where a number of generators gives none.
+class Trials {
+ public:
+  explicit Trials(const std::function<RemeshResult(Run& trial, std::int32_t count)>& remesh_with)
+      : remesh_with_(remesh_with) {}
+
+  /// Fixed generators and features can be more than `count`, and so few can be no valid mesh where none may be added.
+  /// Throws Error{no_valid_result} of the first trial: larger ones of a mesh that has no remesh would take long.
+  double distance(Run& run, std::int32_t count) {
+    Console silent("", {}, true, false);
+    Run trial("", run.options(), silent);
+    try {
+      const double distance = distance_of(remesh_with_(trial, count));
+      has_result_ = true;
+      return distance;
+    } catch (const Error& error) {
+      const bool too_few = error.code() == ErrorCode::no_valid_result && has_result_;
+      if (error.code() != ErrorCode::precondition && !too_few) throw;
+      last_failure_ = std::current_exception();
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
+  /// Only where a trial has failed.
+  [[noreturn]] void rethrow_failure() const { std::rethrow_exception(last_failure_); }
+
+ private:
+  const std::function<RemeshResult(Run& trial, std::int32_t count)>& remesh_with_;
+  bool has_result_ = false;
+  std::exception_ptr last_failure_;
+};
+
+[[noreturn]] void refuse(double target, const Fewest& found, const Trials& trials) {
   const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
   const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
+  if (!std::isfinite(best.error)) trials.rethrow_failure();
   throw Error(
       ErrorCode::no_valid_result,
       fmt::format("--error: no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest "
-                  "is within {:.6g}",
+                  "is within {:.6g}; ask for that or more",
                   found.trials.back().count, target, best.error));
 }
 
@@ -46,20 +85,19 @@ std::int32_t search_count(Run& run, const Mesh& mesh,
   options.most =
       static_cast<std::int32_t>(std::clamp<std::int64_t>(kMostPerVertex * mesh.vertex_count(), kLeastMost, 1000000000));
   double done = 0;
+  Trials trials(remesh_with);
   const Fewest found = run.timed("search", [&] {
     return find_fewest(options, [&](std::int32_t count) {
       run.console().set_status(fmt::format("{} generators", count));
       report_progress(run.progress(), "search", done++ / options.max_trials);
-      Console silent("", {}, true, false);
-      Run trial("", run.options(), silent);
-      const double distance = distance_of(remesh_with(trial, count));
+      const double distance = trials.distance(run, count);
       run.console().detail(fmt::format("{} generators: distance {:.6g} mesh units", count, distance));
       return distance;
     });
   });
   run.console().set_status("");
   report_trials(run, options.target, found);
-  if (!found.count) refuse(options.target, found);
+  if (!found.count) refuse(options.target, found, trials);
   return *found.count;
 }
 

@@ -21,12 +21,15 @@ const kClose = {
   show: { wireframe: true, generators: false },
 };
 const kNoBranchPoints = { branch_points: false };
+const kPlain = { colour: 'plain', show: { generators: false, overlay: false } };
 const kDistances = { colour: 'distance', show: { lines: true, branch_points: false } };
 
 export const kPictures = [
   { name: 'segments', page: 'segments', size: kSmall },
   { name: 'samples', page: 'samples', size: kLarge, show: kNoBranchPoints },
-  { name: 'coarse', page: 'coarse', size: kLarge, show: { generators: false } },
+  { name: 'coarse', page: 'coarse', size: kLarge, ...kPlain },
+  { name: 'unplaced', page: 'remesh', scene: 'Before placement', size: kSmall },
+  { name: 'remesh', page: 'remesh', scene: 'Remesh', size: kSmall },
   { name: 'distances', page: 'segments', size: kSmall, ...kDistances },
   { name: 'bisectors', page: 'segments', ...kClose },
   { name: 'cut', page: 'cut', ...kClose },
@@ -35,6 +38,6 @@ export const kPictures = [
   { name: 'random', page: 'relaxed', scene: 'Start', size: kSmall, show: kNoBranchPoints },
   { name: 'relaxed', page: 'relaxed', scene: 'Relaxed', size: kSmall, show: kNoBranchPoints },
   { name: 'open', page: 'open', size: kSmall, zoom: -1, turn: { right: 10 } },
-  { name: 'open_coarse', page: 'open_coarse', size: kSmall, zoom: -1, turn: { right: 10 } },
+  { name: 'open_coarse', page: 'open_coarse', size: kSmall, zoom: -1, turn: { right: 10 }, ...kPlain },
   { name: 'viewer', page: 'segments', size: [1000, 620], hover: [420, 330], whole_page: true },
 ];

@@ -1,9 +1,10 @@
 // Colours: the regions', and those of the marks on them for light and dark pages.
-import { Color, DataTexture, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
+import { Color, DataTexture, FloatType, RedFormat, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
 import { read_array } from './data.js';
 import { ramp } from './ramp.js';
 
 export const kTextureWidth = 256;
+export const kLatticeWidth = 1024;
 
 export const kUnlabelled = new Color('#c9d1d8');
 export const kUnreachedFill = [156, 154, 151];  // kUnreachedColor of region_colors.hpp
@@ -15,6 +16,8 @@ export const kThemes = {
     page: '#f3f4f2',
     line: '#20262e',
     wire: '#20262e',
+    light_wire: '#ffffff',
+    overlay: '#5b6470',
     generator: '#20262e',
     added_generator: '#e8112d',
     branch_point: '#ffffff',
@@ -23,6 +26,8 @@ export const kThemes = {
     page: '#15181c',
     line: '#f4f2ea',
     wire: '#0b0d10',
+    light_wire: '#ffffff',
+    overlay: '#c3ccd6',
     generator: '#fffaf0',
     added_generator: '#ff3b30',
     branch_point: '#20262e',
@@ -53,4 +58,13 @@ export function fill_texture(fills) {
 // The colours of values, low to high.
 export function ramp_texture() {
   return make_texture(Array.from({ length: 256 }, (_, i) => ramp(i / 255)), 256);
+}
+
+// The distances on the lattices of a SurfaceDistance, as shares of its scale.
+export function lattice_texture({ lattice, scale_end }) {
+  const rows = Math.max(1, Math.ceil(lattice.length / kLatticeWidth)), texels = new Float32Array(kLatticeWidth * rows);
+  lattice.forEach((distance, i) => (texels[i] = distance / scale_end));
+  const texture = new DataTexture(texels, kLatticeWidth, rows, RedFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
 }

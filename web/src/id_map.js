@@ -23,8 +23,9 @@ export class IdMap {
     this.fresh = false;
   }
 
-  // Draws the surface's codes and distances, one pixel for each CSS pixel of the canvas.
-  update(surface) {
+  // Draws the surface's codes and distances, one pixel for each CSS pixel of the canvas. Where the faces of the triangles
+  // are given, each pixel has its face in place of the code.
+  update(surface, faces = null) {
     if (this.fresh) return;
     const { renderer, camera, width, height } = this.stage;
     const parent = surface.parent;
@@ -36,6 +37,7 @@ export class IdMap {
     renderer.readRenderTargetPixels(this.target, 0, 0, width, height, pixels);
     renderer.setRenderTarget(null);
     parent.add(surface);
+    if (faces) for (let i = 0; i < pixels.length; i += 4) pixels[i + 1] = faces[pixels[i + 3]];
     [this.width, this.height, this.pixels, this.fresh] = [width, height, pixels, true];
   }
 

@@ -15,10 +15,21 @@ export function covered() {
   return { left: 0, right: 0, top: upright && box_of(head).height ? box_of(head).bottom : 0, bottom };
 }
 
+// The panels that were open when the window became narrow; those that the page names where it was narrow at first.
+let open_when_wide = null;
+
 // Opens the panels that the page names, on a phone none, and shows the first of them.
 export function open_first_panels() {
+  open_when_wide = null;
   for (const box of panels()) box.open = !phone.matches && box.dataset.open !== undefined;
   document.querySelector('aside').scrollTop = 0;
+}
+
+// Closes all panels where the window has become narrow, and opens them again where it has become wide.
+function follow_width() {
+  if (!phone.matches && !open_when_wide) return open_first_panels();
+  if (phone.matches) open_when_wide = panels().filter((box) => box.open);
+  for (const box of panels()) box.open = !phone.matches && open_when_wide.includes(box);
 }
 
 // A panel that is opened comes into view; on a phone the others are closed.
@@ -27,7 +38,7 @@ export function arrange_panels() {
   // On a narrow phone the buttons have two rows: cards are above them.
   const measure = () => document.documentElement.style.setProperty('--covered', `${covered().bottom}px`);
   new ResizeObserver(measure).observe(document.querySelector('aside'));
-  phone.addEventListener('change', open_first_panels);
+  phone.addEventListener('change', follow_width);
   for (const box of panels()) {
     box.addEventListener('toggle', () => {
       if (!phone.matches || !box.open) return;

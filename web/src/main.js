@@ -1,14 +1,15 @@
 import { Sphere, Vector3 } from 'three';
 import { kThemes, kUnreachedFill } from './colours.js';
 import { read_array, read_manifest } from './data.js';
+import { describe_element, locate } from './element_card.js';
 import { HoverMark } from './hover_mark.js';
 import { IdMap } from './id_map.js';
 import { arrange_panels, covered, open_first_panels } from './layout.js';
 import { draw_legend, show_legend } from './legend.js';
 import { bisector_width, make_mark_materials } from './marks.js';
-import { make_surface_materials } from './materials.js';
+import { make_overlay_material, make_surface_materials } from './materials.js';
 import * as panel from './panel.js';
-import { Picture } from './picture.js';
+import { has_light_overlay, Picture } from './picture.js';
 import { RegionTable } from './region_table.js';
 import { save_canvas } from './save_picture.js';
 import { Stage } from './stage.js';
@@ -20,7 +21,9 @@ const kColourings = [
   ['area', 'Area', 'Area of the region'],
   ['energy', 'Energy', 'Energy of the region'],
   ['distance', 'Distance', 'Distance from the generator'],
+  ['surface_distance', 'Surface distance'],  // the scene names the surface in the title
   ['quality', 'Quality', 'Quality of the triangle'],
+  ['angle', 'Smallest angle', 'Smallest angle of the triangle, degrees'],
   ['plain', 'Nothing'],
 ];
 const kToggles = [
@@ -31,14 +34,17 @@ const kToggles = [
   ['branch_points', 'Branch points'],
   ['wireframe', 'Wireframe'],
   ['smooth', 'Smooth shading'],
+  ['overlay', 'Other surface'],  // the scene names it
 ];
+// What a scene is coloured by where it does not offer what was chosen, the first that it offers.
+const kUsual = ['regions', 'surface_distance', 'plain'];
 const kMarks = ['bisectors', 'generators', 'added_generators', 'branch_points'];
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
-const kPerScene = ['wireframe', 'smooth'];  // the others keep their state when the scene changes
 
 // The positions of all scenes, three coordinates each; scenes with the same mesh count once.
 function all_positions(manifest) {
-  const references = new Map(manifest.scenes.map(({ positions }) => [positions.blob, positions]));
+  const all_references = manifest.scenes.flatMap(({ positions, overlay }) => (overlay ? [positions, overlay.positions] : [positions]));
+  const references = new Map(all_references.map((positions) => [positions.blob, positions]));
   const arrays = [...references.values()].map(read_array);
   const all = new Float32Array(arrays.reduce((sum, array) => sum + array.length, 0));
   arrays.reduce((at, array) => (all.set(array, at), at + array.length), 0);
@@ -60,7 +66,7 @@ class Viewer {
     this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered });
     this.id_map = new IdMap(this.stage);
     this.hover_mark = new HoverMark(panel.by_id('mark'));
-    this.materials = { ...make_surface_materials(), ...make_mark_materials() };
+    this.materials = { ...make_surface_materials(), ...make_mark_materials(), overlay: make_overlay_material() };
     this.pictures = manifest.scenes.map(() => null);
     this.table = new RegionTable((label) => this.pin(label));
     this.set_defaults();
@@ -80,7 +86,12 @@ class Viewer {
   set_defaults() {
     this.on = { lines: false };
     for (const key of kMarks) this.on[key] = true;
-    this.own = this.manifest.scenes.map(({ wireframe, smooth }) => ({ wireframe, smooth }));
+    this.own = this.manifest.scenes.map((scene) => ({
+      wireframe: scene.wireframe,
+      smooth: scene.smooth,
+      overlay: has_light_overlay(scene),
+      ...(scene.vertex_generators && { generators: false }),  // dots on all vertices would hide the colours
+    }));
     this.wanted = 'regions';
     this.pinned = null;
   }
@@ -90,7 +101,7 @@ class Viewer {
     canvas.addEventListener('pointermove', (event) => event.buttons === 0 && this.point_at(event));
     canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
-    canvas.addEventListener('pointerleave', () => this.point_at(null));
+    canvas.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'mouse' && this.point_at(null));
     document.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
     dark_scheme.addEventListener('change', () => this.follow_theme());
     panel.by_id('unpin').addEventListener('click', () => this.pin(null));
@@ -98,16 +109,17 @@ class Viewer {
     panel.by_id('reset').addEventListener('click', () => this.reset());
   }
 
-  // A click or tap pins the region under it, a second one frees it.
+  // A click or tap pins the region under it, a second one frees it. Where there are no regions, a tap shows the face.
   release(event) {
     const start = this.pressed;
     this.pressed = null;
-    if (event.pointerType !== 'mouse') this.point_at(null);
-    if (!start || event.button !== 0) return;
-    if (Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) >= 6) return;
+    const moved = !start || Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) >= 6;
+    const regions = this.picture.offers('regions');
+    if (event.pointerType !== 'mouse') this.point_at(regions || moved ? null : event);
+    if (moved || event.button !== 0 || !regions) return;
     this.id_map.update(this.picture.mesh);
     const hit = this.id_map.at(event.offsetX, event.offsetY);
-    const label = hit && this.picture.offers('regions') ? hit.code - kFirstLabel : null;
+    const label = hit && hit.code - kFirstLabel;
     this.pin(label === null || label < 0 || label === this.pinned ? null : label);
   }
 
@@ -126,7 +138,8 @@ class Viewer {
   }
 
   toggle(key, value) {
-    (kPerScene.includes(key) ? this.own[this.current] : this.on)[key] = value;
+    const own = this.own[this.current];  // the others keep their state when the scene changes
+    (key in own ? own : this.on)[key] = value;
     this.apply();
   }
 
@@ -143,15 +156,19 @@ class Viewer {
       count.textContent = picture.count(key);
     }
     for (const [key, option] of Object.entries(this.colours)) option.hidden = option.disabled = !picture.offers(key);
-    this.colour = picture.offers(this.wanted) ? this.wanted : 'plain';
+    if (picture.entry.overlay) this.inputs.overlay.text.textContent = picture.entry.overlay.name;
+    this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
     panel.by_id('colour').value = this.colour;
     picture.apply(on, this.colour);
-    show_legend(this.legend_title(), picture.range(this.colour));
+    document.querySelector('#hint span').hidden = !picture.offers('regions');
+    this.set_wire_colour();
+    show_legend(this.legend_title(), picture.range(this.colour), picture.exceeds(this.colour));
     this.table.show(picture.offers('regions') ? picture.entry.cells : [], (label) => this.css_colour(label));
     this.pin(this.pinned);
   }
 
   legend_title() {
+    if (this.colour === 'surface_distance') return `Distance from ${this.picture.distance.other}, % of the diagonal`;
     return kColourings.find(([key]) => key === this.colour)[2];
   }
 
@@ -179,13 +196,22 @@ class Viewer {
     requestAnimationFrame(() => {
       this.picking = false;
       if (!this.pointer || this.stage.moving) return this.show_hit(null);
-      this.id_map.update(this.picture.mesh);
+      const { mesh, surface } = this.picture, regions = this.picture.offers('regions');
+      this.id_map.update(mesh, regions ? null : surface.triangles.parents);
       this.show_hit(this.id_map.at(this.pointer.x, this.pointer.y));
     });
   }
 
+  // The face or vertex under the pointer, where there are no regions.
+  show_element(face) {
+    const found = locate(this.stage, this.picture.surface, face, this.pointer);
+    this.hover_mark.show(this.id_map, face, found.place);
+    panel.show_card('region', describe_element(this.picture, found));
+  }
+
   show_hit(hit) {
-    const code = hit && this.picture.offers('regions') ? hit.code : -1;
+    if (hit && !this.picture.offers('regions')) return this.show_element(hit.code);
+    const code = hit ? hit.code : -1;
     this.hover_mark.show(this.id_map, code);
     const pinned = this.pinned !== null && code === this.pinned + kFirstLabel;
     panel.show_region('region', code < 0 || pinned ? null : this.describe(hit));
@@ -226,7 +252,8 @@ class Viewer {
   save_picture() {
     const canvas = this.stage.take_picture(), range = this.picture.range(this.colour);
     const ink = kThemes[dark_scheme.matches ? 'dark' : 'light'].line;
-    if (range) draw_legend(canvas, canvas.width / this.stage.width, this.legend_title(), range, ink);
+    const legend = { title: this.legend_title(), range, exceeded: this.picture.exceeds(this.colour), ink };
+    if (range) draw_legend(canvas, canvas.width / this.stage.width, legend);
     save_canvas(canvas, this.manifest.title);
   }
 
@@ -238,11 +265,18 @@ class Viewer {
     this.stage.reset();
   }
 
+  // Most distances are small, and have dark colours.
+  set_wire_colour() {
+    const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
+    this.materials.wire.uniforms.colour.value.set(this.colour === 'surface_distance' ? theme.light_wire : theme.wire);
+  }
+
   follow_theme() {
     const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
     this.stage.renderer.setClearColor(theme.page);
     this.materials.line.color.set(theme.line);
-    this.materials.wire.uniforms.colour.value.set(theme.wire);
+    this.set_wire_colour();
+    this.materials.overlay.uniforms.colour.value.set(theme.overlay);
     const dots = { generator: theme.generator, added_generator: theme.added_generator, branch_point: theme.branch_point };
     for (const [key, fill] of Object.entries(dots)) {
       this.materials[key].uniforms.fill.value.set(fill);

@@ -1,24 +1,33 @@
 // Shaders: the surface, what is picked under the pointer, and the dots.
 import { BackSide, Color, DoubleSide, FrontSide, GLSL3, NoBlending, ShaderMaterial } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { kTextureWidth, kUnlabelled, ramp_texture } from './colours.js';
+import { kLatticeWidth, kTextureWidth, kUnlabelled, ramp_texture } from './colours.js';
 
-// Where the surface's colour comes from: the region's entry in a texture, a value of each point, or nothing.
-export const kSources = { regions: 0, distance: 1, quality: 2, plain: 3 };
+// Where the surface's colour comes from: the region's entry in a texture, a value of each point or face, or nothing.
+export const kSources = { regions: 0, distance: 1, quality: 2, angle: 2, plain: 3, surface_distance: 4 };
 
 const kSurfaceVertex = /* glsl */ `
 attribute float code;
 attribute float distance;
-attribute float quality;
+attribute float value;
+attribute float share;
+attribute vec2 lattice;
 flat varying float v_code;
+flat varying vec2 v_lattice;
 varying float v_distance;
-varying float v_quality;
+varying float v_value;
+varying float v_share;
+varying vec2 v_bary;
 varying vec3 v_normal;
 varying vec3 v_view;
 void main() {
   v_code = code;
   v_distance = distance;
-  v_quality = quality;
+  v_value = value;
+  v_share = share;
+  v_lattice = lattice;
+  int corner = gl_VertexID % 3;
+  v_bary = vec2(corner == 0, corner == 2);
   v_normal = normalMatrix * normal;
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   v_view = view.xyz;
@@ -27,13 +36,17 @@ void main() {
 
 const kSurfaceFragment = /* glsl */ `
 uniform sampler2D fills, ramp;
+uniform highp sampler2D lattices;
 uniform vec3 plain;
 uniform int source;
 uniform bool show_lines, smooth_normals;
 uniform float largest_distance, line_spacing, pinned;
 flat varying float v_code;
+flat varying vec2 v_lattice;
 varying float v_distance;
-varying float v_quality;
+varying float v_value;
+varying float v_share;
+varying vec2 v_bary;
 varying vec3 v_normal;
 varying vec3 v_view;
 
@@ -46,9 +59,26 @@ vec3 ramp_at(float t) {
   return texture2D(ramp, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
+float in_lattice(int row, int j) {
+  int i = int(v_lattice.x + 0.5) + row * (2 * int(v_lattice.y + 0.5) + 3 - row) / 2 + j;
+  return texelFetch(lattices, ivec2(i % ${kLatticeWidth}, i / ${kLatticeWidth}), 0).r;
+}
+
+// As locate_in_lattice of surface_distance.js.
+float lattice_share() {
+  float k = v_lattice.y;
+  vec2 p = max(v_bary * k, 0.0);
+  int i = int(min(floor(p.x), k - 1.0)), j = int(min(floor(p.y), k - 1.0 - float(i)));
+  float u = p.x - float(i), v = p.y - float(j);
+  if (u + v > 1.0 && float(i + j) < k - 1.0)
+    return (u + v - 1.0) * in_lattice(i + 1, j + 1) + (1.0 - u) * in_lattice(i, j + 1) + (1.0 - v) * in_lattice(i + 1, j);
+  return (1.0 - u - v) * in_lattice(i, j) + u * in_lattice(i + 1, j) + v * in_lattice(i, j + 1);
+}
+
 vec3 base_colour(bool reached) {
   if (source == ${kSources.regions}) return fill_of(v_code);
-  if (source == ${kSources.quality}) return ramp_at(v_quality);
+  if (source == ${kSources.quality}) return ramp_at(v_value);
+  if (source == ${kSources.surface_distance}) return ramp_at(v_lattice.y > 1.0 ? lattice_share() : v_share);
   if (source == ${kSources.distance}) return reached ? ramp_at(v_distance / largest_distance) : fill_of(0.0);
   return plain;
 }
@@ -105,6 +135,7 @@ function make_uniforms() {
   return {
     fills: { value: null },
     ramp: { value: ramp_texture() },
+    lattices: { value: null },
     plain: { value: kUnlabelled.clone() },
     source: { value: kSources.regions },
     show_lines: { value: false },
@@ -115,7 +146,37 @@ function make_uniforms() {
   };
 }
 
-// Writes (1, code, the distance's bits, 0): integers, because every WebGL 2 device can draw into these.
+// The other surface: clear where it is seen from the front, so that colours below show, and visible at its outline.
+export function make_overlay_material() {
+  return new ShaderMaterial({
+    vertexShader: /* glsl */ `
+      varying vec3 v_normal;
+      varying vec3 v_view;
+      void main() {
+        v_normal = normalMatrix * normal;
+        vec4 view = modelViewMatrix * vec4(position, 1.0);
+        v_view = view.xyz;
+        gl_Position = projectionMatrix * view;
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform vec3 colour;
+      varying vec3 v_normal;
+      varying vec3 v_view;
+      void main() {
+        float facing = clamp(dot(normalize(v_normal), normalize(-v_view)), 0.0, 1.0);
+        gl_FragColor = vec4(colour, 0.08 + 0.5 * pow(1.0 - facing, 2.0));
+        #include <colorspace_fragment>
+      }`,
+    transparent: true,
+    depthWrite: false,
+    polygonOffset: true,  // where the surfaces coincide, this one is hidden as a whole
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 8,
+    uniforms: { colour: { value: new Color() } },
+  });
+}
+
+// Writes (1, code, the distance's bits, the triangle): integers, because every WebGL 2 device can draw into these.
 export function make_pick_material() {
   return new ShaderMaterial({
     glslVersion: GLSL3,
@@ -125,17 +186,20 @@ export function make_pick_material() {
       in float code;
       in float distance;
       flat out float v_code;
+      flat out int v_triangle;
       out float v_distance;
       void main() {
+        v_triangle = gl_VertexID / 3;
         v_code = code;
         v_distance = distance;
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
       }`,
     fragmentShader: /* glsl */ `
       flat in float v_code;
+      flat in int v_triangle;
       in float v_distance;
       layout(location = 0) out highp uvec4 picked;
-      void main() { picked = uvec4(1u, uint(v_code + 0.5), floatBitsToUint(v_distance), 0u); }`,
+      void main() { picked = uvec4(1u, uint(v_code + 0.5), floatBitsToUint(v_distance), uint(v_triangle)); }`,
   });
 }
 

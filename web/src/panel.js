@@ -77,16 +77,16 @@ export function make_colour_choice(entries, change) {
 }
 
 // One checkbox for each [key, text]. Calls `change` with the key and whether it is on. Returns by key the row, its
-// input and the element for the number of dots.
+// input, and the elements for its text and for the number of dots.
 export function make_toggles(entries, change) {
   const inputs = {};
   for (const [key, text] of entries) {
     const input = element('input', { type: 'checkbox', id: `toggle-${key}` });
     input.addEventListener('change', () => change(key, input.checked));
-    const count = element('small');
-    const row = element('label', {}, input, text, count);
+    const name = element('span', { textContent: text }), count = element('small');
+    const row = element('label', {}, input, name, count);
     by_id('toggles').append(row);
-    inputs[key] = { row, input, count };
+    inputs[key] = { row, input, text: name, count };
   }
   return inputs;
 }
@@ -104,10 +104,21 @@ function list_neighbours(neighbours) {
   return neighbours.length > kShown ? `${shown} and ${neighbours.length - kShown} more` : shown;
 }
 
+// The card `id` with a title, a swatch of `colour` if there is one, and rows [name, value].
+export function show_card(id, { title, colour = null, rows }) {
+  const card = by_id(id), heading = [title];
+  card.hidden = false;
+  if (colour) {
+    heading.unshift(element('i'));
+    heading[0].style.background = colour;
+  }
+  card.querySelector('strong').replaceChildren(...heading);
+  fill_rows(card.querySelector('tbody'), rows);
+}
+
 // The card `id` of a region: {label, colour, cell, share, distance}; hides it where `region` is null.
 export function show_region(id, region) {
-  const card = by_id(id);
-  card.hidden = !region;
+  by_id(id).hidden = !region;
   if (!region) return;
   const rows = [];
   if (region.cell) {
@@ -118,11 +129,8 @@ export function show_region(id, region) {
     if (region.cell.euler_characteristic !== 1) rows.push(['Euler characteristic', region.cell.euler_characteristic]);
   }
   if (region.distance !== null) rows.push(['Distance here', region.distance]);
-  const swatch = element('i');
-  swatch.style.background = region.colour;
-  const name = region.label === null ? 'No generator reaches this' : `Region ${region.label}`;
-  card.querySelector('strong').replaceChildren(swatch, name);
-  fill_rows(card.querySelector('tbody'), rows);
+  const title = region.label === null ? 'No generator reaches this' : `Region ${region.label}`;
+  show_card(id, { title, colour: region.colour, rows });
 }
 
 export function show_failure(text) {

@@ -1,14 +1,19 @@
 // One scene of the page, ready to be drawn.
 import { Group, Mesh } from 'three';
 import { make_coarse } from './coarse.js';
-import { fill_texture, kUnreachedFill, read_fills } from './colours.js';
+import { fill_texture, kUnreachedFill, lattice_texture, read_fills } from './colours.js';
+import { read_array } from './data.js';
 import { dot_sizes, make_bisectors, make_dots, make_wireframe } from './marks.js';
 import { kSources } from './materials.js';
+import { make_overlay } from './overlay.js';
 import { ramp } from './ramp.js';
-import { add_qualities, make_geometry, make_surface } from './surface.js';
-import { face_qualities, position_in, triangles_area, value_range } from './values.js';
+import { add_distances, make_geometry, make_surface, set_face_values } from './surface.js';
+import { SurfaceDistance } from './surface_distance.js';
+import { face_angle, face_quality, face_values, position_in, triangles_area, value_range } from './values.js';
 
 const kManyTriangles = 300000;  // with more, fewer are drawn while the surface turns
+// Ways of colouring by a value of each face, and the largest value.
+const kFaceValues = { quality: { value: face_quality, end: 1 }, angle: { value: face_angle, end: 60 } };
 const kCoarseStep = 0.012;      // shortest segment of bisectors then, in half diagonals of the box
 
 // A round number (1, 2, 5 or 10 times a power of ten) that divides `range` into about `parts` steps.
@@ -17,11 +22,19 @@ function round_step(range, parts) {
   return power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
 }
 
+// Whether the scene's overlay has so few triangles that it is shown from the start, and while the surface turns.
+export function has_light_overlay({ overlay }) {
+  return Boolean(overlay) && overlay.faces.count / 3 <= kManyTriangles;
+}
+
 export class Picture {
   constructor(entry, scale, materials) {
     this.entry = entry;
     this.scale = scale;
     this.surface = make_surface(entry);
+    this.distance = entry.surface_distance && new SurfaceDistance(entry.surface_distance, scale, this.surface.faces);
+    this.generators = read_array(entry.vertex_generators);
+    this.given = (entry.generators?.count ?? 0) / 3;
     this.fills = read_fills(entry);
     this.textures = { regions: fill_texture(this.fills) };
     this.total_area = entry.cells.reduce((sum, cell) => sum + cell.area, 0);
@@ -31,11 +44,18 @@ export class Picture {
   }
 
   make_meshes() {
-    this.geometry = make_geometry(this.surface.triangles);
+    this.geometry = this.dress(this.surface.triangles);
     this.mesh = new Mesh(this.geometry, this.materials.outside);
     this.inside = new Mesh(this.geometry, this.materials.inside);
     this.group = new Group();
     this.group.add(this.mesh, this.inside);
+  }
+
+  // What is drawn of some triangles, with all that does not depend on the way of colouring.
+  dress(triangles) {
+    const geometry = make_geometry(triangles);
+    if (this.distance) add_distances(geometry, triangles, this.distance);
+    return geometry;
   }
 
   make_marks() {
@@ -46,6 +66,7 @@ export class Picture {
       added_generators: make_dots(entry.added_generators, materials.added_generator),
       branch_points: make_dots(entry.branch_points, materials.branch_point),
       wireframe: null,
+      overlay: null,
     };
     for (const mark of Object.values(this.marks)) if (mark) this.group.add(mark);
     const generators = ((entry.generators?.count ?? 0) + (entry.added_generators?.count ?? 0)) / 3;
@@ -58,7 +79,9 @@ export class Picture {
     if (key === 'regions') return this.surface.labelled;
     if (key === 'distance' || key === 'lines') return this.surface.largest_distance > 0;
     if (key === 'area' || key === 'energy') return this.surface.labelled && this.range(key) !== null;
-    if (['quality', 'plain', 'wireframe', 'smooth'].includes(key)) return true;
+    if (key === 'surface_distance') return Boolean(this.distance);
+    if (key === 'overlay') return Boolean(this.entry.overlay);
+    if (['quality', 'angle', 'plain', 'wireframe', 'smooth'].includes(key)) return true;
     return Boolean(this.marks[key]);
   }
 
@@ -68,12 +91,18 @@ export class Picture {
     return mark?.isPoints ? String(mark.geometry.getAttribute('position').count) : '';
   }
 
-  // The values at both ends of the legend of a way of colouring, in mesh units; null where it has none.
+  // The values at both ends of the legend of a way of colouring, in the units of its title; null where it has none.
   range(key) {
     if (key === 'distance') return [0, this.surface.largest_distance * this.scale];
-    if (key === 'quality') return [0, 1];
+    if (key === 'surface_distance') return [0, (100 * this.distance.scale_end) / this.distance.reference];
+    if (kFaceValues[key]) return [0, kFaceValues[key].end];
     if (key === 'area' || key === 'energy') return value_range(this.entry.cells.map((cell) => cell[key] ?? NaN));
     return null;
+  }
+
+  // Whether there are values beyond the end of the range, which have its last colour.
+  exceeds(key) {
+    return key === 'surface_distance' && this.distance.exceeds;
   }
 
   // The colour of a label, [red, green, blue], in a way of colouring by region.
@@ -89,11 +118,14 @@ export class Picture {
     return this.textures[key];
   }
 
-  need_qualities() {
-    if (this.qualities) return;
-    this.qualities = face_qualities(this.surface.positions, this.surface.faces);
-    add_qualities(this.geometry, this.surface.triangles, this.qualities);
-    if (this.coarse) add_qualities(this.coarse.geometry, this.coarse.triangles, this.qualities);
+  // Gives each triangle the value of its face, for a way of colouring that needs it.
+  need_face_values(key) {
+    if (!kFaceValues[key] || this.valued === key) return;
+    const { value, end } = kFaceValues[key];
+    this.valued = key;
+    this.values = face_values(this.surface.positions, this.surface.faces, value);
+    set_face_values(this.geometry, this.surface.triangles, this.values, end);
+    if (this.coarse) set_face_values(this.coarse.geometry, this.coarse.triangles, this.values, end);
   }
 
   // Makes what is drawn while the surface turns, if that is less than the whole.
@@ -101,9 +133,9 @@ export class Picture {
     if (this.coarse !== undefined) return;
     const many = this.surface.triangles.parents.length > kManyTriangles;
     const triangles = many ? make_coarse(this.surface.triangles) : null;
-    this.coarse = triangles && { triangles, geometry: make_geometry(triangles) };
+    this.coarse = triangles && { triangles, geometry: this.dress(triangles) };
     if (many) this.add_coarse_bisectors();
-    if (this.coarse && this.qualities) add_qualities(this.coarse.geometry, triangles, this.qualities);
+    if (this.coarse && this.valued) set_face_values(this.coarse.geometry, triangles, this.values, kFaceValues[this.valued].end);
   }
 
   add_coarse_bisectors() {
@@ -121,18 +153,24 @@ export class Picture {
     }
     this.mesh.geometry = this.inside.geometry = coarse ? this.coarse.geometry : this.geometry;
     if (this.marks.wireframe) this.marks.wireframe.visible = this.wireframe && !coarse;
+    if (this.marks.overlay) this.marks.overlay.visible = this.overlay && (whole || has_light_overlay(this.entry));
   }
 
   // Shows what `on` (key to boolean) asks for, in the way of colouring `colour`.
   apply(on, colour) {
     this.wireframe = on.wireframe;
     this.bisectors = on.bisectors;
+    this.overlay = on.overlay;
     if (on.wireframe && !this.marks.wireframe) {
       this.marks.wireframe = make_wireframe(this.surface, this.materials.wire);
       this.group.add(this.marks.wireframe);
     }
+    if (on.overlay && this.entry.overlay && !this.marks.overlay) {
+      this.marks.overlay = make_overlay(this.entry.overlay, this.materials.overlay);
+      this.group.add(this.marks.overlay);
+    }
     for (const [key, mark] of Object.entries(this.marks)) if (mark) mark.visible = on[key];
-    if (colour === 'quality') this.need_qualities();
+    this.need_face_values(colour);
     this.set_uniforms(on, colour);
   }
 
@@ -141,6 +179,7 @@ export class Picture {
     const uniforms = outside.uniforms, largest = this.surface.largest_distance || 1;
     uniforms.source.value = kSources[colour] ?? kSources.regions;
     uniforms.fills.value = this.texture(colour in kSources ? 'regions' : colour);
+    if (this.distance) uniforms.lattices.value = this.textures.lattices ??= lattice_texture(this.distance);
     uniforms.show_lines.value = on.lines && this.offers('lines');
     uniforms.smooth_normals.value = on.smooth;
     uniforms.largest_distance.value = largest;

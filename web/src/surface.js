@@ -53,11 +53,18 @@ export function make_geometry(triangles) {
   return geometry;
 }
 
-// Adds a value for each face, from 0 to 1, as the attribute `quality`.
-export function add_qualities(geometry, triangles, qualities) {
-  const bytes = new Uint8Array(3 * triangles.parents.length);
-  triangles.parents.forEach((f, t) => bytes.fill(Math.round(255 * qualities[f]), 3 * t, 3 * t + 3));
-  geometry.setAttribute('quality', new BufferAttribute(bytes, 1, true));
+// Adds the attributes `share` and `lattice`, by which the shader knows the distances of the triangles' points.
+export function add_distances(geometry, { parents }, distance) {
+  const { shares, lattices } = distance.corner_values(parents);
+  geometry.setAttribute('share', new BufferAttribute(shares, 1));
+  geometry.setAttribute('lattice', new BufferAttribute(lattices, 2));
+}
+
+// Sets the attribute `value`: of each face of the triangles a value, as a share of `end`.
+export function set_face_values(geometry, { parents }, values, end) {
+  const bytes = new Uint8Array(3 * parents.length);
+  parents.forEach((f, t) => bytes.fill(Math.round((255 * Math.min(values[f], end)) / end), 3 * t, 3 * t + 3));
+  geometry.setAttribute('value', new BufferAttribute(bytes, 1, true));
 }
 
 function add_faces(triangles, mesh, codes) {

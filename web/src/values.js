@@ -16,20 +16,50 @@ export function position_in([low, high], value) {
   return high > low ? Math.min(Math.max((value - low) / (high - low), 0), 1) : 0.5;
 }
 
-// Per face 6 A / (sqrt 3 p h), with the area A, half the perimeter p and the longest edge h: 1 where it is equilateral,
-// 0 where it has no area. It is `q_average` of gvd-remesh, per face.
-export function face_qualities(positions, faces) {
-  const qualities = new Float32Array(faces.length / 3);
-  const length = (u, v) =>
-    Math.hypot(positions[u] - positions[v], positions[u + 1] - positions[v + 1], positions[u + 2] - positions[v + 2]);
-  for (let f = 0; f < qualities.length; ++f) {
-    const u = 3 * faces[3 * f], v = 3 * faces[3 * f + 1], w = 3 * faces[3 * f + 2];
-    const a = length(v, w), b = length(w, u), c = length(u, v), p = (a + b + c) / 2;
-    const area = Math.sqrt(Math.max(0, p * (p - a) * (p - b) * (p - c)));
-    const scale = p * Math.max(a, b, c);
-    qualities[f] = scale > 0 ? Math.min(1, (6 * area) / (Math.sqrt(3) * scale)) : 0;
+// The lengths of the sides of face `f`, ascending.
+function sides(positions, faces, f) {
+  const u = 3 * faces[3 * f], v = 3 * faces[3 * f + 1], w = 3 * faces[3 * f + 2];
+  const length = (i, j) =>
+    Math.hypot(positions[i] - positions[j], positions[i + 1] - positions[j + 1], positions[i + 2] - positions[j + 2]);
+  const a = length(v, w), b = length(w, u), c = length(u, v), least = Math.min(a, b, c), most = Math.max(a, b, c);
+  return [least, Math.max(Math.min(a, b), Math.min(Math.max(a, b), c)), most];
+}
+
+// Four times the area of the triangle with the sides a <= b <= c, stable for thin ones (Kahan, Miscalculating area and
+// angles of a needle-like triangle, 2014).
+function four_areas(a, b, c) {
+  return Math.sqrt(Math.max(0, (c + (b + a)) * (a - (c - b)) * (a + (c - b)) * (c + (b - a))));
+}
+
+// Of face `f` 6 A / (sqrt 3 p h), with the area A, half the perimeter p and the longest edge h: 1 where it is
+// equilateral, 0 where it has no area. It is `q_average` of gvd-remesh, per face.
+export function face_quality(positions, faces, f) {
+  const [a, b, c] = sides(positions, faces, f), scale = (a + b + c) * c;
+  return scale > 0 ? Math.min(1, (3 * four_areas(a, b, c)) / (Math.sqrt(3) * scale)) : 0;
+}
+
+// The smallest angle of face `f`, degrees: it is opposite to the shortest side.
+export function face_angle(positions, faces, f) {
+  const [a, b, c] = sides(positions, faces, f);
+  return (Math.atan2(four_areas(a, b, c), b * b + c * c - a * a) * 180) / Math.PI;
+}
+
+// `value(positions, faces, f)` of every face.
+export function face_values(positions, faces, value) {
+  return Float32Array.from({ length: faces.length / 3 }, (_, f) => value(positions, faces, f));
+}
+
+// The number of edges at a vertex, and whether it is on the boundary.
+export function count_edges(faces, vertex) {
+  const neighbours = new Set();
+  let count = 0;
+  for (let i = 0; i < faces.length; ++i) {
+    if (faces[i] !== vertex) continue;
+    const first = i - (i % 3);
+    for (let k = first; k < first + 3; ++k) if (k !== i) neighbours.add(faces[k]);
+    ++count;
   }
-  return qualities;
+  return { edges: neighbours.size, boundary: neighbours.size !== count };
 }
 
 // The area of triangles, nine coordinates each.

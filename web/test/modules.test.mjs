@@ -3,11 +3,14 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { make_coarse } from '../src/coarse.js';
 import { fit_points } from '../src/fit.js';
+import { tick_texts } from '../src/legend.js';
 import { format_share } from '../src/panel.js';
 import { ramp, ramp_gradient } from '../src/ramp.js';
+import { cross_plane } from '../src/ray.js';
 import { sort_labels } from '../src/region_table.js';
 import { file_name } from '../src/save_picture.js';
-import { face_qualities, position_in, triangles_area, value_range } from '../src/values.js';
+import { locate_in_lattice, SurfaceDistance } from '../src/surface_distance.js';
+import { count_edges, face_angle, face_quality, face_values, position_in, triangles_area, value_range } from '../src/values.js';
 
 const kAxes = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] };
 const near = (value, wanted, tolerance = 1e-6) => assert.ok(Math.abs(value - wanted) <= tolerance, `${value}, not ${wanted}`);
@@ -27,11 +30,18 @@ test('the fitted camera sees every point, and one of them at each end of the tig
   near(fit_points([3, 4, 5], kAxes, 1, 1).x, 3);
 });
 
-test('qualities and areas of triangles', () => {
-  const positions = [0, 0, 0, 1, 0, 0, 0.5, Math.sqrt(3) / 2, 0, 2, 0, 0];
-  const [regular, flat] = face_qualities(positions, [0, 1, 2, 0, 1, 3]);
+test('qualities, angles and areas of triangles', () => {
+  const positions = [0, 0, 0, 1, 0, 0, 0.5, Math.sqrt(3) / 2, 0, 2, 0, 0, 0.5, 1e-5, 0, 1, 1, 0];
+  const faces = [0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 5];
+  const [regular, flat, thin] = face_values(positions, faces, face_quality);
   near(regular, 1);
   near(flat, 0);
+  near(thin, (6 * 0.5e-5) / Math.sqrt(3), 1e-8);
+  const angles = face_values(positions, faces, face_angle);
+  near(angles[0], 60, 1e-4);
+  near(angles[1], 0);
+  near(angles[2] / ((2e-5 * 180) / Math.PI), 1, 1e-5);
+  near(angles[3], 45, 1e-4);
   near(triangles_area([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 2, 0, 0, 0, 2]), 2.5);
 });
 
@@ -94,4 +104,79 @@ test('shares have one digit after the point, small ones two that are not 0', () 
 test('titles become file names', () => {
   assert.equal(file_name('gvd-segment: a b.obj'), 'gvd-segment-a-b.obj.png');
   assert.equal(file_name('../<>'), 'picture.png');
+});
+
+test('a vertex has as many edges as neighbours, one more than faces on the boundary', () => {
+  const fan = [0, 1, 2, 0, 2, 3, 4, 0, 3];
+  assert.deepEqual(count_edges(fan, 0), { edges: 4, boundary: true });
+  assert.deepEqual(count_edges([...fan, 0, 4, 1], 0), { edges: 4, boundary: false });
+  assert.deepEqual(count_edges(fan, 2), { edges: 3, boundary: true });
+});
+
+// Row i of a lattice of k steps has the weight i / k of corner 0, point j of it j / k of corner 2.
+function make_lattice(k, value) {
+  const values = [];
+  for (let i = 0; i <= k; ++i) for (let j = 0; j <= k - i; ++j) values.push(value(i / k, (k - i - j) / k, j / k));
+  return values;
+}
+
+test('lattices have their values at their points, and are linear between them', () => {
+  for (const k of [2, 3, 10, 64]) {
+    const linear = make_lattice(k, (a, b, c) => 3 * a + 5 * b + 11 * c);
+    for (let i = 0; i < 300; ++i) {
+      const s = (i * 0.618034) % 1, t = (1 - s) * ((i * 0.754878) % 1);
+      const { points, weights } = locate_in_lattice(k, s, t);
+      near(weights.reduce((sum, w) => sum + w, 0), 1, 1e-12);
+      assert.ok(weights.every((w) => w > -1e-9 && w < 1 + 1e-9), `${weights}`);
+      near(points.reduce((sum, p, n) => sum + weights[n] * linear[p], 0), 3 * s + 5 * (1 - s - t) + 11 * t, 1e-9);
+    }
+    for (const [s, t] of [[1, 0], [0, 1], [0, 0], [0.5, 0.5], [1 + 1e-7, -1e-7], [-1e-7, 1 + 1e-7]]) {
+      const { points, weights } = locate_in_lattice(k, s, t);
+      assert.ok(points.every((p) => p >= 0 && p < linear.length));
+      near(points.reduce((sum, p, n) => sum + weights[n] * linear[p], 0), 3 * s + 5 * (1 - s - t) + 11 * t, 1e-5);
+    }
+  }
+});
+
+// In place of the page's elements: arrays by their number, in base64.
+function with_arrays(arrays, run) {
+  const texts = arrays.map((array) => Buffer.from(array.buffer).toString('base64'));
+  globalThis.document = { getElementById: (id) => ({ textContent: texts[Number(id.slice(5))] }) };
+  run(arrays.map((array, blob) => ({ blob, type: array instanceof Float32Array ? 'f32' : array instanceof Uint16Array ? 'u16' : 'u8', count: array.length })));
+  delete globalThis.document;
+}
+
+test('distances of a surface come from its lattices, and from its vertices where a face has none', () => {
+  const faces = Uint32Array.from([0, 1, 2, 1, 3, 2]);
+  const bump = make_lattice(4, (a, b, c) => (Math.min(a, b, c) >= 0.25 ? 1000 : 0));  // the three inner points
+  with_arrays([Float32Array.from([1, 2, 3, 4]), Uint8Array.from([1, 4]), Uint16Array.from(bump)], ([vertices, steps, lattice]) => {
+    const entry = { other: 'it', reference: 8, scale_end: 2, vertices, steps, lattice, lattice_unit: 0.01 };
+    const distance = new SurfaceDistance(entry, 0.5, faces);
+    near(distance.at(0, [0.2, 0.3, 0.5]), 0.5 * (0.2 + 0.6 + 1.5));
+    near(distance.largest(0), 1.5);
+    near(distance.at(1, [0.5, 0.25, 0.25]), 10, 1e-5);
+    near(distance.at(1, [0, 0.5, 0.5]), 0);
+    near(distance.largest(1), 10, 1e-5);
+    assert.ok(distance.exceeds);
+    const { shares, lattices } = distance.corner_values([1, 0]);
+    assert.deepEqual([...shares], [0.5, 1, 0.75, 0.25, 0.5, 0.75]);
+    assert.deepEqual([...lattices], [0, 4, 0, 4, 0, 4, 0, 0, 0, 0, 0, 0]);
+  });
+  with_arrays([Float32Array.from([1, 2, 3, 4])], ([vertices]) => {
+    const distance = new SurfaceDistance({ other: 'it', reference: 8, scale_end: 2, vertices }, 0.5, faces);
+    near(distance.at(1, [1, 0, 0]), 1);
+    assert.equal(distance.exceeds, false);
+  });
+});
+
+test('the last tick of a scale says where larger values have its colour', () => {
+  assert.deepEqual(tick_texts([0, 0.123456], true), ['0', '0.06173', '≥ 0.1235']);
+  assert.deepEqual(tick_texts([0, 60], false), ['0', '30', '60']);
+});
+
+test('a ray through the canvas finds its point of a face', () => {
+  const corners = [[0, 0, 0], [4, 0, 1], [0, 2, -1]], bary = [0.5, 0.2, 0.3];
+  const point = [0, 1, 2].map((k) => bary.reduce((sum, b, i) => sum + b * corners[i][k], 0));
+  cross_plane([3, 1, 9], point, ...corners).forEach((b, i) => near(b, bary[i], 1e-12));
+  assert.deepEqual(cross_plane([0, 0, 1], [1, 0, 1], [0, 0, 0], [1, 0, 0], [0, 1, 0]), [1 / 3, 1 / 3, 1 / 3]);
 });

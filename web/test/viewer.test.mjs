@@ -121,6 +121,25 @@ async function count_differing([first, second, least = 0]) {
   return count;
 }
 
+// In the page: the middles of the areas, left of the panels and above the legend, with nearly the last colour of the ramp.
+async function find_bright_spots(source) {
+  const image = new Image();
+  image.src = `data:image/png;base64,${source}`;
+  await image.decode();
+  const canvas = Object.assign(document.createElement('canvas'), { width: image.width - 290, height: image.height - 130 });
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  const { data, width } = context.getImageData(0, 0, canvas.width, canvas.height), groups = [];
+  for (let i = 0; i < data.length; i += 4) {
+    if (!(data[i] > 1.8 * data[i + 2] && data[i + 1] > 1.8 * data[i + 2] && data[i] > 0.7 * data[i + 1])) continue;
+    const x = (i / 4) % width, y = Math.floor(i / 4 / width);
+    const near = groups.find((group) => Math.hypot(group.x / group.n - x, group.y / group.n - y) < 30);
+    if (near) [near.x, near.y, near.n] = [near.x + x, near.y + y, near.n + 1];
+    else groups.push({ x, y, n: 1 });
+  }
+  return groups.filter(({ n }) => n > 8).map(({ x, y, n }) => [x / n, y / n]);
+}
+
 // A page with one scene in place of the sample's; returns its address. `points` are generators.
 // `iterations`: of further scenes without a name, beside that of the first.
 function write_page(name, { positions, faces, points = [], up = 'y', iterations = [] }) {
@@ -299,6 +318,78 @@ const tests = {
     await close(page);
   },
 
+  async 'panels are as before when the window has been narrow'() {
+    const page = await open();
+    await page.locator('#show summary').click();
+    await page.locator('#regions summary').click();
+    await settle(page);  // the table fills its rows
+    const panels = await panels_shown(page);
+    for (const width of [700, 1000]) {
+      await page.setViewportSize({ width, height: 700 });
+      await settle(page);
+      assert.equal(await page.locator('#figures table').isVisible(), width === 1000);
+    }
+    assert.deepEqual(await panels_shown(page), panels);
+    await close(page);
+  },
+
+  async 'shows distances from another surface, in the middle of a face too'() {
+    const page = await open();
+    await page.getByText('A remesh').click();
+    assert.equal(await page.locator('#colour').inputValue(), 'surface_distance');
+    assert.deepEqual(await offered(page), ['surface_distance', 'quality', 'angle', 'plain']);
+    assert.match(await page.locator('#legend').innerText(), /Distance from the other sphere, % of the diagonal\s+0\s+2.5\s+5/);
+    await page.locator('#toggle-overlay').uncheck();
+    await page.locator('#toggle-wireframe').uncheck();
+    const spots = await page.evaluate(find_bright_spots, await shot(page, kBeside));
+    assert.ok(spots.length >= 4, `${spots.length} spots`);
+    for (const [x, y] of spots) {
+      await page.mouse.move(x, y);
+      await settle(page);
+      const [, percent, units] = (await card(page)).match(/Face \d+\s+Distance here\s+([\d.]+)\s%\s\(([\d.]+)\)/);
+      assert.ok(Number(percent) > 3.5, `${percent} % at ${x}, ${y}`);
+      assert.ok(Math.abs(Number(units) - 0.04 * Number(percent)) < 0.001, units);
+    }
+    assert.match(await card(page), /Largest in face\s+5\s%\s\(0.2\)\s+Quality Q\s+1.000\s+Smallest angle\s+60.0°\s+Vertices\s+\d+, \d+, \d+/);
+    await picture(page, 'remesh');
+    await close(page);
+  },
+
+  async 'tells of the vertex that the pointer is near'() {
+    const page = await open();
+    await page.getByText('A remesh').click();
+    await page.locator('#toggle-generators').check();
+    const marked = () => page.locator('#mark').evaluate((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((v) => v));
+    let text = '';
+    for (let y = 150; y < 600 && !text.includes('Vertex'); y += 6) {
+      for (let x = 150; x < 600 && !text.includes('Vertex'); x += 12) {
+        await page.mouse.move(x, y);
+        await settle_frame(page);
+        text = (await page.locator('#region').isVisible()) ? await card(page) : '';
+      }
+    }
+    const [, vertex, generator] = text.match(/Vertex (\d+)\s+Distance\s+0\s+Valence\s+5\s+Generator\s+(\d+)\s+Distance from it\s+0/);
+    assert.equal(vertex, generator);
+    assert.ok(await marked());
+    await picture(page, 'vertex');
+    await close(page);
+  },
+
+  async 'draws the other surface with the remesh'() {
+    const page = await open();
+    const hints_at_pinning = () => page.locator('#hint span').evaluate((part) => !part.hidden);
+    assert.ok(await hints_at_pinning());
+    await page.getByText('A remesh').click();
+    assert.ok(!(await hints_at_pinning()));
+    assert.match(await page.locator('#toggles').innerText(), /The other sphere/);
+    const before = await picture(page);
+    await page.locator('#toggle-overlay').uncheck();
+    assert.notEqual(await picture(page), before);
+    await page.getByText('A torus').click();
+    assert.ok(await page.locator('#toggle-overlay').isHidden());
+    await close(page);
+  },
+
   async 'switches between scenes, and offers what each has'() {
     const page = await open();
     const first = await picture(page);
@@ -308,7 +399,7 @@ const tests = {
     assert.equal(await page.locator('#toggle-added_generators').isVisible(), false);
     await page.getByText('A torus').click();
     assert.equal(await page.locator('#colour').inputValue(), 'plain');
-    assert.deepEqual(await offered(page), ['quality', 'plain']);
+    assert.deepEqual(await offered(page), ['quality', 'angle', 'plain']);
     assert.ok(await page.locator('#regions').isHidden());
     assert.ok(await page.locator('#toggle-wireframe').isChecked());
     assert.match(await page.locator('#toggles').innerText(), /Generators\s+2\s+Added generators\s+1\s+Wireframe/);
@@ -347,24 +438,26 @@ const tests = {
     await close(page);
   },
 
-  async 'colours by area, distance, energy and quality, with a legend'() {
+  async 'colours by area, distance, energy, quality and angle, with a legend'() {
     const page = await open();
-    assert.deepEqual(await offered(page), ['regions', 'area', 'energy', 'distance', 'quality', 'plain']);
+    assert.deepEqual(await offered(page), ['regions', 'area', 'energy', 'distance', 'quality', 'angle', 'plain']);
     assert.ok(await page.locator('#legend').isHidden());
     const seen = new Set([await picture(page)]);
-    for (const [key, title] of [['area', 'Area'], ['energy', 'Energy'], ['distance', 'Distance'], ['quality', 'Quality']]) {
+    const kTitles = { area: 'Area', energy: 'Energy', distance: 'Distance', quality: 'Quality', angle: 'Smallest angle' };
+    for (const [key, title] of Object.entries(kTitles)) {
       await page.selectOption('#colour', key);
       const text = await page.locator('#legend').innerText();
       assert.ok(text.startsWith(title), text);
       const [low, middle, high] = text.split('\n').slice(1).join(' ').trim().split(/\s+/).map(Number);
       assert.ok(low <= middle && middle <= high, text);
       if (key === 'quality') assert.deepEqual([low, high], [0, 1]);
+      if (key === 'angle') assert.deepEqual([low, high], [0, 60]);
       seen.add(await picture(page, key));
     }
     await page.selectOption('#colour', 'plain');
     assert.ok(await page.locator('#legend').isHidden());
     seen.add(await picture(page));
-    assert.equal(seen.size, 6);
+    assert.equal(seen.size, 7);
     await close(page);
   },
 
@@ -616,6 +709,14 @@ const tests = {
     await page.locator('#figures summary').tap();
     await settle(page);
     assert.equal(await page.locator('#toggles').isVisible(), false);
+    await page.locator('#figures summary').tap();
+    await page.getByText('A remesh').tap();
+    await page.touchscreen.tap(195, 360);
+    await settle(page);
+    assert.match(await card(page), /Face \d+/);
+    await page.touchscreen.tap(195, 110);
+    await settle(page);
+    assert.ok(await page.locator('#region').isHidden());
     await close(page);
   },
 };

@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "apps/run_command.hpp"
+#include "apps/remesh/run_remesh.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd::test;
 using Catch::Matchers::Contains;
-
-namespace {
-
-nlohmann::json report_of(const std::string& arguments) {
-  const ScratchFolder scratch;
-  const CommandResult result = run_command("gvd-remesh", arguments + " -q --report " + scratch / "report.json");
-  CAPTURE(arguments, result.err);
-  REQUIRE(result.exit_code == 0);
-  return nlohmann::json::parse(read_text(scratch / "report.json"));
-}
-
-}  // namespace
 
 TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none") {
   const std::string run = data_file("figure.obj") + " -n 100 --place generator";
@@ -29,9 +16,9 @@ TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none")
              longer = report_of(run + " --relax 40");
   CHECK(plain["options"]["relax"] == 0);
   CHECK(plain["results"]["relaxation"].is_null());
-  CHECK(relaxed["options"]["relax"] == 20);
+  CHECK(relaxed["options"]["relax"] == 15);
   const int iterations = relaxed["results"]["relaxation"]["iterations"];
-  CHECK((iterations > 10 && iterations <= 20));
+  CHECK((iterations > 10 && iterations <= 15));
   CHECK(longer["results"]["relaxation"]["iterations"] > iterations);
   const auto& relaxation = relaxed["results"]["relaxation"];
   CHECK(relaxation["final_energy"] < relaxation["initial_energy"]);
@@ -125,6 +112,27 @@ TEST_CASE("gvd-remesh --error: the fewest generators within a distance") {
   const CommandResult wrong = run_command("gvd-remesh", data_file("torus.ply") + " --error 3%%");
   CHECK(wrong.exit_code == 2);
   CHECK_THAT(wrong.err, Contains("--error: '3%%' is no finite number above 0, nor one with a %"));
+}
+
+TEST_CASE("gvd-remesh --error: numbers below those of features, or that give no valid mesh, are too small") {
+  const auto plate = report_of(data_file("plate.stl") + " --error 20% --features 40");
+  const auto& trials = plate["results"]["search"]["trials"];
+  CHECK(std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial["hausdorff"].is_null(); }));
+  CHECK(plate["generators"].size() >= 8);
+  const auto torus = report_of(data_file("torus.ply") + " --error 30% --exact-count --relax none");
+  CHECK(torus["results"]["added_generators"] == 0);
+}
+
+TEST_CASE("gvd-remesh: a mesh without area is refused") {
+  const ScratchFolder scratch;
+  const std::string line = scratch / "line.off";
+  write_text(line, "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  for (const std::string options : {" -n 2", " --error 5% --loose-boundary", " --target-edge 1"}) {
+    const CommandResult result = run_command("gvd-remesh", line + options + " -q -o " + (scratch / "coarse.off"));
+    CAPTURE(options, result.err);
+    CHECK(result.exit_code == 4);
+    CHECK_THAT(result.err, Contains("no triangle has an area"));
+  }
 }
 
 TEST_CASE("gvd-remesh: JSON carries the diagram, the mesh, and which generators were added") {

@@ -51,6 +51,35 @@ TEST_CASE("a scene whose parts do not fit is refused") {
   CHECK(code_of(bad) == ErrorCode::precondition);
 }
 
+TEST_CASE("a scene whose distances from another surface do not fit is refused") {
+  const Mesh mesh = make_sphere(0);
+  ViewScene good;
+  good.mesh = &mesh;
+  DistanceSamples& samples = good.surface_distance.emplace().samples;
+  samples.at_vertex = IdVector<VertexId, double>(12, 1.0);
+  samples.steps = IdVector<FaceId, std::int32_t>(20, 1);
+  samples.steps[FaceId(3)] = 2;
+  samples.lattice.resize(6, 0.5);
+  good.surface_distance->reference = good.surface_distance->scale_end = 1;
+  CHECK_NOTHROW(io::check_view_scene(good));
+  const auto refused = [&](const auto& change) {
+    ViewScene bad = good;
+    change(bad, bad.surface_distance->samples);
+    return code_of(bad) == ErrorCode::precondition;
+  };
+  CHECK(refused([](ViewScene&, DistanceSamples& s) { s.at_vertex.resize(3); }));
+  CHECK(refused([](ViewScene&, DistanceSamples& s) { s.steps.resize(3); }));
+  CHECK(refused([](ViewScene&, DistanceSamples& s) { s.steps[FaceId(0)] = 0; }));
+  CHECK(refused([](ViewScene&, DistanceSamples& s) { s.lattice.pop_back(); }));
+  CHECK(refused([](ViewScene&, DistanceSamples& s) { s.lattice[2] = -1; }));
+  CHECK(refused(
+      [](ViewScene&, DistanceSamples& s) { s.at_vertex[VertexId(2)] = std::numeric_limits<double>::infinity(); }));
+  CHECK(refused([](ViewScene& bad, DistanceSamples&) { bad.surface_distance->scale_end = 0; }));
+  CHECK(refused([](ViewScene& bad, DistanceSamples&) { bad.pieces.push_back({FaceId(0), GeneratorId(0), {}}); }));
+  CHECK(refused([](ViewScene& bad, DistanceSamples&) { bad.overlay.emplace(); }));
+  CHECK(refused([](ViewScene& bad, DistanceSamples&) { bad.vertex_generators.resize(5, Vec3(0, 0, 0)); }));
+}
+
 TEST_CASE("the error names the face that does not fit") {
   const Mesh mesh = make_sphere(1);
   ViewScene scene = make_view_scene("", mesh, make_sphere_sample(mesh, 4));

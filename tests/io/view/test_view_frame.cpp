@@ -21,6 +21,9 @@ TEST_CASE("the frame is the centre and half the diagonal of the box around all s
   const Mesh far({{10, 0, 0}, {11, 0, 0}, {10, 3, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   const io::ViewFrame both = io::compute_view_frame({scene_of(grid), scene_of(far)});
   CHECK((both.origin - Vec3(5.5, 1.5, 0)).norm() < 1e-15);
+  ViewScene over = scene_of(grid);
+  over.overlay = ViewOverlay{"", &far};
+  CHECK(io::compute_view_frame({over}).origin == both.origin);
 }
 
 TEST_CASE("the frame of very large and very small coordinates is finite") {

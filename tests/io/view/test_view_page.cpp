@@ -104,6 +104,24 @@ TEST_CASE("scenes on one mesh share its arrays") {
   CHECK(scenes[0]["codes"] != scenes[1]["codes"]);
 }
 
+TEST_CASE("distances from another surface have lattices of 16 bits, and overlays share the arrays of their scene") {
+  if (!has_viewer_or_skip()) return;
+  const Mesh coarse = make_sphere(0), fine = make_sphere(2);
+  const std::vector<ViewScene> given{make_remesh_sample(coarse, fine), make_remesh_sample(fine, coarse)};
+  const nlohmann::json scenes = read_manifest(make_view_page(given))["scenes"];
+  CHECK(scenes[0]["overlay"]["positions"] == scenes[1]["positions"]);
+  CHECK(scenes[0]["overlay"]["faces"] == scenes[1]["faces"]);
+  CHECK(scenes[1]["overlay"]["positions"] == scenes[0]["positions"]);
+  CHECK(scenes[0]["vertex_generators"] == scenes[0]["positions"]);
+  const auto& distance = scenes[0]["surface_distance"];
+  CHECK(distance["other"] == "the other sphere");
+  CHECK(distance["vertices"]["count"] == 12);
+  CHECK(distance["steps"]["type"] == "u8");
+  CHECK(distance["lattice"]["type"] == "u16");
+  CHECK(distance["lattice"]["count"] == given[0].surface_distance->samples.lattice.size());
+  CHECK(distance["lattice_unit"].get<double>() * 65535 == Approx(kSampleBump));
+}
+
 TEST_CASE("a page of a large mesh takes less than 40 bytes a face") {
   if (!has_viewer_or_skip()) return;
   const Mesh mesh = make_sphere(6);
@@ -137,7 +155,7 @@ TEST_CASE("a page refuses scenes that do not fit, and no scenes") {
 }
 
 // Hidden: web/test/run asks for it, to open the page in a browser.
-TEST_CASE("write a page with three scenes to the file that GVD_VIEW_SAMPLE names", "[.sample]") {
+TEST_CASE("write a page with four scenes to the file that GVD_VIEW_SAMPLE names", "[.sample]") {
   const char* file = std::getenv("GVD_VIEW_SAMPLE");
   REQUIRE(file != nullptr);
   REQUIRE(has_viewer());
@@ -151,9 +169,12 @@ TEST_CASE("write a page with three scenes to the file that GVD_VIEW_SAMPLE names
   third.figures = {{"Faces", "256"}};
   third.generators = {torus.position(VertexId(0)), torus.position(VertexId(40))};
   third.added_generators = {torus.position(VertexId(4))};
+  const Mesh coarse = make_sphere(0);
+  ViewScene fourth = make_remesh_sample(coarse, sphere);
+  fourth.name = "A remesh";
   ViewOptions options;
   options.title = "A sample <of the viewer>";
-  std::ofstream(file, std::ios::binary) << make_view_page({first, second, third}, options);
+  std::ofstream(file, std::ios::binary) << make_view_page({first, second, third, fourth}, options);
 }
 
 }  // namespace gvd::test

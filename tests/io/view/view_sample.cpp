@@ -184,4 +184,26 @@ Diagram make_sphere_sample(const Mesh& sphere, int m) {
   return std::move(sampler.diagram);
 }
 
+ViewScene make_remesh_sample(const Mesh& sphere, const Mesh& other) {
+  ViewScene scene;
+  scene.mesh = &sphere;
+  scene.generators = scene.vertex_generators = sphere.positions();
+  scene.overlay = ViewOverlay{"The other sphere", &other};
+  scene.wireframe = true;
+  scene.smooth = false;
+  ViewSurfaceDistance& distance = scene.surface_distance.emplace();
+  distance.other = "the other sphere";
+  distance.reference = 4;
+  distance.scale_end = kSampleBump;
+  distance.samples.at_vertex = IdVector<VertexId, double>(static_cast<std::size_t>(sphere.vertex_count()), 0.0);
+  constexpr int kSteps = 6;
+  distance.samples.steps = IdVector<FaceId, std::int32_t>(static_cast<std::size_t>(sphere.face_count()), kSteps);
+  for (int f = 0; f < sphere.face_count(); ++f) {
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps - i; ++j) distance.samples.lattice.push_back(i == 2 && j == 2 ? kSampleBump : 0);
+    }
+  }
+  return scene;
+}
+
 }  // namespace gvd::test

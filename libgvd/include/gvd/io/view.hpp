@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/distance_samples.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
@@ -17,6 +18,20 @@ namespace gvd {
 struct ViewFigure {
   std::string name;
   std::string value;
+};
+
+/// Distances of a scene's surface, none of whose faces is cut, from another one.
+struct ViewSurfaceDistance {
+  std::string other;        ///< "the input": what the distances are from
+  DistanceSamples samples;  ///< finite and >= 0, mesh units
+  double reference = 0;     ///< > 0, mesh units: the page shows distances in percent of it, too
+  double scale_end = 0;     ///< > 0, mesh units: larger distances have the last colour, too
+};
+
+/// Another surface, drawn translucent with that of a scene.
+struct ViewOverlay {
+  std::string name;
+  const Mesh* mesh = nullptr;  ///< not owned; must outlive the call that makes the page
 };
 
 /// One picture of a page: a surface, and what lies on it. Positions and distances are in mesh units.
@@ -33,10 +48,13 @@ struct ViewScene {
   std::vector<Vec3> branch_points;
   IdVector<GeneratorId, Cell> cells;          ///< for the figures of regions and, where faces are cut, their colours
   IdVector<GeneratorId, double> cell_energy;  ///< integral of the squared distance per cell, mesh units to the fourth
-  std::vector<ViewFigure> figures;            ///< in the order of the table
-  std::optional<std::int64_t> iteration;      ///< >= 0; for the slider of a page with scenes of several iterations
-  bool wireframe = false;                     ///< draw the edges of the mesh at the start
-  bool smooth = true;                         ///< interpolate normals across edges flatter than 40 degrees at the start
+  std::optional<ViewSurfaceDistance> surface_distance;
+  std::optional<ViewOverlay> overlay;
+  std::vector<Vec3> vertex_generators;    ///< of a remesh: the generators that its vertices stand for
+  std::vector<ViewFigure> figures;        ///< in the order of the table
+  std::optional<std::int64_t> iteration;  ///< >= 0; for the slider of a page with scenes of several iterations
+  bool wireframe = false;                 ///< draw the edges of the mesh at the start
+  bool smooth = true;                     ///< interpolate normals across edges flatter than 40 degrees at the start
 };
 
 /// The axis that points up at the start.
@@ -65,7 +83,8 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
 bool has_viewer();
 
 /// A self-contained HTML page that shows the scenes. Its reader can turn and zoom, colour the surface by region, area,
-/// distance, energy or quality, see the figures of each region, and switch between scenes.
+/// distance, energy, quality or angle, see the figures of each region or, where there are none, of faces and vertices,
+/// and switch between scenes.
 ///
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored

@@ -15,6 +15,9 @@ namespace {
 /// Largest label that the page can tell apart: codes travel through 32-bit floats, which are exact below 2^24.
 constexpr std::int32_t kLargestLabel = (1 << 24) - 3;
 
+/// Their numbers travel through 32-bit floats, too.
+constexpr std::int64_t kMostLatticePoints = 1 << 24;
+
 [[noreturn]] void refuse(const std::string& message, std::int64_t element = -1) {
   throw Error(ErrorCode::precondition, message, element);
 }
@@ -56,6 +59,39 @@ void check_finite(std::string_view what, const std::vector<Vec3>& points) {
   }
 }
 
+void check_distances(const std::vector<double>& distances) {
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (std::isfinite(distances[i]) && distances[i] >= 0) continue;
+    refuse(fmt::format("distance {} of the view from another surface is not a positive number", i), std::int64_t(i));
+  }
+}
+
+void check_surface_distance(const ViewScene& scene) {
+  const Mesh& mesh = *scene.mesh;
+  const DistanceSamples& samples = scene.surface_distance->samples;
+  if (!scene.pieces.empty()) refuse("the view has distances of cut faces from another surface; give whole faces");
+  if (samples.at_vertex.size() != static_cast<std::size_t>(mesh.vertex_count()) ||
+      samples.steps.size() != static_cast<std::size_t>(mesh.face_count())) {
+    refuse("the view has distances from another surface that are not of its mesh; give one for each vertex and face");
+  }
+  std::int64_t size = 0;
+  for (const std::int32_t k : samples.steps) {
+    if (k < 1 || k > DistanceSamples::kMaxSteps) refuse(fmt::format("a face of the view is cut into {} steps", k));
+    size += DistanceSamples::lattice_size(k);
+  }
+  if (size != static_cast<std::int64_t>(samples.lattice.size())) {
+    refuse(fmt::format("the view has {} distances on lattices of {} points", samples.lattice.size(), size));
+  }
+  if (size > kMostLatticePoints) {
+    refuse(fmt::format("the view has more than {} points on lattices", kMostLatticePoints));
+  }
+  check_distances(samples.at_vertex.raw());
+  check_distances(samples.lattice);
+  for (const double length : {scene.surface_distance->reference, scene.surface_distance->scale_end}) {
+    if (!std::isfinite(length) || length <= 0) refuse("the scale of distances of the view must be a positive length");
+  }
+}
+
 }  // namespace
 
 void check_view_scene(const ViewScene& scene) {
@@ -65,6 +101,12 @@ void check_view_scene(const ViewScene& scene) {
   check_size("face labels", scene.face_label.size(), static_cast<std::size_t>(scene.mesh->face_count()));
   check_size("vertex distances", scene.vertex_distance.size(), static_cast<std::size_t>(scene.mesh->vertex_count()));
   check_size("cell energies", scene.cell_energy.size(), scene.cells.size());
+  check_size("generators of vertices", scene.vertex_generators.size(),
+             static_cast<std::size_t>(scene.mesh->vertex_count()));
+  if (scene.surface_distance) check_surface_distance(scene);
+  if (scene.overlay && (scene.overlay->mesh == nullptr || scene.overlay->mesh->face_count() == 0)) {
+    refuse("an overlay of the view has no faces; give it a mesh");
+  }
   check_pieces(scene);
   check_labels(scene);
   check_finite("generator", scene.generators);

@@ -1,6 +1,7 @@
 #include "io/view/scene_entry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,6 +16,9 @@ using nlohmann::json;
 constexpr std::uint32_t kUnreachedCode = 0;
 constexpr std::uint32_t kCutCode = 1;
 constexpr std::uint32_t kFirstLabelCode = 2;
+
+/// Distances on lattices have 16 bits: their steps are a hundredth of what a scale of 256 colours shows.
+constexpr double kLatticeParts = 65535;
 
 std::uint32_t code_of(GeneratorId label) {
   return label.valid() ? kFirstLabelCode + static_cast<std::uint32_t>(label.value()) : kUnreachedCode;
@@ -32,8 +36,8 @@ class SceneEncoder {
     entry["wireframe"] = scene_.wireframe;
     entry["smooth"] = scene_.smooth;
     entry["positions"] = points(scene_.mesh->positions());
-    entry["faces"] = faces();
-    if (!scene_.vertex_distance.empty()) entry["distances"] = distances();
+    entry["faces"] = faces(*scene_.mesh);
+    if (!scene_.vertex_distance.empty()) entry["distances"] = distances(scene_.vertex_distance);
     if (!scene_.face_label.empty() || !scene_.pieces.empty()) entry["codes"] = codes();
     if (entry.contains("codes")) entry["fills"] = fills();
     if (!scene_.pieces.empty()) entry["pieces"] = pieces();
@@ -41,6 +45,9 @@ class SceneEncoder {
     if (!scene_.generators.empty()) entry["generators"] = points(scene_.generators);
     if (!scene_.added_generators.empty()) entry["added_generators"] = points(scene_.added_generators);
     if (!scene_.branch_points.empty()) entry["branch_points"] = points(scene_.branch_points);
+    if (scene_.surface_distance) entry["surface_distance"] = surface_distance(*scene_.surface_distance);
+    if (scene_.overlay) entry["overlay"] = overlay(*scene_.overlay);
+    if (!scene_.vertex_generators.empty()) entry["vertex_generators"] = points(scene_.vertex_generators);
     entry["cells"] = cells();
     entry["figures"] = figures();
     return entry;
@@ -58,21 +65,44 @@ class SceneEncoder {
     for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>((p[i] - frame_.origin[i]) / frame_.scale));
   }
 
-  json faces() {
+  json faces(const Mesh& mesh) {
     std::vector<std::uint32_t> corners;
-    corners.reserve(static_cast<std::size_t>(scene_.mesh->halfedge_count()));
-    for (int f = 0; f < scene_.mesh->face_count(); ++f) {
-      for (const VertexId v : scene_.mesh->vertices(FaceId(f)))
-        corners.push_back(static_cast<std::uint32_t>(v.value()));
+    corners.reserve(static_cast<std::size_t>(mesh.halfedge_count()));
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      for (const VertexId v : mesh.vertices(FaceId(f))) corners.push_back(static_cast<std::uint32_t>(v.value()));
     }
     return blobs_.add_integers(corners);
   }
 
-  json distances() {
+  json distances(const IdVector<VertexId, double>& given) {
     std::vector<float> values;
-    values.reserve(scene_.vertex_distance.size());
-    for (const double d : scene_.vertex_distance) values.push_back(static_cast<float>(d / frame_.scale));
+    values.reserve(given.size());
+    for (const double d : given) values.push_back(static_cast<float>(d / frame_.scale));
     return blobs_.add_floats(values);
+  }
+
+  /// The lattice as multiples of its largest value / 65535.
+  json surface_distance(const ViewSurfaceDistance& given) {
+    json entry{{"other", given.other},
+               {"reference", given.reference},
+               {"scale_end", given.scale_end},
+               {"vertices", distances(given.samples.at_vertex)}};
+    const std::vector<double>& lattice = given.samples.lattice;
+    if (lattice.empty()) return entry;
+    const double largest = *std::max_element(lattice.begin(), lattice.end());
+    std::vector<std::uint32_t> steps, values;
+    for (const std::int32_t k : given.samples.steps) steps.push_back(static_cast<std::uint32_t>(k));
+    for (const double d : lattice) {
+      values.push_back(largest > 0 ? static_cast<std::uint32_t>(std::lround(kLatticeParts * (d / largest))) : 0);
+    }
+    entry["steps"] = blobs_.add_integers(steps);
+    entry["lattice"] = blobs_.add_integers(values);
+    entry["lattice_unit"] = largest / kLatticeParts;
+    return entry;
+  }
+
+  json overlay(const ViewOverlay& given) {
+    return {{"name", given.name}, {"positions", points(given.mesh->positions())}, {"faces", faces(*given.mesh)}};
   }
 
   json codes() {

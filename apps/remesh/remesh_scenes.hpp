@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "gvd/io/view.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/remesh.hpp"
+
+namespace gvd::app {
+
+/// The remesh with its vertices at their generators.
+Mesh make_unplaced(const Mesh& input, const RemeshResult& result);
+
+/// The pictures of the page: the remesh; the same before its vertices were placed (`unplaced`), if they were; the
+/// input; and the diagram of all generators. The first ones have the distances from the input, the input those from the
+/// remesh, all with one scale. The added generators are marked. The scenes refer to the meshes.
+std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,
+                                          int threads);
+
+}  // namespace gvd::app
