@@ -41,6 +41,7 @@ FLOORS = [
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
     ["libgvd/remesh/src/dual", "libgvd/remesh/src/intersection", "libgvd/remesh/src/distance"],
     ["libgvd/remesh/src/repair", "libgvd/remesh/src/certificate"],
+    ["libgvd/remesh/src/creases"],
     ["libgvd/remesh/src/placement"],
     ["libgvd/remesh"],
     ["apps/common/options"],
@@ -54,7 +55,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
     "libgvd/src/base": "vec ids error counted progress diagram_steps io/read_to_end",
-    "libgvd/src/mesh": "mesh surface_point surface_normal surface_area closest_point quality openmesh",
+    "libgvd/src/mesh": "mesh surface_point surface_normal surface_area closest_point distance_samples quality openmesh",
     "libgvd/src/mesh/reading": "mesh_format mesh_property read_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic/field": "front",

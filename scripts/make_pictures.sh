@@ -27,6 +27,9 @@ run gvd-segment data/figure.obj -n 24 --view "$work/segments.html"
 run gvd-lloyd   data/figure.obj -n 300 -o "$work/samples.json" --view "$work/samples.html"
 run gvd-remesh  data/figure.obj --generators "$work/samples.json" --view "$work/coarse.html"
 
+# The distances of a remesh from its input, before and after placement.
+run gvd-remesh  data/figure.obj -n 300 --view "$work/remesh.html"
+
 # Samplings, and a relaxation of random generators.
 run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
 run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.html"

@@ -70,7 +70,7 @@ void divide_time(const nlohmann::json& timings, RemeshFigures& figures) {
   double all = 0, made = 0;
   for (const auto& [step, milliseconds] : timings.items()) {
     all += milliseconds.get<double>();
-    if (step == "relaxation" || step == "diagram" || step == "dual" || step == "placement") {
+    if (step == "relaxation" || step == "diagram" || step == "dual" || step == "placement" || step == "search") {
       made += milliseconds.get<double>();
     }
   }

@@ -4,7 +4,7 @@ import math
 import random
 
 from check_lloyd import check_lloyd
-from check_remesh import check_remesh
+from check_remesh import check_map, check_remesh
 from check_segment import check_segment
 from run_command import DONE, NO_VALID_RESULT, run
 from surface import Finding, Surface, read_off, read_ply, require
@@ -70,7 +70,7 @@ def fixed_cases(mesh):
 
 
 def outputs(case):
-    return ["-o", "out.off" if case.command == "remesh" else "out.json"]
+    return ["-o", "out.off", "--map", "map.json"] if case.command == "remesh" else ["-o", "out.json"]
 
 
 def check_outputs(mesh, surface, case, folder):
@@ -78,7 +78,9 @@ def check_outputs(mesh, surface, case, folder):
     report = json.loads((folder / "report.json").read_text())
     require(report["input"]["faces"] == len(surface.faces), "the report counts other faces")
     if case.command == "remesh":
-        return check_remesh(surface, read_off(folder / "out.off"), report)
+        coarse = read_off(folder / "out.off")
+        check_remesh(surface, coarse, report)
+        return check_map(mesh, coarse, json.loads((folder / "map.json").read_text()))
     written = json.loads((folder / "out.json").read_text())
     if case.command == "lloyd":
         return check_lloyd(surface, written["generators"], report, len(report["generators"]))

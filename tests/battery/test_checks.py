@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 import cases
 import run_command
 from check_lloyd import check_lloyd
-from check_remesh import check_remesh
+from check_remesh import check_map, check_remesh
 from check_segment import check_segment
 from meshes import families
 from run_command import run
@@ -36,6 +36,7 @@ class Outputs:
             self.report = json.loads((folder / "report.json").read_text())
             self.written = json.loads((folder / "out.json").read_text()) if command != "remesh" else None
             self.coarse = cases.read_off(folder / "out.off") if command == "remesh" else None
+            self.map = json.loads((folder / "map.json").read_text()) if command == "remesh" else None
 
 
 class SegmentCase(unittest.TestCase):
@@ -135,6 +136,14 @@ class OtherCase(unittest.TestCase):
         ball = Outputs("ball", "remesh", "-n", "40").coarse
         for wrong in (with_hole, turned, ball):
             self.assertRaises(Finding, check_remesh, outputs.surface, wrong, outputs.report)
+
+    def test_map_with_a_wrong_point(self):
+        outputs = Outputs("torus", "remesh", "-n", "40")
+        for change in (lambda m: m["input_vertices"].pop(), lambda m: m["input_vertices"][3].update(face=10000),
+                       lambda m: m["output_vertices"][0].update(bary=[1, 1, -1]), lambda m: m.update(one_to_one=False)):
+            wrong = copy.deepcopy(outputs.map)
+            change(wrong)
+            self.assertRaises(Finding, check_map, outputs.mesh, outputs.coarse, wrong)
 
     def test_topology_of_known_surfaces(self):
         known = {"triangle": [(1, 1)], "tetrahedron": [(2, 0)], "torus": [(0, 0)], "wire": [(0, 2)], "slit": [(1, 1)],

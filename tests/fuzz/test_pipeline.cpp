@@ -16,6 +16,7 @@
 #include "geodesic/windows/geometry/face_frames.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/remesh_map.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 #include "support/environment.hpp"
@@ -42,7 +43,8 @@ constexpr int kMaxReportsOfMany = 40 * kMaxReports;
 constexpr std::size_t kMaxFields = 12;
 
 struct Counts {
-  int meshes = 0, refused = 0, diagrams = 0, coincident = 0, remeshes = 0, without_remesh = 0, relaxed = 0;
+  int meshes = 0, refused = 0, diagrams = 0, coincident = 0, remeshes = 0, without_remesh = 0, one_to_one = 0,
+      relaxed = 0;
   int close = 0, welded = 0;  ///< with generators that nearly coincide
   int uncut = 0;              ///< diagrams that cutting refuses, as it may
 };
@@ -162,8 +164,28 @@ class FuzzCase {
       ++counts_.remeshes;
       if (!result.certificate.ok()) add("remesh", {result.certificate.first_failure()});
       add("remesh", test::examine(mesh, result.diagram));
+      run_map(mesh, result);
     } else {
       ++counts_.without_remesh;
+    }
+  }
+
+  /// Where faces have nearly no area, the map may turn one round in the plane. Then it must say so.
+  void run_map(const Mesh& mesh, const RemeshResult& result) {
+    RemeshMap map;
+    if (!attempt("map", [&] { map = map_to_remesh(mesh, result, 1); })) return add("map", {"refused: " + last_error_});
+    counts_.one_to_one += map.one_to_one;
+    if (map.one_to_one != map.obstacle.empty()) add("map", {"one-to-one with an obstacle, or not and without one"});
+    const auto is_point = [](const SurfacePoint& point, const Mesh& on) {
+      const auto& [a, b, c] = point.bary;
+      const bool in_range = point.face.valid() && point.face.value() < on.face_count();
+      return in_range && a >= 0 && b >= 0 && c >= 0 && std::abs(a + b + c - 1) < 1e-12;
+    };
+    for (const SurfacePoint& point : map.points) {
+      if (!is_point(point, result.mesh)) return add("map", {"a vertex of the surface has no point"});
+    }
+    for (const SurfacePoint& point : map.origins) {
+      if (!is_point(point, mesh)) return add("map", {"a vertex of the remesh has no origin"});
     }
   }
 
@@ -238,11 +260,12 @@ int run_seeds(unsigned first, unsigned count, bool verbose) {
     CHECK(fuzz.findings().empty());
   }
   std::cout << fmt::format(
-      "{} meshes and {} refused; {} diagrams, {} times coincident generators; {} remeshes and {} refused; {} relaxed\n"
+      "{} meshes and {} refused; {} diagrams, {} times coincident generators; {} remeshes with {} one-to-one maps, {} "
+      "refused; {} relaxed\n"
       "with close generators {} meshes, whose crossings were not compared; {} where cutting might fail; it failed {} "
       "times\n",
-      counts.meshes, counts.refused, counts.diagrams, counts.coincident, counts.remeshes, counts.without_remesh,
-      counts.relaxed, counts.close, counts.welded, counts.uncut);
+      counts.meshes, counts.refused, counts.diagrams, counts.coincident, counts.remeshes, counts.one_to_one,
+      counts.without_remesh, counts.relaxed, counts.close, counts.welded, counts.uncut);
   return failed;
 }
 

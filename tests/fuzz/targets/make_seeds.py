@@ -95,6 +95,10 @@ def obj_seeds():
 
 
 def ply_seeds():
+    yield ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+           "property list uchar int ids\nelement face 1\nproperty list uchar int vertex_indices\n"
+           "property list uchar float texcoord\nend_header\n"
+           "0 0 0 1 7\n1 0 0 0\n0 1 0 2 1 2\n3 0 1 2 6 0 0 1 0 0 1\n")
     for shape in SHAPES:
         yield ply(*shape)
         yield binary_ply(*shape, "<", "f")

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fuzz/targets/require.hpp"
+#include "gvd/mesh_property.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 
@@ -150,6 +151,22 @@ void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat forma
   if (format == MeshFormat::ply) check_written(checked.mesh, format, true);
 }
 
+/// Properties and texture coordinates: there is one for each element of the soup, or a value for each entry of a list.
+void check_attributes(const std::string& bytes, MeshFormat format, const PolygonSoup& soup) {
+  MeshAttributes found;
+  if (!attempt({ErrorCode::unreadable_input}, [&] { found = parse_mesh_attributes(bytes, format, "input"); })) return;
+  for (const MeshProperty& property : found.properties) {
+    if (!property.count_type) continue;
+    require(!property.first_value.empty() && property.first_value.front() == 0, "a list has no beginning");
+    require(property.first_value.back() == property.values.size(), "values of lists are lost");
+    require(std::is_sorted(property.first_value.begin(), property.first_value.end()), "lists overlap");
+  }
+  if (!found.texture) return;
+  require(found.texture->corners == soup.corners, "the texture has other corners");
+  require(found.texture->first_corner == soup.first_corner, "the texture has other polygons");
+  require(found.texture->coordinates.size() == soup.corners.size(), "a corner has no texture coordinates");
+}
+
 }  // namespace
 
 void check_reading(const std::uint8_t* data, std::size_t size, MeshFormat format) {
@@ -160,6 +177,7 @@ void check_reading(const std::uint8_t* data, std::size_t size, MeshFormat format
                                [&] { soup = parse_soup(bytes, format, "input"); });
   if (!is_read) return;
   check_soup(soup);
+  check_attributes(bytes, format, soup);
   if (format == MeshFormat::ply) require(detected == MeshFormat::ply, "a PLY is taken for something else");
   for (const DefectPolicy policy : {DefectPolicy::error, DefectPolicy::repair, DefectPolicy::largest}) {
     check_policy(soup, policy, format);
