@@ -62,7 +62,7 @@ Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& generators, con
 TEST_CASE("remesh: a certified mesh on every family, from one generator to a hundred") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int count : {1, 2, 3, 4, 5, 10, 30, 100}) {
-      for (unsigned seed = 0; seed < 3; ++seed) {
+      for (unsigned seed = 0; seed < 2; ++seed) {
         INFO(name << ", " << count << " generators, seed " << seed);
         require_remesh(mesh, test::random_generators(mesh, count, seed));
       }
@@ -322,29 +322,23 @@ TEST_CASE("openmesh: deleted faces and lone vertices stay behind") {
   CHECK(back.bbox_diagonal() < 4);
 }
 
+// Twelve vertices on a sphere of radius 1 make triangles whose middles are at .8 at best: they enter a sphere of .85.
 TEST_CASE("remesh: triangles that intersect get more generators, unless they are allowed") {
   RemeshOptions allow, refine;
   allow.placement.method = refine.placement.method = Placement::generator;
   allow.allow_intersections = true;
-  std::size_t crossed = 0;
-  std::int64_t added_before = 0, added_after = 0;
-  for (const auto& [name, mesh] : test::small_family()) {
-    for (unsigned seed = 0; seed < 6; ++seed) {
-      const auto generators = test::random_generators(mesh, 12, seed);
-      const RemeshResult before = remesh(mesh, generators, allow);
-      CHECK(before.certificate.ok());
-      if (before.certificate.self_intersections.empty()) continue;
-      INFO(name << ", seed " << seed);
-      ++crossed;
-      const RemeshResult after = require_remesh(mesh, generators, refine);
-      CHECK(after.certificate.self_intersections.empty());
-      CHECK(require_remesh(mesh, generators).certificate.self_intersections.empty());
-      added_before += before.added;
-      added_after += after.added;
-    }
+  const Mesh mesh = test::make_nested_spheres(0.85);
+  for (unsigned seed = 0; seed < 2; ++seed) {
+    INFO("seed " << seed);
+    const auto generators = test::random_generators(mesh, 24, seed);
+    const RemeshResult before = remesh(mesh, generators, allow);
+    CHECK(before.certificate.ok());
+    CHECK_FALSE(before.certificate.self_intersections.empty());
+    const RemeshResult after = require_remesh(mesh, generators, refine);
+    CHECK(after.certificate.self_intersections.empty());
+    CHECK(after.added > before.added);
+    CHECK(require_remesh(mesh, generators).certificate.self_intersections.empty());
   }
-  CHECK(crossed > 0);
-  CHECK(added_after > added_before);
 }
 
 TEST_CASE("remesh: the vertices are at the generators, bit by bit, where placement asks for it") {

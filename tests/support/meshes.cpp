@@ -23,6 +23,14 @@ struct Builder {
     triangle(a, b, c);
     triangle(a, c, d);
   }
+  void append(const Mesh& mesh, double factor, const Vec3& offset) {
+    const int shift = static_cast<int>(positions.size());
+    for (const Vec3& p : mesh.positions()) add(factor * p + offset);
+    for (int f = 0; f < mesh.face_count(); ++f) {
+      const auto& [u, v, w] = mesh.vertices(FaceId(f));
+      triangle(u.value() + shift, v.value() + shift, w.value() + shift);
+    }
+  }
   Mesh build() { return Mesh(std::move(positions), std::move(faces)); }
 };
 
@@ -206,16 +214,16 @@ Mesh make_thin_faced_sphere(int subdivisions, unsigned seed) {
 }
 
 Mesh make_two_components() {
-  const Mesh sphere = make_sphere(2), torus = make_torus(16, 8);
   Builder b;
-  for (const Vec3& p : sphere.positions()) b.add(p);
-  for (const Vec3& p : torus.positions()) b.add(p + Vec3(4, 0, 0));
-  for (int f = 0; f < sphere.face_count(); ++f) b.faces.push_back(sphere.vertices(FaceId(f)));
-  const int shift = sphere.vertex_count();
-  for (int f = 0; f < torus.face_count(); ++f) {
-    const auto& [u, v, w] = torus.vertices(FaceId(f));
-    b.triangle(u.value() + shift, v.value() + shift, w.value() + shift);
-  }
+  b.append(make_sphere(2), 1, Vec3(0, 0, 0));
+  b.append(make_torus(16, 8), 1, Vec3(4, 0, 0));
+  return b.build();
+}
+
+Mesh make_nested_spheres(double inner_radius) {
+  Builder b;
+  b.append(make_sphere(2), 1, Vec3(0, 0, 0));
+  b.append(make_sphere(2), inner_radius, Vec3(0, 0, 0));
   return b.build();
 }
 

@@ -20,6 +20,7 @@ Mesh make_bumpy_sphere(int subdivisions, unsigned seed);       ///< radius varie
 Mesh make_thin_faced_sphere(int subdivisions, unsigned seed);  ///< stretched and jittered
 Mesh make_genus3(int n);                                       ///< a slab with three square holes, closed, genus 3
 Mesh make_two_components();                                    ///< a sphere and a torus side by side
+Mesh make_nested_spheres(double inner_radius);                 ///< one of radius 1 round a smaller one
 
 struct NamedMesh {
   std::string name;
