@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "common/options/typed_options.hpp"
 #include "common/run/command.hpp"
@@ -91,14 +92,14 @@ void register_options(app::CommandLine& line, Settings& settings) {
 }
 
 /// Remeshes, and reports the time of the diagrams apart from that of all other work.
-RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                          RemeshOptions options) {
+RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, RemeshOptions options) {
   app::StepTimes times(run);
   options.on_stage = [&times](RemeshStage stage) {
     constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
     times.start(kNames[static_cast<std::size_t>(stage)]);
   };
-  return remesh(mesh, generators, options);
+  if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
+  return remesh(mesh, start.constrained.points, options);
 }
 
 /// `freedom`: what the relaxation let each generator do; empty if all moved.
@@ -114,18 +115,17 @@ PlacementOptions placement_options(app::Run& run, const std::vector<Freedom>& fr
   return options;
 }
 
-RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start,
-                         const Settings& settings) {
-  const std::vector<SurfacePoint>& generators = start.points;
+RemeshResult make_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, const Settings& settings) {
+  const app::ConstrainedStart& given = start.constrained;
   RemeshOptions options = settings.remesh;
-  options.creases = trace_creases(mesh, start.creases, start.corner_distance);
-  options.placement = placement_options(run, start.freedom, settings);
-  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), generators.size());
+  options.creases = trace_creases(mesh, given.creases, given.corner_distance);
+  options.placement = placement_options(run, given.freedom, settings);
+  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), given.points.size());
   app::report_remesh_options(run, options, settings.no_refine);
   options.refine = !settings.no_refine;
   options.diagram = app::make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
-  RemeshResult result = timed_remesh(run, mesh, generators, options);
+  RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
   app::report_remesh(run, mesh, result);
   return result;
 }
@@ -134,8 +134,7 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, const app::Constrained
 RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings settings) {
   const auto remesh_with = [&](app::Run& trial, std::optional<std::int32_t> count) {
     settings.relaxation.constraints.count = count;
-    const app::ConstrainedStart start = app::make_relaxed_start(trial, input, settings.relaxation);
-    return make_remesh(trial, input.mesh, start, settings);
+    return make_remesh(trial, input.mesh, app::make_relaxed_start(trial, input, settings.relaxation), settings);
   };
   if (!run.options().generators.error) return remesh_with(run, std::nullopt);
   return remesh_with(run, app::search_count(run, input.mesh, remesh_with));

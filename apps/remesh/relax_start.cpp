@@ -25,9 +25,10 @@ LloydOptions make_lloyd_options(Run& run, const ConstrainedStart& start, std::in
   return options;
 }
 
-void relax(Run& run, const Mesh& mesh, ConstrainedStart& start, std::int32_t iterations) {
-  const LloydOptions options = make_lloyd_options(run, start, iterations);
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
+void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
+  std::vector<SurfacePoint>& points = start.constrained.points;
+  const LloydOptions options = make_lloyd_options(run, start.constrained, iterations);
+  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, points, options); });
   run.console().set_status("");
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
                                    counted(std::ssize(result.iterations), "iteration", "iterations"),
@@ -37,7 +38,8 @@ void relax(Run& run, const Mesh& mesh, ConstrainedStart& start, std::int32_t ite
                                           {"initial_energy", result.initial_energy},
                                           {"final_energy", result.final_energy},
                                           {"diagrams", result.diagrams}};
-  start.points = std::move(result.generators);
+  points = std::move(result.generators);
+  start.diagram = std::move(result.diagram);
 }
 
 /// Those that are still where they were asked for keep their snap distances.
@@ -53,7 +55,7 @@ void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoin
 
 }  // namespace
 
-ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options) {
+RelaxedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options) {
   const std::int32_t iterations = relax_iterations(options, run.options().generators);
   run.report().options()["relax"] = iterations;
   report_constraints(run.report().options(), options.constraints);
@@ -63,9 +65,9 @@ ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const Re
   run.report().options()["loose_boundary"] = options.loose_boundary;
   ConstraintOptions constraints = options.constraints;
   constraints.prefers_boundary = !options.loose_boundary;
-  ConstrainedStart start = make_start(run, input, constraints);
+  RelaxedStart start{make_start(run, input, constraints), std::nullopt};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
-  report_generators(run, input.mesh, start.points);
+  report_generators(run, input.mesh, start.constrained.points);
   return start;
 }
 

@@ -1,14 +1,22 @@
 #pragma once
 
+#include <optional>
+
 #include "common/relaxation/constrain_start.hpp"
 #include "common/run/run.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/soup.hpp"
 #include "remesh/relax_options.hpp"
 
 namespace gvd::app {
 
+struct RelaxedStart {
+  ConstrainedStart constrained;
+  std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
+};
+
 /// The generators that the options ask for, relaxed as they say, and reports both.
 /// Throws what make_start and relax_generators throw.
-ConstrainedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options);
+RelaxedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options);
 
 }  // namespace gvd::app

@@ -263,6 +263,27 @@ TEST_CASE("remesh: two runs give the same bytes") {
   }
 }
 
+TEST_CASE("remesh: a known diagram gives the same mesh, and is not computed again") {
+  const Mesh mesh = test::make_torus(24, 12);
+  for (const int count : {3, 60}) {  // three need more of them, and so more diagrams
+    CAPTURE(count);
+    const auto generators = test::random_generators(mesh, count, 2);
+    int diagrams = 0;
+    RemeshOptions options;
+    options.on_stage = [&diagrams](RemeshStage stage) { diagrams += stage == RemeshStage::diagram; };
+    const RemeshResult known = remesh(mesh, compute_diagram(mesh, generators, options.diagram), options);
+    CHECK(diagrams == known.rounds - 1);
+    const RemeshResult computed = remesh(mesh, generators, options);
+    CHECK(known.rounds == computed.rounds);
+    CHECK(known.added == computed.added);
+    CHECK(known.mesh.positions() == computed.mesh.positions());
+    CHECK(known.face_points == computed.face_points);
+  }
+  RemeshOptions wrong;
+  wrong.max_added = -1;
+  CHECK_THROWS_AS(remesh(mesh, Diagram(), wrong), Error);
+}
+
 TEST_CASE("remesh: progress can cancel") {
   const Mesh mesh = test::make_sphere(2);
   RemeshOptions options;

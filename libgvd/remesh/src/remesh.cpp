@@ -35,6 +35,12 @@ std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::in
 /// Where more than this fraction of the given generators was added, fewer are looked for.
 constexpr double kWorthSearching = 0.1;
 
+void check_options(const RemeshOptions& options) {
+  if (options.max_added && *options.max_added < 0) {
+    throw Error(ErrorCode::invalid_option, "max_added must not be negative", *options.max_added);
+  }
+}
+
 std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
   const Vec3& at = mesh.position(narrow.tip);
   const std::string advice = narrow.least_distance < mesh.bbox_diagonal()
@@ -164,22 +170,30 @@ class Remesher {
   }
 
   RemeshResult run() {
+    enter(RemeshStage::diagram);
+    return run(compute_diagram(mesh_, result_.generators, options_.diagram));
+  }
+
+  /// `first`: of the given generators.
+  RemeshResult run(Diagram&& first) {
+    result_.diagram = std::move(first);
     while (true) {
-      enter(RemeshStage::diagram);
-      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
       ++result_.rounds;
       enter(RemeshStage::dual);
       const DualMesh dual = build_dual(mesh_, result_.diagram);
       std::vector<DualDefect> defects = maker_.find_defects(dual);
       if (result_.rounds == 1) result_.given_defects = defects;
-      if (follow_creases()) continue;
-      if (defects.empty()) {
-        enter(RemeshStage::placement);
-        defects = maker_.place(dual);
-        if (result_.rounds == 1) result_.given_defects = defects;
+      if (!follow_creases()) {
+        if (defects.empty()) {
+          enter(RemeshStage::placement);
+          defects = maker_.place(dual);
+          if (result_.rounds == 1) result_.given_defects = defects;
+        }
+        if (defects.empty()) break;
+        refine(defects);
       }
-      if (defects.empty()) break;
-      refine(defects);
+      enter(RemeshStage::diagram);
+      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
     }
     if (is_worth_searching()) search_fewer();
     measure();
@@ -302,10 +316,13 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) 
 }
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
-  if (options.max_added && *options.max_added < 0) {
-    throw Error(ErrorCode::invalid_option, "max_added must not be negative", *options.max_added);
-  }
+  check_options(options);
   return Remesher(mesh, generators, options).run();
+}
+
+RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
+  check_options(options);
+  return Remesher(mesh, diagram.generators, options).run(std::move(diagram));
 }
 
 }  // namespace gvd

@@ -27,6 +27,12 @@ double total_area(const std::vector<EnvelopePart>& parts) {
   return sum;
 }
 
+std::vector<EnvelopePart> lower_envelope(const std::vector<Function>& values) {
+  LowerEnvelope envelope;
+  const auto parts = envelope.compute(values);
+  return {parts.begin(), parts.end()};
+}
+
 double value(const Function& f, const Bary& at) { return f[0] * at[0] + f[1] * at[1] + f[2] * at[2]; }
 
 }  // namespace
@@ -40,6 +46,15 @@ TEST_CASE("lower envelope: one function has the whole triangle, and of equal one
     CHECK(std::count(parts[0].across.begin(), parts[0].across.end(), kTriangleSide) == 3);
   }
   CHECK(lower_envelope({}).empty());
+}
+
+TEST_CASE("lower envelope: nothing is left of the one before") {
+  LowerEnvelope envelope;
+  CHECK(envelope.compute({{0, 1, 1}, {1, 0, 0}, {1, 1, 0}}).size() > 1);
+  const auto parts = envelope.compute({{1, 2, 3}});
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].corners.size() == 3);
+  CHECK(envelope.compute({}).empty());
 }
 
 TEST_CASE("lower envelope: two functions cut the triangle along a line, and each knows the other") {

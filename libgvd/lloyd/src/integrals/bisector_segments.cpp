@@ -1,8 +1,27 @@
 #include "integrals/bisector_segments.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 namespace gvd {
+namespace {
+
+/// Counting sort: keeps the order of segments with the same cell.
+void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& segments) {
+  std::vector<std::size_t> begin;  // of each cell's segments
+  for (const BisectorSegment& segment : segments) {
+    const std::size_t next = (segment.*cell).index() + 1;
+    if (begin.size() <= next) begin.resize(next + 1, 0);
+    ++begin[next];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<BisectorSegment> sorted(segments.size());
+  for (const BisectorSegment& segment : segments) sorted[begin[(segment.*cell).index()]++] = segment;
+  segments = std::move(sorted);
+}
+
+}  // namespace
 
 std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density) {
   std::vector<BisectorSegment> segments;
@@ -21,9 +40,8 @@ std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& 
 }
 
 void sort_by_cells(std::vector<BisectorSegment>& segments) {
-  std::stable_sort(segments.begin(), segments.end(), [](const BisectorSegment& a, const BisectorSegment& b) {
-    return std::pair(a.left, a.right) < std::pair(b.left, b.right);
-  });
+  sort_by(&BisectorSegment::right, segments);
+  sort_by(&BisectorSegment::left, segments);
 }
 
 std::vector<std::pair<GeneratorId, GeneratorId>> neighbouring_cells(const std::vector<BisectorSegment>& segments) {

@@ -20,45 +20,6 @@ Bary zero_between(const Bary& a, double at_a, const Bary& b, double at_b) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// Cuts parts, with buffers that stay.
-class Clipper {
- public:
-  explicit Clipper(const std::vector<Function>& values) : values_(values) {}
-
-  /// Cuts off where function `other` is less (I. Sutherland and G. Hodgman, Reentrant polygon clipping, 1974).
-  void clip(EnvelopePart& part, std::size_t other) {
-    const std::size_t n = part.corners.size();
-    excess_.clear();
-    for (const Bary& corner : part.corners)
-      excess_.push_back(difference(values_[other], values_[part.function], corner));
-    const auto is_inside = [&](std::size_t i) { return excess_[i] > 0 || (excess_[i] == 0 && part.function < other); };
-    std::size_t inside = 0;
-    for (std::size_t i = 0; i < n; ++i) inside += is_inside(i);
-    if (inside == n) return;
-    rest_.function = part.function;
-    rest_.corners.clear();
-    rest_.across.clear();
-    for (std::size_t i = 0; i < n && inside > 0; ++i) {
-      const std::size_t next = (i + 1) % n;
-      if (is_inside(i)) push(part.corners[i], part.across[i]);
-      if (is_inside(i) == is_inside(next)) continue;
-      push(zero_between(part.corners[i], excess_[i], part.corners[next], excess_[next]),
-           is_inside(i) ? other : part.across[i]);
-    }
-    std::swap(part, rest_);
-  }
-
- private:
-  void push(const Bary& corner, std::size_t across) {
-    rest_.corners.push_back(corner);
-    rest_.across.push_back(across);
-  }
-
-  const std::vector<Function>& values_;
-  std::vector<double> excess_;  // of the other function over the part's, at its corners
-  EnvelopePart rest_;
-};
-
 /// Two functions are one if their values differ by less than this, relative to them: a thousand times their rounding.
 constexpr double kSameFunction = 1e-12;
 
@@ -69,36 +30,68 @@ bool is_nowhere_less(const Function& a, const Function& b) {
   return true;
 }
 
-/// The functions that are the least one somewhere, as far as single other ones tell.
-std::vector<std::size_t> list_candidates(const std::vector<Function>& values) {
-  double least_maximum = std::numeric_limits<double>::infinity();
-  for (const Function& f : values) least_maximum = std::min(least_maximum, *std::max_element(f.begin(), f.end()));
-  std::vector<std::size_t> candidates;
-  for (std::size_t f = 0; f < values.size(); ++f) {
-    if (*std::min_element(values[f].begin(), values[f].end()) > least_maximum) continue;
-    const auto is_beaten_by = [&](std::size_t other) { return is_nowhere_less(values[f], values[other]); };
-    if (std::any_of(candidates.begin(), candidates.end(), is_beaten_by)) continue;
-    std::erase_if(candidates, [&](std::size_t other) { return is_nowhere_less(values[other], values[f]); });
-    candidates.push_back(f);
-  }
-  return candidates;
+void push(const Bary& corner, std::size_t across, EnvelopePart& part) {
+  part.corners.push_back(corner);
+  part.across.push_back(across);
+}
+
+void set_to_triangle(EnvelopePart& part, std::size_t function) {
+  part.function = function;
+  part.corners.assign({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  part.across.assign(3, kTriangleSide);
 }
 
 }  // namespace
 
-std::vector<EnvelopePart> lower_envelope(const std::vector<Function>& values) {
-  const std::vector<std::size_t> candidates = list_candidates(values);
-  std::vector<EnvelopePart> parts;
-  Clipper clipper(values);
-  for (const std::size_t f : candidates) {
-    EnvelopePart part{f, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {kTriangleSide, kTriangleSide, kTriangleSide}};
-    for (const std::size_t other : candidates) {
+std::span<const EnvelopePart> LowerEnvelope::compute(const std::vector<Function>& values) {
+  list_candidates(values);
+  std::size_t count = 0;
+  for (const std::size_t f : candidates_) {
+    if (count == parts_.size()) parts_.emplace_back();
+    EnvelopePart& part = parts_[count];
+    set_to_triangle(part, f);
+    for (const std::size_t other : candidates_) {
       if (part.corners.size() < 3) break;
-      if (other != f) clipper.clip(part, other);
+      if (other != f) clip(values, part, other);
     }
-    if (part.corners.size() > 2) parts.push_back(std::move(part));
+    if (part.corners.size() > 2) ++count;
   }
-  return parts;
+  return {parts_.data(), count};
+}
+
+void LowerEnvelope::list_candidates(const std::vector<Function>& values) {
+  double least_maximum = std::numeric_limits<double>::infinity();
+  for (const Function& f : values) least_maximum = std::min(least_maximum, *std::max_element(f.begin(), f.end()));
+  candidates_.clear();
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    if (*std::min_element(values[f].begin(), values[f].end()) > least_maximum) continue;
+    const auto is_beaten_by = [&](std::size_t other) { return is_nowhere_less(values[f], values[other]); };
+    if (std::any_of(candidates_.begin(), candidates_.end(), is_beaten_by)) continue;
+    std::erase_if(candidates_, [&](std::size_t other) { return is_nowhere_less(values[other], values[f]); });
+    candidates_.push_back(f);
+  }
+}
+
+/// Cuts off where function `other` is less (I. Sutherland and G. Hodgman, Reentrant polygon clipping, 1974).
+void LowerEnvelope::clip(const std::vector<Function>& values, EnvelopePart& part, std::size_t other) {
+  const std::size_t n = part.corners.size();
+  excess_.clear();
+  for (const Bary& corner : part.corners) excess_.push_back(difference(values[other], values[part.function], corner));
+  const auto is_inside = [&](std::size_t i) { return excess_[i] > 0 || (excess_[i] == 0 && part.function < other); };
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < n; ++i) inside += is_inside(i);
+  if (inside == n) return;
+  rest_.function = part.function;
+  rest_.corners.clear();
+  rest_.across.clear();
+  for (std::size_t i = 0; i < n && inside > 0; ++i) {
+    const std::size_t next = (i + 1) % n;
+    if (is_inside(i)) push(part.corners[i], part.across[i], rest_);
+    if (is_inside(i) == is_inside(next)) continue;
+    push(zero_between(part.corners[i], excess_[i], part.corners[next], excess_[next]),
+         is_inside(i) ? other : part.across[i], rest_);
+  }
+  std::swap(part, rest_);
 }
 
 }  // namespace gvd

@@ -62,7 +62,7 @@ class FaceSampler {
     }
     find_images();
     if (images_.empty()) return;
-    for (const EnvelopePart& part : lower_envelope(square_distances())) add(part);
+    for (const EnvelopePart& part : envelope_.compute(square_distances())) add(part);
   }
 
   CellSums sums;
@@ -124,7 +124,7 @@ class FaceSampler {
     const GeneratorId g = paths_.generator(images_[part.function]);
     const PolygonMoments polygon = measure(part);
     if (!(polygon.area > 0)) return;
-    const NearestPath path = paths_.at(paths_.position(polygon.centroid), g);
+    const NearestPath path = paths_.from(images_[part.function], paths_.position(polygon.centroid));
     sums.add(g, polygon.area, polygon.area * density_at(polygon.centroid), path, polygon.spread);
     for (std::size_t i = 0; i < part.corners.size(); ++i) {
       if (part.across[i] == kTriangleSide) continue;
@@ -173,6 +173,7 @@ class FaceSampler {
   NearestPaths paths_;
   std::vector<std::size_t> images_;            // that the parts of the face are seen from
   std::vector<std::array<double, 3>> values_;  // their square distances from the corners
+  LowerEnvelope envelope_;
   FaceId face_;
 };
 

@@ -48,6 +48,6 @@ std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, co
 inline constexpr int kMaxHalvings = 4;
 
 /// Rounds of the fit.
-inline constexpr int kFitRounds = 5;
+inline constexpr int kFitRounds = 4;
 
 }  // namespace gvd

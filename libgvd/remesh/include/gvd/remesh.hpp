@@ -60,7 +60,7 @@ struct RemeshResult {
   std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
   double crease_length = 0;               ///< of the creases of the options, mesh units
   double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
-  std::int32_t rounds = 0;                ///< number of diagrams computed before a search for fewer
+  std::int32_t rounds = 0;                ///< number of diagrams, before a search for fewer
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   Diagram diagram;                        ///< of all generators
   RemeshCertificate certificate;
@@ -88,5 +88,9 @@ struct RemeshResult {
 /// `max_added` generators within kMaxRemeshRounds, or without `refine`; and what compute_diagram throws.
 /// Cost: one diagram a round, and some tens of rounds for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
+
+/// The same where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must
+/// be that of `mesh` with `options.diagram`.
+RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
 
 }  // namespace gvd

@@ -18,7 +18,7 @@ namespace {
 /// of a sphere with an angular radius of r has r^2 / 4: 0.2 radians.
 constexpr double kQuadricTruncation = 0.01;
 /// Samples for each vertex.
-constexpr double kSamplesPerVertex = 20;
+constexpr double kSamplesPerVertex = 16;
 /// A cell of no area must have a spring, too: that of a square with sides of a millionth of the bounding box's
 /// diagonal.
 constexpr double kLeastCellArea = 1e-12;

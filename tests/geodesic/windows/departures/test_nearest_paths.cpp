@@ -149,3 +149,24 @@ TEST_CASE("nearest paths: logarithms are the gradient of squared distances, to 1
     }
   }
 }
+
+TEST_CASE("nearest paths: from the nearest image comes the shortest path, and none is shorter from another") {
+  const Mesh mesh = test::make_bumpy_sphere(2, 3);
+  const Setup setup(mesh, test::random_generators(mesh, 8, 1));
+  NearestPaths paths = setup.paths();
+  std::mt19937 random(5);
+  for (std::int32_t f = 0; f < setup.working.mesh().face_count(); ++f) {
+    paths.enter(FaceId(f));
+    const Vec2 p = paths.position(random_bary(random));
+    const NearestPath shortest = paths.at(p);
+    const NearestPath same = paths.from(paths.nearest_image(p), p);
+    CHECK(same.generator == shortest.generator);
+    CHECK(same.distance == shortest.distance);
+    CHECK(same.log == shortest.log);
+    for (std::size_t image = 0; image < paths.image_count(); ++image) {
+      const NearestPath other = paths.from(image, p);
+      CHECK(other.generator == paths.generator(image));
+      CHECK(other.distance >= shortest.distance);
+    }
+  }
+}

@@ -54,7 +54,7 @@ std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distan
     const double squared = ray.squaredNorm();
     if (!(rest > 0) || squared >= rest * rest) continue;
     if (only.valid() && image.generator != only) continue;
-    if (image.window != kCorner && (cross(ray, image.begin) < 0 || cross(ray, image.end) > 0)) continue;
+    if (!passes(image, ray)) continue;
     distance = image.offset + std::sqrt(squared);
     best = i;
   }
@@ -73,6 +73,14 @@ NearestPath NearestPaths::find(const Vec2& p, GeneratorId only) {
   nearest.generator = images_[best].generator;
   nearest.log = log(images_[best], p - images_[best].at, nearest.distance);
   return nearest;
+}
+
+NearestPath NearestPaths::from(std::size_t image, const Vec2& p) {
+  Image& source = images_[image];
+  const Vec2 ray = p - source.at;
+  if (!passes(source, ray)) return at(p, source.generator);
+  const double distance = source.offset + ray.norm();
+  return {source.generator, distance, log(source, ray, distance)};
 }
 
 /// No straight path of a generator reaches the point, only paths round the end of an opening. Happens beside a cell

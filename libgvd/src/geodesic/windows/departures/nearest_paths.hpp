@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "base/plane.hpp"
 #include "geodesic/windows/departures/departures.hpp"
 #include "geodesic/windows/field/window_field.hpp"
 #include "gvd/ids.hpp"
@@ -38,6 +39,10 @@ class NearestPaths {
   NearestPath at(const Vec2& p) { return find(p, GeneratorId()); }
   /// The same from generator g, whose cell has a part in the face. Cost: O(windows on the face).
   NearestPath at(const Vec2& p, GeneratorId g) { return find(p, g); }
+
+  /// The path from an image, if the straight way to the point goes through its opening; else that from its generator.
+  /// Cost: O(1), or O(windows on the face).
+  NearestPath from(std::size_t image, const Vec2& p);
 
   /// Of a point that no generator reaches.
   static constexpr std::size_t kNoImage = static_cast<std::size_t>(-1);
@@ -75,6 +80,10 @@ class NearestPaths {
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
   void add_corner(int i);
   void add_window(std::size_t number);
+  /// Whether a ray from the image goes through its opening.
+  static bool passes(const Image& image, const Vec2& ray) {
+    return image.window == kCorner || (cross(ray, image.begin) >= 0 && cross(ray, image.end) <= 0);
+  }
   Vec2 log(Image& image, const Vec2& ray, double distance) const;
   Vec2 direction(const Image& image) const;
   Departure from_side(const Image& image, const Vec2& ray) const;
