@@ -86,12 +86,14 @@ std::int32_t search_count(Run& run, const Mesh& mesh,
       static_cast<std::int32_t>(std::clamp<std::int64_t>(kMostPerVertex * mesh.vertex_count(), kLeastMost, 1000000000));
   double done = 0;
   Trials trials(remesh_with);
-  const Fewest found = run.timed("search", [&] {
+  const Fewest found = run.timed("trials", [&] {
     return find_fewest(options, [&](std::int32_t count) {
       run.console().set_status(fmt::format("{} generators", count));
       report_progress(run.progress(), "search", done++ / options.max_trials);
       const double distance = trials.distance(run, count);
-      run.console().detail(fmt::format("{} generators: distance {:.6g} mesh units", count, distance));
+      run.console().detail(std::isfinite(distance)
+                               ? fmt::format("{} generators: distance {:.6g} mesh units", count, distance)
+                               : fmt::format("{} generators: no mesh", count));
       return distance;
     });
   });

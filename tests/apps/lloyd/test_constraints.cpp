@@ -39,7 +39,7 @@ TEST_CASE("gvd-lloyd --fixed: these generators come first and stay, and -n count
   CHECK(a[4] != b[4]);
   const CommandResult few = lloyd(data_file("figure.obj") + " -n 2" + fixed + scratch / "c.txt");
   CHECK(few.exit_code == 4);
-  CHECK_THAT(few.err, Contains("2 generators are asked for, and 3 are fixed or on features; ask for more with -n"));
+  CHECK_THAT(few.err, Contains("2 generators are asked for, and 3 are fixed or on features; ask for more generators"));
 }
 
 TEST_CASE("gvd-lloyd --features, --keep-boundary: corners and creases have their generators") {
