@@ -131,9 +131,10 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, Placed& pla
   const auto asked = std::ssize(start.points);
   if (!start.creases.empty()) append_different(mesh, place_features(mesh, start), placed);
   if (std::ssize(placed.points) > asked) {
-    throw Error(ErrorCode::precondition, fmt::format("{} asked for, and {} fixed or on features; ask for more generators",
-                                                     counted(asked, "generator is", "generators are"),
-                                                     counted(std::ssize(placed.points), "is", "are")));
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("{} asked for, and {} fixed or on features; ask for more generators",
+                    counted(asked, "generator is", "generators are"), counted(std::ssize(placed.points), "is", "are")));
   }
   NearestRemover remover(mesh, start.points);
   for (const SurfacePoint& p : placed.points) remover.remove_nearest(position(mesh, p));
