@@ -47,9 +47,11 @@ RemeshResult require_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& g
   return result;
 }
 
-Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
+/// `given`: generators, or their diagram.
+template <class Given = std::vector<SurfacePoint>>
+Error refusal(const Mesh& mesh, const Given& given, const RemeshOptions& options = {}) {
   try {
-    remesh(mesh, generators, options);
+    remesh(mesh, given, options);
   } catch (const Error& error) {
     return error;
   }
@@ -279,9 +281,16 @@ TEST_CASE("remesh: a known diagram gives the same mesh, and is not computed agai
     CHECK(known.mesh.positions() == computed.mesh.positions());
     CHECK(known.face_points == computed.face_points);
   }
+}
+
+TEST_CASE("remesh: a known diagram of another mesh is refused, and wrong options are") {
+  const Mesh mesh = test::make_torus(24, 12), other = test::make_sphere(2);
+  const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 9, 2));
+  CHECK(refusal(other, diagram).code() == ErrorCode::precondition);
+  CHECK(refusal(mesh, Diagram()).code() == ErrorCode::precondition);
   RemeshOptions wrong;
   wrong.max_added = -1;
-  CHECK_THROWS_AS(remesh(mesh, Diagram(), wrong), Error);
+  CHECK(refusal(mesh, diagram, wrong).code() == ErrorCode::invalid_option);
 }
 
 TEST_CASE("remesh: progress can cancel") {

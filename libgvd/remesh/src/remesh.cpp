@@ -322,6 +322,9 @@ RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generator
 
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
   check_options(options);
+  const bool fits = std::ssize(diagram.vertex_label) == mesh.vertex_count() &&
+                    std::ssize(diagram.face_label) == mesh.face_count() && !diagram.generators.empty();
+  if (!fits) throw Error(ErrorCode::precondition, "the diagram is not one of the mesh; compute it of this mesh");
   return Remesher(mesh, diagram.generators, options).run(std::move(diagram));
 }
 

@@ -90,7 +90,8 @@ struct RemeshResult {
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
 /// The same where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must
-/// be that of `mesh` with `options.diagram`.
+/// be that of `mesh` with `options.diagram`. Throws Error{precondition} also where it has not the mesh's vertices and
+/// faces.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
 
 }  // namespace gvd
