@@ -112,11 +112,11 @@ TEST_CASE("window integrals: the centroids are the gradient of the energy") {
         auto to = generators;
         const GeodesicTrace trace = trace_geodesic(mesh, generators[0], length * way);
         to[0] = trace.points.back();
-        return trace.complete ? energy(integrate(mesh, to, 16)) : std::nan("");
+        return trace.complete ? energy(integrate(mesh, to, 8)) : std::nan("");
       };
       const double ahead = moved(step), behind = moved(-step);
       if (std::isnan(ahead) || std::isnan(behind)) continue;  // over the boundary
-      const CellMoments cell = integrate(mesh, generators, 16)[GeneratorId(0)];
+      const CellMoments cell = integrate(mesh, generators, 8)[GeneratorId(0)];
       const double slope = -2 * cell.area * cell.centroid.dot(way);
       const double scale = 2 * cell.area * std::sqrt(cell.area);
       CHECK((ahead - behind) / (2 * step) == Approx(slope).margin(1e-4 * scale));

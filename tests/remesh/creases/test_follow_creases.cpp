@@ -59,13 +59,11 @@ TEST_CASE("creases: edges follow them, whatever generators are given") {
     const std::vector<CreaseCurve> curves = curves_of(mesh);
     REQUIRE_FALSE(curves.empty());
     for (const int count : {4, 20}) {
-      for (const unsigned seed : {1u, 2u}) {
-        INFO(name << ", " << count << " generators, seed " << seed);
-        const RemeshResult result = follow(mesh, test::random_generators(mesh, count, seed));
-        CHECK(result.crease_gap_length == 0);
-        CHECK(result.added_on_creases <= count + 100);
-        require_followed(mesh, curves, result);
-      }
+      INFO(name << ", " << count << " generators");
+      const RemeshResult result = follow(mesh, test::random_generators(mesh, count, 1));
+      CHECK(result.crease_gap_length == 0);
+      CHECK(result.added_on_creases <= count + 100);
+      require_followed(mesh, curves, result);
     }
   }
 }
