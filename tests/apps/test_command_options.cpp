@@ -62,7 +62,7 @@ TEST_CASE("commands: options come from a file too") {
   const ScratchFolder scratch;
   write_text(scratch / "options.toml", "n = 12\nseed = 4\nquiet = true\nreport = \"" + scratch / "r.json" + "\"\n");
   for (const std::string& name : built_commands()) {
-    const CommandResult result = run_command(name, data_file("figure.obj") + " --config " + scratch / "options.toml");
+    const CommandResult result = run_command(name, data_file("torus.ply") + " --config " + scratch / "options.toml");
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
@@ -89,7 +89,7 @@ TEST_CASE("commands: a wrong file of options is refused in one line that has lin
 
 TEST_CASE("commands: the command line's generators take the place of those of the file") {
   const ScratchFolder scratch;
-  write_text(scratch / "o.toml", "input = \"" + data_file("figure.obj") +
+  write_text(scratch / "o.toml", "input = \"" + data_file("torus.ply") +
                                      "\"\nn = 12\nsampling = \"random\"\nseed = 3\n" + "quiet = true\nreport = \"" +
                                      scratch / "r.json" + "\"\n");
   write_text(scratch / "g.txt", "1\n30\n60\n");

@@ -59,7 +59,7 @@ TEST_CASE("commands: a file that grows too large is one line, and leaves nothing
   for (const std::string& name : built_commands()) {
     // Long enough for any of the three: 1 is 512 bytes.
     const std::string run = "ulimit -f 1; exec '" + std::string(GVD_BIN_DIR) + "/" + name + "' " +
-                            data_file("figure.obj") + " -n 40 -q -o " + scratch / "a.ply";
+                            data_file("torus.ply") + " -n 40 -q -o " + scratch / "a.ply";
     const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 6);
@@ -114,7 +114,7 @@ TEST_CASE("commands: no output replaces a file that is read") {
 TEST_CASE("commands: the same call gives the same bytes") {
   const ScratchFolder scratch;
   for (const std::string& name : built_commands()) {
-    std::string arguments = data_file("figure.obj") + " -q -n 40 --seed 3";
+    std::string arguments = data_file("torus.ply") + " -q -n 40 --seed 3";
     std::string again = arguments + " --threads 1";
     const std::vector<std::string> files{"a.ply", "a.obj", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"};
     std::filesystem::create_directory(scratch / "first" + name);

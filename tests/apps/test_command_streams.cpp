@@ -19,7 +19,7 @@ TEST_CASE("commands: a reader that goes away ends the run without a word") {
       return run_command("/bin/bash", "-c \"" + command + arguments + " | true; echo \\${PIPESTATUS[0]}\"");
     };
     // More than a pipe holds.
-    const CommandResult data = piped(data_file("figure.obj") + " -n 400 -q -o - --output-format json");
+    const CommandResult data = piped(data_file("torus.ply") + " -n 400 -q -o - --output-format json");
     CAPTURE(name);
     CHECK(data.out == "141\n");
     CHECK(data.err.empty());
@@ -27,7 +27,7 @@ TEST_CASE("commands: a reader that goes away ends the run without a word") {
     const ScratchFolder scratch;
     const std::string pipe = scratch / "pipe.json", few = name == "gvd-lloyd" ? "--iterations 1" : "";
     const std::string reader = "mkfifo " + pipe + "; { true < " + pipe + "; } & ";
-    const CommandResult fifo = run_command("/bin/bash", "-c \"" + reader + command + data_file("figure.obj") +
+    const CommandResult fifo = run_command("/bin/bash", "-c \"" + reader + command + data_file("torus.ply") +
                                                             " -n 400 -q " + few + " -o " + pipe + "; echo \\$?\"");
     CHECK(fifo.out == "141\n");
     CHECK_THAT(fifo.err, !Contains("error"));
@@ -39,7 +39,7 @@ TEST_CASE("commands: closed streams are not taken by the files of the run") {
   for (const std::string& name : built_commands()) {
     CAPTURE(name);
     const std::string arguments =
-        data_file("figure.obj") + " -n 40 -o " + scratch / "a.off" + " --report " + scratch / "r.json";
+        data_file("torus.ply") + " -n 40 -o " + scratch / "a.off" + " --report " + scratch / "r.json";
     CHECK(run_command(name, arguments + " <&- >&- 2>&-").exit_code == 0);
     CHECK_THAT(read_text(scratch / "a.off"), !Contains(name));
     CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["command"] == name);
@@ -50,7 +50,7 @@ TEST_CASE("commands: no binary goes to a terminal, but text does") {
   for (const std::string& name : built_commands()) {
     CAPTURE(name);
     const auto shown = [&](const std::string& format) {
-      return run_on_terminal(name, {data_file("figure.obj"), "-n", "40", "-q", "-o", "-", "--output-format", format});
+      return run_on_terminal(name, {data_file("torus.ply"), "-n", "40", "-q", "-o", "-", "--output-format", format});
     };
     for (const char* format : {"ply", "stl", "glb"}) {
       const CommandResult result = shown(format);
@@ -78,7 +78,7 @@ TEST_CASE("commands: standard output carries data only, and standard input is re
 
 TEST_CASE("commands: a list of generators comes through a pipe, in any format") {
   const ScratchFolder scratch;
-  const std::string mesh = data_file("figure.obj"), made = mesh + " -n 12 -q --iterations 1 -o - ";
+  const std::string mesh = data_file("torus.ply"), made = mesh + " -n 12 -q --iterations 1 -o - ";
   for (const char* format : {"txt", "csv", "json"}) {
     CAPTURE(format);
     const CommandResult file =
@@ -109,7 +109,7 @@ TEST_CASE("commands: a list of generators comes through a pipe, in any format") 
 
 TEST_CASE("commands: bars are drawn on a terminal only") {
   for (const std::string& name : built_commands()) {
-    const std::vector<std::string> arguments{data_file("figure.obj"), "-n", "40"};
+    const std::vector<std::string> arguments{data_file("torus.ply"), "-n", "40"};
     const auto on_terminal = [&](const char* terminal, const char* no_color) {
       setenv("TERM", terminal, 1);
       setenv("NO_COLOR", no_color, 1);
@@ -120,7 +120,7 @@ TEST_CASE("commands: bars are drawn on a terminal only") {
     CHECK_THAT(with, Contains(bar) && Contains(colour) && Contains("%"));
     CHECK_THAT(on_terminal("xterm", "1"), Contains(bar) && !Contains(colour));
     CHECK_THAT(on_terminal("dumb", ""), !Contains("\x1b"));
-    CHECK_THAT(run_command(name, data_file("figure.obj") + " -n 40").err, !Contains("\r") && !Contains("\x1b"));
+    CHECK_THAT(run_command(name, data_file("torus.ply") + " -n 40").err, !Contains("\r") && !Contains("\x1b"));
   }
 }
 
