@@ -64,10 +64,8 @@ Error refusal(const Mesh& mesh, const Given& given, const RemeshOptions& options
 TEST_CASE("remesh: a certified mesh on every family, from one generator to a hundred") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int count : {1, 2, 3, 4, 5, 10, 30, 100}) {
-      for (unsigned seed = 0; seed < 2; ++seed) {
-        INFO(name << ", " << count << " generators, seed " << seed);
-        require_remesh(mesh, test::random_generators(mesh, count, seed));
-      }
+      INFO(name << ", " << count << " generators");
+      require_remesh(mesh, test::random_generators(mesh, count, 0));
     }
   }
 }
