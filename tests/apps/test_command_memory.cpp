@@ -25,7 +25,7 @@ constexpr bool kSanitized = false;
 TEST_CASE("memory: a run that passes --max-memory ends in one line, and writes nothing") {
   const ScratchFolder scratch;
   // Some 80 MB with fine bisectors, and 10 MB before the first diagram.
-  const std::string mesh = data_file("torus.ply") + " -n 200 -q --chord-tolerance 1e-9 ";
+  const std::string mesh = data_file("figure.obj") + " -n 200 -q --chord-tolerance 1e-9 ";
   write_text(scratch / "o.toml", "max-memory = \"30M\"\n");
   for (const std::string& name : built_commands()) {
     for (const std::string& limit : std::vector<std::string>{
@@ -55,7 +55,7 @@ TEST_CASE("memory: where the system has no more, the message says how much was i
   if (kSanitized) return;  // they reserve more than there is
   for (const std::string& name : built_commands()) {
     const std::string run = "ulimit -v 90000; exec '" + std::string(GVD_BIN_DIR) + "/" + name + "' " +
-                            data_file("torus.ply") + " -n 200 -q --threads 1 --chord-tolerance 1e-9";
+                            data_file("figure.obj") + " -n 200 -q --threads 1 --chord-tolerance 1e-9";
     const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 5);
@@ -69,7 +69,7 @@ TEST_CASE("memory: of several inputs each has the whole limit") {
   const ScratchFolder scratch;
   // The first one needs some 80 MB, the second one 10.
   const CommandResult result =
-      run_command("gvd-segment", data_file("torus.ply") + " " + data_file("torus.ply") +
+      run_command("gvd-segment", data_file("figure.obj") + " " + data_file("torus.ply") +
                                      " -n 200 --chord-tolerance 1e-9 --max-memory 30M --output-dir " + scratch / "out");
   CAPTURE(result.err);
   CHECK(result.exit_code == 5);
@@ -84,7 +84,7 @@ TEST_CASE(
   int told = 0;
   for (int kilobytes = 11000; kilobytes <= 20000; kilobytes += 300) {
     const std::string run = "ulimit -v " + std::to_string(kilobytes) + "; exec '" + GVD_BIN_DIR + "/gvd-remesh' " +
-                            data_file("torus.ply") + " -n 20 -q --threads 2 -o " + scratch / "a.ply";
+                            data_file("figure.obj") + " -n 20 -q --threads 2 -o " + scratch / "a.ply";
     const CommandResult result = run_command("/bin/sh", "-c \"" + run + "\"");
     CAPTURE(kilobytes, result.err);
     if (result.exit_code == 127 || result.exit_code == 0) continue;  // the libraries do not fit, or the run does
