@@ -27,7 +27,7 @@ void report_lloyd_options(Run& run, const OwnOptions& own);
 /// The iterations, why they ended, and the generators that the run leaves, in place of those that it started from.
 void report_relaxation(Run& run, const Mesh& mesh, const LloydResult& result);
 
-/// What the energy of an iteration was measured with: the name of a method, or `sampled`.
+/// What the energy of an iteration was measured with: the name of a method, or `sampled` without a diagram.
 const char* measure_name(const LloydIteration& iteration);
 
 /// How the step of an iteration was found, in one word.

@@ -136,7 +136,7 @@ LloydOptions exact_options(int iterations) {
   return options;
 }
 
-/// Mean seconds of the sampled iterations but the first one, at which generators leave vertices.
+/// Mean seconds of the iterations without diagrams but the first one, at which generators leave vertices.
 double seconds_of_early_iteration(const Mesh& mesh, int count, const Settings& settings) {
   LloydOptions options = exact_options(settings.short_iterations);
   options.early_approximation = true;

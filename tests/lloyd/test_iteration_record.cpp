@@ -6,7 +6,7 @@ using namespace gvd;
 
 namespace {
 
-const Precision kSampled{{}, true};
+const Precision kWithoutDiagram{{}, true};
 
 /// A record with the energies 10, 9, 8.5, 8.4, where the only generator moved by 1 each time.
 IterationRecord make_record() {
@@ -17,9 +17,9 @@ IterationRecord make_record() {
   move.scale = 0.5;
   move.held = 3;
   move.by = Acceleration::lbfgs;
-  record.add(move, 10, 9, kSampled);
-  record.add(move, 9, 8.5, kSampled);
-  record.add(move, 8.5, 8.4, kSampled);
+  record.add(move, 10, 9, kWithoutDiagram);
+  record.add(move, 9, 8.5, kWithoutDiagram);
+  record.add(move, 8.5, 8.4, kWithoutDiagram);
   return record;
 }
 

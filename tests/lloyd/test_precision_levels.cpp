@@ -19,15 +19,15 @@ double energy_of(const Mesh& mesh, const Diagram& diagram) {
 
 }  // namespace
 
-TEST_CASE("precision levels: accelerated exact runs begin with samples and end as asked for") {
+TEST_CASE("precision levels: accelerated exact runs begin without diagrams and end as asked for") {
   LloydOptions options;
   options.diagram.chord_tolerance = 1e-3;
   const auto levels = make_precision_levels(options);
   REQUIRE(levels.size() == 3);
-  CHECK(levels[0].is_sampled);
-  CHECK_FALSE(levels[1].is_sampled);
+  CHECK(levels[0].skips_diagram);
+  CHECK_FALSE(levels[1].skips_diagram);
   CHECK(levels[1].diagram.chord_tolerance > 1e-3);
-  CHECK_FALSE(levels[2].is_sampled);
+  CHECK_FALSE(levels[2].skips_diagram);
   CHECK(levels[2].diagram.chord_tolerance == 1e-3);
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("precision levels: the last energy is exact, and methods follow each o
   }
 }
 
-TEST_CASE("precision levels: relaxed generators are not made worse by sampled iterations") {
+TEST_CASE("precision levels: relaxed generators are not made worse by early iterations") {
   for (const auto& [name, mesh] : test::small_family()) {
     CAPTURE(name);
     LloydOptions options;

@@ -16,12 +16,12 @@ TEST_CASE("state evaluator: levels follow each other, and early ones can be skip
   StateEvaluator states(mesh, options, free);
   CHECK(states.is_first_level());
   CHECK(states.is_early_level());
-  CHECK(states.precision().is_sampled);
+  CHECK(states.precision().skips_diagram);
   states.skip_early_levels();
   CHECK_FALSE(states.is_first_level());
   CHECK_FALSE(states.is_early_level());
   CHECK_FALSE(states.is_last_level());
-  CHECK_FALSE(states.precision().is_sampled);
+  CHECK_FALSE(states.precision().skips_diagram);
   states.skip_early_levels();
   CHECK_FALSE(states.is_last_level());
   states.raise_level();

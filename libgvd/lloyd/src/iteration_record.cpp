@@ -15,7 +15,7 @@ void IterationRecord::add(const GeneratorMove& move, double before, double after
   iteration.scale = move.scale;
   iteration.held = move.held;
   iteration.method = precision.diagram.method;
-  iteration.is_sampled = precision.is_sampled;
+  iteration.is_sampled = precision.skips_diagram;
   iteration.by = move.by;
   iteration.relocated = move.relocated;
   iterations.push_back(iteration);
@@ -35,7 +35,7 @@ void IterationRecord::restate(double energy, const Precision& precision) {
   } else {
     iterations.back().energy = energy;
     iterations.back().method = precision.diagram.method;
-    iterations.back().is_sampled = precision.is_sampled;
+    iterations.back().is_sampled = precision.skips_diagram;
   }
 }
 

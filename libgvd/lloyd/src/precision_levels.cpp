@@ -13,11 +13,12 @@ constexpr double kCoarseChords = 0.05;
 
 std::vector<Precision> make_precision_levels(const LloydOptions& options) {
   std::vector<Precision> levels;
-  const bool is_sampled = options.early_approximation && max_iterations(options) > 0 &&
-                          options.acceleration != Acceleration::none && options.diagram.method == Method::exact;
-  if (is_sampled) {
+  const bool starts_without_diagrams = options.early_approximation && max_iterations(options) > 0 &&
+                                       options.acceleration != Acceleration::none &&
+                                       options.diagram.method == Method::exact;
+  if (starts_without_diagrams) {
     levels.assign(2, {options.diagram, false});
-    levels[0].is_sampled = true;
+    levels[0].skips_diagram = true;
     levels[1].diagram.chord_tolerance = std::max(kCoarseChords, options.diagram.chord_tolerance);
   }
   levels.push_back({options.diagram, false});

@@ -22,10 +22,10 @@ struct BisectorSegment {
 /// Cost: O(points), and sorting.
 std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density = {});
 
-/// Sorts segments by their cells, and keeps the order of those with the same cells.
+/// Sorts segments by their cells, and keeps the order of those with the same cells. Cost: O(segments + cells).
 void sort_by_cells(std::vector<BisectorSegment>& segments);
 
-/// The pairs of cells that share sorted segments, each pair once.
+/// The pairs of cells that share sorted segments, each pair once, ascending. Cost: O(segments).
 std::vector<std::pair<GeneratorId, GeneratorId>> neighbouring_cells(const std::vector<BisectorSegment>& segments);
 
 }  // namespace gvd

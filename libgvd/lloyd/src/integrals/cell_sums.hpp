@@ -28,7 +28,7 @@ class CellSums {
   explicit CellSums(const WatchedGenerators& watched) : watched_(&watched) {}
 
   /// Adds a point of cell g that stands for a piece of the surface. `spread` is the mean squared distance of the piece
-  /// from the point. Fast where points of one cell follow each other.
+  /// from the point, square mesh units, >= 0. Fast where points of one cell follow each other.
   void add(GeneratorId g, double area, double mass, const NearestPath& path, double spread) {
     if (sums_.empty() || sums_.back().generator != g) sums_.push_back({g, {}});
     CellMoments& sum = sums_.back().moments;
@@ -43,8 +43,8 @@ class CellSums {
     }
   }
 
-  /// Joins the sums of all parts of the surface. In the order of the parts: with parts that do not depend on the number
-  /// of threads, rounding does not either.
+  /// Joins the sums of all parts of the surface, in the order of the parts. If the parts do not depend on the number of
+  /// threads, neither does rounding.
   static CellIntegrals join(std::size_t cells, const std::vector<CellSums>& parts) {
     CellIntegrals all;
     all.moments.resize(cells);

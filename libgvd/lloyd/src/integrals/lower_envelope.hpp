@@ -19,11 +19,11 @@ struct EnvelopePart {
   std::vector<std::size_t> across;  ///< of the side after each corner: the function beyond it, or kTriangleSide
 };
 
-/// The lower envelopes of functions that are linear over a triangle, one after the other in the same memory.
+/// Computes lower envelopes of functions that are linear over a triangle. All of them use the same memory.
 class LowerEnvelope {
  public:
-  /// `values`: of each function, at the three corners. Where functions are equal, the first one counts. The parts do
-  /// not overlap and cover the triangle, up to rounding. They are valid until the next call.
+  /// The parts of the envelope. `values`: of each function, at the three corners. Where functions are equal, the first
+  /// one counts. The parts do not overlap and cover the triangle, up to rounding. They are valid until the next call.
   /// Cost: O(k c + c^3) for k functions, c of which are not above another one everywhere.
   std::span<const EnvelopePart> compute(const std::vector<std::array<double, 3>>& values);
 
@@ -33,7 +33,7 @@ class LowerEnvelope {
   void list_candidates(const std::vector<Function>& values);
   void clip(const std::vector<Function>& values, EnvelopePart& part, std::size_t other);
 
-  std::vector<std::size_t> candidates_;  // functions that are the least one somewhere, as far as single others tell
+  std::vector<std::size_t> candidates_;  // functions that no single other one is below everywhere
   std::vector<EnvelopePart> parts_;      // those in use come first
   EnvelopePart rest_;                    // of the part that is cut
   std::vector<double> excess_;           // of the other function over the part's, at its corners

@@ -16,13 +16,13 @@ struct PathSample {
   double weight;  ///< distance times the mass that the point stands for, mesh units cubed: a float may overflow
 };
 
-/// Puts the samples in the order of their generators, and keeps that of each generator's.
+/// Sorts samples by their generators, and keeps the order of those with the same generator. Cost: O(k log k).
 inline void sort_by_generator(std::vector<PathSample>& samples) {
   std::stable_sort(samples.begin(), samples.end(),
                    [](const PathSample& a, const PathSample& b) { return a.generator < b.generator; });
 }
 
-/// The samples of generator g among sorted ones.
+/// The samples of generator g among sorted ones. Cost: O(log k), and O(1) for each of them.
 inline std::span<const PathSample> samples_of(const std::vector<PathSample>& sorted, GeneratorId g) {
   const auto begin = std::lower_bound(sorted.begin(), sorted.end(), g,
                                       [](const PathSample& s, GeneratorId other) { return s.generator < other; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "base/plane.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Directions in which the slope is tried first. It has no two minima nearer to each other than a face is wide.
+/// Directions in which the slope is tried first. No two of its minima are nearer to each other than a face is wide.
 constexpr int kDirections = 64;
 
 /// Steps of the golden-section search that follows: it ends with 1e-7 of the distance between two directions.

@@ -17,21 +17,22 @@ struct VertexPath {
 /// A short step of a generator in direction u shortens a path that departs in direction t by cos(u, t) of the step. A
 /// path that departs at more than 180 degrees from u bends round the vertex: the whole step lengthens it. So
 /// the slope is -2 times the integral of density times distance times the cosine of the lesser of that angle and 180
-/// degrees. Where the vertex is flat that is the scalar product with the gradient. Where the total angle is larger,
-/// the slope can be positive in all directions: the energy has a minimum with a kink.
+/// degrees. Where the vertex is flat that is the scalar product with the gradient. Where the total angle is larger, the
+/// slope can be positive in all directions: the energy has a minimum with a kink.
 /// Source: the first variation of length; see docs/developer/lloyd.md.
 class VertexSlope {
  public:
-  /// `total`: angle of the faces round the vertex, radians. `is_closed`: whether they lie all round it. Cost: O(p log
-  /// p) for p paths.
+  /// `total`: angle of the faces round the vertex, radians, > 0. `is_closed`: whether they lie all round it.
+  /// Cost: O(p log p) for p paths.
   VertexSlope(double total, bool is_closed, std::vector<VertexPath> paths);
 
-  /// Derivative of the energy along a step in a direction; mesh units cubed. Cost: O(log p).
+  /// Derivative of the energy along a step in a direction, radians as in VertexPath; mesh units cubed. Cost: O(log p).
   double at(double angle) const;
   /// The direction of the least slope, and that slope.
   struct Least {
     double angle, slope;
   };
+  /// By a search in 64 directions, and a golden-section search round the best one. Cost: O(log p).
   Least least() const;
 
  private:

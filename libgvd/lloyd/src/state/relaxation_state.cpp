@@ -8,7 +8,7 @@
 #include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/surface_area.hpp"
-#include "integrals/sampled_cells.hpp"
+#include "integrals/measured_cells.hpp"
 #include "integrals/window_integrals.hpp"
 #include "state/vertex_rests.hpp"
 
@@ -43,12 +43,12 @@ CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, co
   return integrals;
 }
 
-/// The cells as points of the faces see them.
-CellIntegrals integrate_samples(const Mesh& mesh, const Precision& precision, const Quadrature& quadrature,
-                                RelaxationState& state) {
-  SampledCells cells =
-      sample_cells(mesh, state.generators, {quadrature.density, quadrature.watched, precision.diagram.threads},
-                   precision.diagram.progress);
+/// The cells without a diagram.
+CellIntegrals integrate_faces(const Mesh& mesh, const Precision& precision, const Quadrature& quadrature,
+                              RelaxationState& state) {
+  MeasuredCells cells =
+      measure_cells(mesh, state.generators, {quadrature.density, quadrature.watched, precision.diagram.threads},
+                    precision.diagram.progress);
   state.segments = std::move(cells.segments);
   state.vertex_distance = std::move(cells.vertex_distance);
   return std::move(cells.integrals);
@@ -87,8 +87,8 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
   const double reach = kReach * mean_radius(compute_area(mesh), generators.size());
   const WatchedGenerators watched = watch_generators(mesh, generators, reach);
   const Quadrature quadrature{density, watched};
-  CellIntegrals integrals = precision.is_sampled ? integrate_samples(mesh, precision, quadrature, state)
-                                                 : integrate_diagram(mesh, precision, quadrature, state);
+  CellIntegrals integrals = precision.skips_diagram ? integrate_faces(mesh, precision, quadrature, state)
+                                                    : integrate_diagram(mesh, precision, quadrature, state);
   state.moments = std::move(integrals.moments);
   double area = 0;
   for (const CellMoments& cell : state.moments) {

@@ -14,7 +14,7 @@ namespace gvd {
 /// How the cells of generators are found.
 struct Precision {
   DiagramOptions diagram;
-  bool is_sampled = false;  ///< by exact distances at points of the faces, without a diagram (see sampled_cells.hpp)
+  bool skips_diagram = false;  ///< measures the cells face by face instead (see measured_cells.hpp)
   /// Generators at vertices rest if their way is at most this fraction of the mean cell radius, >= 0.
   double rest_tolerance = 0;
 };
@@ -22,7 +22,7 @@ struct Precision {
 /// Generators, their cells, and the integrals over these.
 struct RelaxationState {
   std::vector<SurfacePoint> generators;
-  Diagram diagram;  ///< empty if the cells are sampled
+  Diagram diagram;  ///< empty if the precision skips it
   IdVector<GeneratorId, CellMoments> moments;
   std::vector<BisectorSegment> segments;       ///< of all bisectors, sorted by cells
   IdVector<VertexId, double> vertex_distance;  ///< to the nearest generator, mesh units; infinity where none reaches

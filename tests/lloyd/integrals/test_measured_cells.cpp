@@ -1,4 +1,4 @@
-// Cells as the faces see them, beside those of diagrams.
+// Cells that are measured face by face, beside those of diagrams.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/surface_area.hpp"
-#include "integrals/sampled_cells.hpp"
+#include "integrals/measured_cells.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/many_threads.hpp"
@@ -17,11 +17,11 @@ using namespace gvd;
 
 namespace {
 
-SampledCells sample(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
-  return sample_cells(mesh, generators, {Density(), {}, threads}, {});
+MeasuredCells measure(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
+  return measure_cells(mesh, generators, {Density(), {}, threads}, {});
 }
 
-double energy(const SampledCells& cells) {
+double energy(const MeasuredCells& cells) {
   double sum = 0;
   for (const CellMoments& cell : cells.integrals.moments) sum += cell.energy;
   return sum;
@@ -33,12 +33,12 @@ std::vector<std::pair<std::string, Mesh>> fine_meshes() {
 
 }  // namespace
 
-TEST_CASE("sampled cells: areas, energies and centroids are near those of the diagram") {
+TEST_CASE("measured cells: areas, energies and centroids are near those of the diagram") {
   for (const auto& [name, mesh] : fine_meshes()) {
     for (unsigned seed = 0; seed < 3; ++seed) {
       CAPTURE(name, seed);
       const auto generators = test::random_generators(mesh, 12, seed);
-      const SampledCells cells = sample(mesh, generators);
+      const MeasuredCells cells = measure(mesh, generators);
       const Diagram diagram = compute_diagram(mesh, generators);
       const auto exact = compute_cell_moments(mesh, diagram);
       double whole = 0, area = 0;
@@ -59,12 +59,12 @@ TEST_CASE("sampled cells: areas, energies and centroids are near those of the di
   }
 }
 
-TEST_CASE("sampled cells: few faces for each generator are enough") {
+TEST_CASE("measured cells: few faces for each generator are enough") {
   for (const auto& [name, mesh] : test::small_family()) {
     CAPTURE(name);
     const int count = mesh.face_count() / 3;
     const auto generators = test::random_generators(mesh, count, 1);
-    const SampledCells cells = sample(mesh, generators);
+    const MeasuredCells cells = measure(mesh, generators);
     double whole = 0, area = 0;
     for (const CellMoments& cell : compute_cell_moments(mesh, compute_diagram(mesh, generators))) whole += cell.energy;
     for (const CellMoments& cell : cells.integrals.moments) area += cell.area;
@@ -73,9 +73,9 @@ TEST_CASE("sampled cells: few faces for each generator are enough") {
   }
 }
 
-TEST_CASE("sampled cells: a component without a generator has no cell") {
+TEST_CASE("measured cells: a component without a generator has no cell") {
   const Mesh mesh = test::make_two_components();
-  const SampledCells cells = sample(mesh, test::random_generators(mesh, 1, 0));
+  const MeasuredCells cells = measure(mesh, test::random_generators(mesh, 1, 0));
   REQUIRE(cells.integrals.moments.size() == 1);
   const double area = cells.integrals.moments[GeneratorId(0)].area;
   CHECK(area > 0);
@@ -83,20 +83,20 @@ TEST_CASE("sampled cells: a component without a generator has no cell") {
   CHECK(cells.segments.empty());
 }
 
-TEST_CASE("sampled cells: the mean log maps are nearly the gradient of the sampled energy") {
+TEST_CASE("measured cells: the mean log maps are nearly the gradient of the energy") {
   for (const auto& named : fine_meshes()) {
     const Mesh& mesh = named.second;
     for (unsigned seed = 0; seed < 5; ++seed) {
       CAPTURE(named.first, seed);
       const auto generators = test::random_generators(mesh, 12, seed);
       const std::size_t i = generators[0].kind() == SurfacePoint::Kind::vertex ? 1 : 0;
-      const CellMoments cell = sample(mesh, generators).integrals.moments[GeneratorId(static_cast<std::int64_t>(i))];
+      const CellMoments cell = measure(mesh, generators).integrals.moments[GeneratorId(static_cast<std::int64_t>(i))];
       const Vec2 way(0.6, 0.8);
       const double h = 0.003 * std::sqrt(cell.area);
       const auto at = [&](double step) {
         auto moved = generators;
         moved[i] = trace_geodesic(mesh, generators[i], step * way).points.back();
-        return energy(sample(mesh, moved));
+        return energy(measure(mesh, moved));
       };
       // The generator splits its face, whose points move with it. That is the difference.
       const double slope = (at(h) - at(-h)) / (2 * h);
@@ -105,10 +105,10 @@ TEST_CASE("sampled cells: the mean log maps are nearly the gradient of the sampl
   }
 }
 
-TEST_CASE("sampled cells: segments lie between neighbouring cells, and have the length of the bisectors") {
+TEST_CASE("measured cells: segments lie between neighbouring cells, and have the length of the bisectors") {
   const Mesh mesh = test::make_sphere(4);
   const auto generators = test::random_generators(mesh, 12, 2);
-  const SampledCells cells = sample(mesh, generators);
+  const MeasuredCells cells = measure(mesh, generators);
   const auto exact = bisector_segments(mesh, compute_diagram(mesh, generators));
   const auto length = [](const std::vector<BisectorSegment>& segments) {
     double sum = 0;
@@ -121,13 +121,13 @@ TEST_CASE("sampled cells: segments lie between neighbouring cells, and have the 
   for (const auto& [left, right] : pairs) CHECK(left < right);
 }
 
-TEST_CASE("sampled cells: the same on any number of threads, to the last bit") {
+TEST_CASE("measured cells: the same on any number of threads, to the last bit") {
   const Mesh mesh = test::make_bumpy_sphere(5, 3);
   const auto generators = test::random_generators(mesh, 40, 3);
-  const SampledCells one = sample(mesh, generators);
+  const MeasuredCells one = measure(mesh, generators);
   test::with_many_threads([&] {
     for (const int threads : {2, 5}) {
-      const SampledCells many = sample(mesh, generators, threads);
+      const MeasuredCells many = measure(mesh, generators, threads);
       CHECK(energy(many) == energy(one));
       for (std::size_t i = 0; i < generators.size(); ++i) {
         const GeneratorId g(static_cast<std::int64_t>(i));

@@ -1,4 +1,4 @@
-#include "integrals/sampled_cells.hpp"
+#include "integrals/measured_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,9 +23,9 @@ namespace {
 /// A face is far from generators if none is nearer than this, in lengths of its longest side.
 constexpr double kFarDistance = 2;
 
-/// Points of a face at which the nearest image is looked for: near the corners and the middles of the sides, where most
-/// small parts of cells are. Parts of cells that contain none of
-/// them are missed, except those of direct images near generators.
+/// Points of a face at which the nearest image is looked for: the centroid, and near the corners and the middles of the
+/// sides. Most small parts of cells are there. Parts without such a point are missed, except those of direct images
+/// near generators.
 constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
                                        {0.96, 0.02, 0.02},
                                        {0.02, 0.96, 0.02},
@@ -35,8 +35,8 @@ constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
                                        {0.49, 0.49, 0.02}}};
 
 /// Logarithms are smooth over a face if those of two corners are at most this many times as far apart as the corners.
-/// In a plane the factor is 1, on a sphere 1.1 at 0.75 radii from the generator. Tried: 1.02 saves half as much time,
-/// with 1.5 energies are less exact.
+/// In a plane the factor is 1, on a sphere 1.1 at 0.75 radii from the generator. Tried: with 1.02 half as much time is
+/// saved, and with 1.5 energies are less exact.
 constexpr double kMostStretch = 1.1;
 
 /// What the threads read.
@@ -45,15 +45,14 @@ struct Field {
   const WindowField& windows;
   const Departures& departures;
   IdVector<VertexId, Vec2> log;  // of the vertices
-  const std::vector<SurfacePoint>& generators;
   const Density& density;
   const WatchedGenerators& watched;
 };
 
-/// Sums over the faces of the working mesh, one after the other.
-class FaceSampler {
+/// Measures the parts of cells in faces of the working mesh, one face after the other.
+class FaceMeasurer {
  public:
-  explicit FaceSampler(const Field& field)
+  explicit FaceMeasurer(const Field& field)
       : sums(field.watched),
         field_(field),
         mesh_(field.working.mesh()),
@@ -89,8 +88,8 @@ class FaceSampler {
     return squares / 36;
   }
 
-  /// Adds the whole face by the logarithms of its corners, where they are smooth. False elsewhere, as where the paths
-  /// to two corners pass on different sides of a vertex. For the logarithms of a plane this is exact.
+  /// Adds the whole face by the logarithms of its corners, and returns whether it did. It does not where they are not
+  /// smooth: there, paths to two corners pass on different sides of a vertex. Exact for the logarithms of a plane.
   bool add_smooth() {
     const auto& corners = mesh_.vertices(face_);
     Vec2 mean(0, 0);
@@ -111,9 +110,9 @@ class FaceSampler {
     sums.add(path.generator, mesh_.area(face_), mesh_.area(face_) * density_at(kProbes[0]), path, spread());
   }
 
-  /// Those that the probes see, and near generators all direct ones: there, small parts of cells are not small beside
-  /// the cell. An image that is behind its opening's ends does not come before those in front, unless it is that of a
-  /// pseudo-source.
+  /// Lists the images that the probes see. Near generators all direct ones follow: there, small parts of cells are not
+  /// small beside the cell. They count beyond the ends of their windows too, where they are no nearer than other images.
+  /// Images of pseudo-sources can be nearer there.
   void find_images() {
     images_.clear();
     const bool takes_direct = !is_far();
@@ -137,8 +136,9 @@ class FaceSampler {
     return nearest > kFarDistance * longest;
   }
 
-  /// Of the images, at the corners of the face. Differences of square distances from points are linear in the plane, so
-  /// that the envelope of these values has the true bisectors. Those of pseudo-sources become straight.
+  /// The square distances of the images from the corners of the face. Differences of square distances from two points
+  /// are linear in the plane. So the envelope of these values has the true bisectors, but those of pseudo-sources
+  /// become straight.
   const std::vector<std::array<double, 3>>& square_distances() {
     const std::array<Vec2, 3> corners{paths_.position({1, 0, 0}), paths_.position({0, 1, 0}),
                                       paths_.position({0, 0, 1})};
@@ -152,7 +152,7 @@ class FaceSampler {
 
   void add(const EnvelopePart& part) {
     const GeneratorId g = paths_.generator(images_[part.function]);
-    const PolygonMoments polygon = measure(part);
+    const PolygonMoments polygon = polygon_moments(part);
     if (!(polygon.area > 0)) return;
     const NearestPath path = paths_.from(images_[part.function], paths_.position(polygon.centroid));
     sums.add(g, polygon.area, polygon.area * density_at(polygon.centroid), path, polygon.spread);
@@ -170,7 +170,7 @@ class FaceSampler {
   };
 
   /// Summed over the triangles of a fan.
-  PolygonMoments measure(const EnvelopePart& part) const {
+  PolygonMoments polygon_moments(const EnvelopePart& part) const {
     PolygonMoments polygon;
     Vec2 centroid(0, 0);
     double second = 0;  // of the squared distances from the first corner
@@ -227,8 +227,8 @@ IdVector<VertexId, double> input_distances(const Mesh& input, const WindowField&
 
 }  // namespace
 
-SampledCells sample_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const SampleOptions& options,
-                          const Progress& progress) {
+MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                            const MeasureOptions& options, const Progress& progress) {
   const WorkingMesh working(mesh, generators, progress);
   PropagationOptions propagation;
   propagation.departures = true;
@@ -236,18 +236,17 @@ SampledCells sample_cells(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   const WindowField windows =
       propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress);
   const Departures departures(working, generators);
-  const Field field{working,    windows,         departures,     vertex_logs(windows, departures),
-                    generators, options.density, options.watched};
+  const Field field{working, windows, departures, vertex_logs(windows, departures), options.density, options.watched};
   const auto faces = cut_into_chunks(static_cast<std::size_t>(working.mesh().face_count()), kScanChunk);
   std::vector<CellSums> sums(faces.size(), CellSums(options.watched));
   std::vector<std::vector<BisectorSegment>> segments(faces.size());
   ParallelChunks(options.threads, progress).run(faces.size(), {steps::kCells}, [&](std::size_t i) {
-    FaceSampler sampler(field);
-    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) sampler.add(FaceId(static_cast<std::int64_t>(f)));
-    sums[i] = std::move(sampler.sums);
-    segments[i] = std::move(sampler.segments);
+    FaceMeasurer measurer(field);
+    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measurer.add(FaceId(static_cast<std::int64_t>(f)));
+    sums[i] = std::move(measurer.sums);
+    segments[i] = std::move(measurer.segments);
   });
-  SampledCells cells{CellSums::join(generators.size(), sums), {}, input_distances(mesh, windows)};
+  MeasuredCells cells{CellSums::join(generators.size(), sums), {}, input_distances(mesh, windows)};
   for (const auto& part : segments) cells.segments.insert(cells.segments.end(), part.begin(), part.end());
   sort_by_cells(cells.segments);
   return cells;
