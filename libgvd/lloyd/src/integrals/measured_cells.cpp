@@ -110,9 +110,9 @@ class FaceMeasurer {
     sums.add(path.generator, mesh_.area(face_), mesh_.area(face_) * density_at(kProbes[0]), path, spread());
   }
 
-  /// Lists the images that the probes see. Near generators all direct ones follow: there, small parts of cells are not
-  /// small beside the cell. They count beyond the ends of their windows too, where they are no nearer than other images.
-  /// Images of pseudo-sources can be nearer there.
+  /// Lists the images that the probes see, and near generators all direct ones: there, small parts of cells are not
+  /// small beside the cell. Direct ones count beyond the ends of their windows too, where they are no nearer than other
+  /// images. Those of pseudo-sources can be nearer there.
   void find_images() {
     images_.clear();
     const bool takes_direct = !is_far();
