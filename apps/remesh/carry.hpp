@@ -18,8 +18,9 @@ struct Carried {
   std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none
 };
 
-/// Notes where there is nothing to carry over, and what no output holds. `standard_input`: what that held, if INPUT is
-/// that. Throws Error{unreadable_input}.
+/// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
+/// over, and what no output holds. `standard_input`: the text that standard input held, if INPUT is `-`. Throws
+/// Error{unreadable_input}.
 Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
               const std::string& standard_input);
 

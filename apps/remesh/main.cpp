@@ -140,7 +140,7 @@ RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings setti
   return remesh_with(run, app::search_count(run, input.mesh, remesh_with));
 }
 
-/// Triangles without area are ordinary input, but a mesh of nothing else has no remesh.
+/// Refuses a mesh without area. Single triangles without area are ordinary input.
 void check_area(const app::Run& run, const Mesh& mesh) {
   if (compute_area(mesh) > 0) return;
   throw Error(ErrorCode::precondition,

@@ -10,12 +10,14 @@
 
 namespace gvd::app {
 
+/// The generators that a remesh begins with.
 struct RelaxedStart {
   ConstrainedStart constrained;
   std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
 };
 
-/// The generators that the options ask for, relaxed as they say, and reports both.
+/// Makes the generators that the options ask for, relaxed as these say. Reports the options, the relaxation and the
+/// generators.
 /// Throws what make_start and relax_generators throw.
 RelaxedStart make_relaxed_start(Run& run, const CheckedMesh& input, const RelaxOptions& options);
 

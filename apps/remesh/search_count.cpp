@@ -38,8 +38,9 @@ class Trials {
   explicit Trials(const std::function<RemeshResult(Run& trial, std::int32_t count)>& remesh_with)
       : remesh_with_(remesh_with) {}
 
-  /// Fixed generators and features can be more than `count`, and so few can be no valid mesh where none may be added.
-  /// Throws Error{no_valid_result} of the first trial: larger ones of a mesh that has no remesh would take long.
+  /// The distance of the remesh with `count` generators. Infinite where these are fewer than fixed generators and
+  /// features, or too few for a valid mesh while none may be added. Throws Error{no_valid_result} until a trial has
+  /// given a mesh: larger trials of an input that has no remesh would take long.
   double distance(Run& run, std::int32_t count) {
     Console silent("", {}, true, false);
     Run trial("", run.options(), silent);

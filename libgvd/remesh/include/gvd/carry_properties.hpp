@@ -12,11 +12,13 @@ namespace gvd {
 
 /// The properties of an input's vertices and polygons for the vertices and faces of its remesh.
 ///
-/// A vertex takes the values at its origin (`map.origins`): numbers with fractions, and colours of 8 or 16 bits (`red`,
-/// `green`, `blue`, `alpha`, also after `diffuse_`), by barycentric coordinates; other integers, such as labels, and
-/// lists of the corner with the largest weight. The three numbers `nx`, `ny` and `nz` are scaled to length 1. Corners
-/// without weight do not count. Midpoints of edges that the repair split do not count either. A face takes the values
-/// of the polygon in which its branch point is.
+/// A vertex takes the values at its origin (`map.origins`):
+/// - numbers with fractions, and colours of 8 or 16 bits, are interpolated by barycentric coordinates. Colours are
+///   named `red`, `green`, `blue` or `alpha`, also after `diffuse_`;
+/// - other integers, such as labels, and lists are those of the corner with the largest weight;
+/// - the numbers `nx`, `ny` and `nz` are scaled to length 1 afterwards, if there are all three.
+/// Midpoints of edges that the repair split have no value and do not count. A face takes the values of the polygon in
+/// which its branch point is.
 ///
 /// `properties` are those of the soup that `input` was built from. Those without a value for each of its vertices or
 /// polygons are left out. `map` is that of `result`, a remesh of `input.mesh`. Cost: O(k) for k values of the result.
@@ -27,10 +29,11 @@ std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::
 ///
 /// A chart consists of faces that are joined by edges on whose both sides the coordinates are equal. A face of the
 /// remesh takes its coordinates from one chart, in which its branch point is. A corner has those at its vertex's origin
-/// if that is in the chart or on its border, and else those at the nearest point of the chart. So no triangle goes
-/// across a seam; near one, the texture is stretched. Without a chart at the branch point they are not finite.
+/// if that is in the chart or on its border. Otherwise it has those at the nearest point of the chart. So no triangle
+/// goes across a seam; near one, the texture is stretched. Without a chart at the branch point they are not finite.
 ///
-/// `texture` is that of the soup that `input` was built from. Cost: O(n log n).
+/// `texture` is that of the soup that `input` was built from, `map` that of `result`, a remesh of `input.mesh`.
+/// Cost: O(n log n).
 std::vector<std::array<double, 2>> carry_texture(const CheckedMesh& input, const CornerTexture& texture,
                                                  const RemeshResult& result, const RemeshMap& map);
 

@@ -10,15 +10,15 @@ namespace gvd {
 struct FewestOptions {
   double target = 0;            ///< largest error that is allowed, > 0
   std::int32_t first = 100;     ///< the first number to try, in [1, most]
-  std::int32_t most = 1000000;  ///< the largest number to try
+  std::int32_t most = 1000000;  ///< the largest number to try, >= first
   int max_trials = 16;          ///< >= 1
-  /// The search ends where a number that is too small is within this fraction below one that is enough.
+  /// The search ends where a number that is too small is within this fraction below one that is enough, >= 0.
   double tolerance = 0.02;
 };
 
 struct CountTrial {
   std::int32_t count = 0;
-  double error = 0;
+  double error = 0;  ///< infinite where a number gives nothing
 };
 
 struct Fewest {
@@ -26,13 +26,13 @@ struct Fewest {
   std::vector<CountTrial> trials;     ///< in their order
 };
 
-/// Searches for the smallest number whose error is at most the target, where errors fall about as 1 / number: as that
-/// of a remesh, whose distance from its surface falls with the square of its edges' length.
+/// Searches for the smallest number whose error is at most the target, where errors fall about as 1 / number. That of a
+/// remesh does: its distance from its surface falls with the square of its edges' length.
 ///
-/// Trials take the number that this rule predicts from the last one, until one is too small and one is enough, and then
-/// bisect between them. Errors need not fall everywhere: a smaller number may then be enough, too. Deterministic if
-/// `error_of` is. Throws what `error_of` throws, and
-/// Error{invalid_option} for an option out of its range.
+/// A trial takes the number that this rule predicts from the last one. Once a number is too small and another one is
+/// enough, trials bisect between them, by the geometric mean. Errors need not fall everywhere: a smaller number may
+/// then be enough, too. Deterministic if `error_of` is. Throws what `error_of` throws, and Error{invalid_option} for a
+/// target or a range of numbers out of its range. Cost: `max_trials` calls of `error_of` at most.
 Fewest find_fewest(const FewestOptions& options, const std::function<double(std::int32_t)>& error_of);
 
 }  // namespace gvd

@@ -11,7 +11,7 @@ namespace gvd {
 /// Where the vertices of a remesh are.
 enum class Placement {
   generator,  ///< at the generators, on the surface
-  quadric,    ///< at the points nearest to the planes of their cells' faces
+  quadric,    ///< at the points nearest to the planes of their cells' faces, in the sense of least squares
   fit,        ///< so that the remesh is near the surface in the sense of least squares, with good triangles
 };
 
@@ -28,17 +28,20 @@ struct PlacementOptions {
 /// Positions for the vertices of a remesh, mesh units, near the surface by the chosen method.
 ///
 /// `remesh`: its vertices are at the generators of `diagram`. `face_points`: the branch points of its faces.
-/// A vertex moves towards its target as far as the guard allows: no triangle is flipped (find_flipped_faces), no angle
-/// drops below the bound, and no two triangles intersect that did not at the generators. Where it is broken, the steps
-/// of the triangle's vertices are halved, at most kMaxHalvings times, and then left out.
+/// A vertex moves towards its target as far as three rules allow. No triangle is flipped (find_flipped_faces), no angle
+/// drops below the bound, and no two triangles intersect that did not at the generators. Where a triangle breaks a
+/// rule, the steps of its vertices are halved, at most kMaxHalvings times, and then left out. The vertices of `fixed`
+/// stay.
 ///
-/// The vertices of `fixed` stay. Quadric: the least sum of square distances from the planes of the cell's faces and the
-/// lines of its boundary edges, by their areas in the cell. Source: Garland and Heckbert, Surface simplification using
-/// quadric error metrics, 1997. In directions in which the sum hardly changes, the vertex keeps the generator's
-/// position. Fit: kFitRounds times, a sum of square distances is minimised over all vertices at once. It has the
-/// distances of samples of the surface from the planes of their nearest triangles, and those of samples of the remesh
-/// from the surface. Springs pull the vertices along the surface to positions of better triangles. At last the smallest
+/// Quadric: the least sum of square distances from the planes of the cell's faces and the lines of its boundary edges.
+/// Planes weigh by their areas in the cell. Source: Garland and Heckbert, Surface simplification using quadric error
+/// metrics, 1997. In directions in which the sum hardly changes, the vertex keeps the generator's position.
+///
+/// Fit: kFitRounds times, a sum of square distances is minimised over all vertices at once. It has the distances of
+/// samples of the surface from the planes of their nearest triangles. It also has those of samples of the remesh from
+/// the surface. Springs pull the vertices along the surface to positions of better triangles. At last the smallest
 /// angles are raised.
+///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws Error{precondition} if the arguments do not belong together. Cost: O(n log n), and a sparse system a round.
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,

@@ -44,12 +44,13 @@ struct RemeshOptions {
   std::function<void(RemeshStage)> on_stage;
 };
 
-/// Ten for each given generator, component, boundary loop and handle, and 100 more. A sphere needs four vertices and a
-/// boundary loop three. A handle needs at most three on each of two loops, and a thin limb three on each loop round it.
+/// The default of `max_added`: ten for each given generator, component, boundary loop and handle, and 100 more. Why
+/// these: a sphere needs four vertices and a boundary loop three. A handle needs at most three on each of two loops,
+/// and a thin limb three on each loop round it.
 std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 
-/// The largest number of rounds (diagrams). Measured on 850 remeshes of real meshes with 1 to 300 generators:
-/// those that succeeded took at most 50 rounds, nine of ten at most 12.
+/// The largest number of rounds (diagrams). Measured on 850 remeshes of real meshes with 1 to 300 generators. Those
+/// that succeeded took at most 50 rounds, and nine of ten of them at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
 struct RemeshResult {
@@ -72,11 +73,12 @@ struct RemeshResult {
 
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
-/// While the dual of the generators is not a proper mesh (check_dual, find_flipped_faces, find_self_intersections),
-/// generators are added near the defects and the diagram is computed again. docs/guide/remesh.md says where they go.
-/// Where more than a tenth of the given ones was added, those that the mesh can do without are left out again. One
-/// is put in the place of two where that will do. No given generator is removed or moved. At last the vertices are
-/// moved off their generators as `placement` says.
+/// While the dual of the generators is not a proper mesh, generators are added near its defects, and the diagram is
+/// computed again. check_dual, find_flipped_faces and find_self_intersections tell the defects; docs/guide/remesh.md
+/// says where they go. The vertices are moved off their generators as `placement` says. A search follows where more
+/// than a tenth of the given generators was added, and no creases are given. Added generators that the mesh can do
+/// without are left out again. One is put in the place of two where that will do. No given generator is removed or
+/// moved.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,
@@ -84,9 +86,10 @@ struct RemeshResult {
 ///
 /// Properties: (1) the certificate of a result is ok; (2) with Placement::generator vertex i is at generator i, bit by
 /// bit; (3) deterministic.
-/// Throws Error{no_valid_result}, naming the failing property and its position, if no proper mesh is found with
-/// `max_added` generators within kMaxRemeshRounds, or without `refine`; and what compute_diagram throws.
-/// Cost: one diagram a round, and some tens of rounds for the hardest surfaces.
+/// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators within kMaxRemeshRounds, or
+/// without `refine`. It names the failing property and its position. Throws Error{invalid_option} for a negative
+/// `max_added`, and what compute_diagram throws. Cost: one diagram a round, and some tens of rounds for the hardest
+/// surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
 /// The same where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must

@@ -29,14 +29,15 @@ struct RemeshCertificate {
   std::int64_t inherited_intersections = 0;
   bool intersections_allowed = false;  ///< whether other ones are no failure, either
 
+  /// Whether all properties hold.
   bool ok() const;
   /// The first property that does not hold, as part of a sentence; empty if all hold.
   std::string first_failure() const;
 };
 
-/// Compares a remesh with its surface. `generators` are the vertices in their order, `face_points` the branch points of
-/// the faces. `threads` (0: one a core) changes no result.
-/// Never throws on a finding. Cost: O(n log n).
+/// Compares a remesh with its surface. `generators` are those of the vertices in their order, `face_points` the branch
+/// points of the faces. `threads` (0: one a core) changes no result. Never throws on a finding.
+/// Cost: O(n log n), and where the remesh intersects itself that of find_inherited.
 RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
                                  const std::vector<SurfacePoint>& face_points, int threads = 0);
 

@@ -26,17 +26,16 @@ struct RemeshMap {
 /// Maps every vertex of the surface to a point of its remesh, and every vertex of the remesh to a point of the surface.
 ///
 /// The surface is cut into the cells of the remesh's diagram. Each cell is flattened by a convex combination map onto
-/// the part of the remesh that is its vertex's: the parts of the triangles at the vertex between the centres, near the
-/// branch points, and the edges' crossings with the bisectors. A remesh's vertex comes from the nearest point of its
-/// cell, or, if that is near the cell's border, from its generator. docs/developer/proofs.md has the proof that this
-/// is one-to-one, and what is checked for it: the cells are discs and join as the remesh's triangles do, and no
-/// triangle is turned round or without area in the plane. `points` and `origins` are the map's and its inverse's but
-/// for rounding.
+/// its vertex's part of the remesh. That part is bounded by the triangles' centres, near the branch points, and by the
+/// edges' crossings with the bisectors. A remesh's vertex comes from the nearest point of its cell, or, if that is near
+/// the cell's border, from its generator. docs/developer/proofs.md has the proof that this is one-to-one, and its
+/// conditions, which are checked. The cells are discs and join as the remesh's triangles do. No triangle is turned
+/// round or without area in the plane. `points` and `origins` are the map's and its inverse's but for rounding.
 ///
 /// Where a check fails, `one_to_one` is false. Then a vertex goes to the nearest point of the triangles at its cell's
-/// vertex and that one's neighbours, or of their boundary edges for one at the boundary. Triangles that are turned away
-/// from the surface there count only if there are no others. Several vertices may have one point. A vertex of the
-/// remesh comes from its generator.
+/// vertex and at that vertex's neighbours. A vertex at the boundary goes to the nearest of their boundary edges.
+/// Triangles that are turned away from the surface there count only if there are no others. Several vertices may have
+/// one point. A vertex of the remesh comes from its generator.
 ///
 /// The image of a face is the triangle of its corners' points here. It may be turned round even if the map is
 /// one-to-one, because the map bends it: the counts say how often.
@@ -44,7 +43,7 @@ struct RemeshMap {
 /// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
 /// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's
 /// vertex that is at its generator, and a vertex of the surface, and the generator are each other's points; (5)
-/// deterministic, for every number of threads.
+/// deterministic, for every number of `threads` (0: one a core).
 /// Throws Error{precondition} if `result` is no remesh of `surface`. Cost: O(n log n), and a sparse system for each cell.
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0);
 

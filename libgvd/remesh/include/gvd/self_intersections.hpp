@@ -15,18 +15,19 @@ struct FacePair {
 
 /// The pairs of faces that have a common point outside of the vertex or edge that they share, ascending.
 ///
-/// Faces that only touch intersect, too. Properties: (1) exact, unless products of three coordinates underflow;
-/// (2) empty exactly where the mesh is embedded, if no face is degenerate; (3) independent of `threads` (0: one a
-/// core).
+/// Faces that only touch intersect, too.
+/// Properties: (1) exact, unless products of three coordinates underflow; (2) empty exactly where the mesh is embedded,
+/// if no face is degenerate; (3) independent of `threads` (0: one a core).
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0);
 
 /// Of the pairs of faces of a remesh that intersect, those that intersect where the surface does itself, ascending.
 ///
-/// They are those near an intersecting pair of the surface. Near means: take the part that the boxes of the remesh's
-/// two faces have in common, grown on all sides by half the longer diagonal of the two. It overlaps the boxes of both
-/// faces of the pair. A remesh can't be free of intersections there. Cost: that of find_self_intersections of the
-/// surface; none without pairs.
+/// They are those near an intersecting pair of the surface, where a remesh can't be free of intersections. Take the
+/// common part of the boxes of the remesh's two faces, grown on all sides by half the longer diagonal of the two boxes.
+/// The pairs are near each other if it overlaps the boxes of both faces of the surface's pair. `pairs` are
+/// those of find_self_intersections. Cost: that of find_self_intersections of the surface, and O(p q) for p and q pairs
+/// of the two; none without pairs.
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      int threads = 0);
 

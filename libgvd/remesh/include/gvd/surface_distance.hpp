@@ -23,11 +23,11 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 
 /// Distances of the points of `from` from `to`: one of the two directions.
 ///
-/// Each face of `from` is cut into equal triangles: in all 2^15 at least, or eight for each face of the two where that
-/// is less. RMS: a rule that is exact for quadratic
-/// functions sums the squares over them. Hausdorff distance: over a triangle, the distance from one face of `to` is
-/// convex, so its largest value is at a corner; that bounds the distance from `to`. Triangles whose bound is above the
-/// largest distance found are cut in four, at most kMaxHausdorffRounds times and while they are fewer than 2^18.
+/// Each face of `from` is cut into equal triangles. In all they are at least 2^15, or eight for each face of the two
+/// meshes where that is less. RMS: a rule that is exact for quadratic functions sums the squares over them. Hausdorff
+/// distance: over a triangle, the distance from one face of `to` is convex, so its largest value is at a corner. That
+/// value bounds the distance from `to`. Triangles whose bound is above the largest distance found are cut in four, at
+/// most kMaxHausdorffRounds times and while they are 2^18 or fewer.
 /// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
 /// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);

@@ -27,10 +27,10 @@ struct CreaseGap {
 
 /// Where the dual of a diagram leaves the creases.
 ///
-/// The dual follows a curve of the creases if each point between two consecutive generators of the curve belongs to the
-/// cell of one of the two. Then their cells share a bisector that crosses the curve between them: consecutive
-/// generators are joined by an edge. No other cell contains a point of the curve, so that no edge between generators on
-/// the two sides crosses it. The other generators of the curve count as foreign there, too.
+/// The dual follows a curve of the creases if the cells of any two consecutive generators cover the curve between them.
+/// Then these cells share a bisector that crosses the curve there: an edge joins consecutive generators. No other cell
+/// contains a point of the curve, so that no edge between generators on the two sides crosses it. The other generators
+/// of the curve count as foreign there, too.
 ///
 /// The generators of the ends and of turns have to be at the corners themselves, and a closed curve needs three.
 ///
@@ -44,8 +44,8 @@ struct CreaseGap {
 ///
 /// Opposite generators of two parallel curves do not disturb each other, however close the curves are. Two curves that
 /// leave a corner at an acute angle would disturb each other without end, unless their generators are equally far from
-/// the corner: hence the powers (J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation,
-/// 1995).
+/// the corner. Powers of two achieve that.
+/// Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 class CreaseGaps {
  public:
   /// All three must outlive this. Cost: O(n).

@@ -21,8 +21,8 @@ class EdgeLabels {
   /// Both must outlive this. Cost: O(pieces).
   EdgeLabels(const Mesh& mesh, const Diagram& diagram);
 
-  /// The parts of all faces of the edge, in no order: the two faces of an inner edge agree but on a bisector along the
-  /// edge. Empty where no generator reaches it. Cost: O(corners of the faces' pieces).
+  /// The parts that all faces of the edge have, in no order. The two faces of an inner edge agree, unless a bisector
+  /// runs along it. Empty where no generator reaches it. Cost: O(corners of the faces' pieces).
   std::vector<EdgeLabel> of(EdgeId edge) const;
 
  private:

@@ -12,13 +12,13 @@
 namespace gvd {
 namespace {
 
-/// Least number of triangles that the faces are cut into. On ten remeshes of real meshes, the RMS of 2^18 triangles
-/// differed by at most 1 %.
-constexpr double kMaxTriangles = 1 << 15;
+/// Least number of triangles that the faces are cut into, unless the meshes are small. On ten remeshes of real meshes,
+/// the RMS of 2^18 triangles differed by at most 1 %.
+constexpr double kLeastTriangles = 1 << 15;
 /// Enough for small meshes: so many for each face of the two.
 constexpr double kTrianglesPerFace = 8;
 constexpr std::size_t kFacesPerChunk = 128;
-/// Where more triangles than this are left, the search for the largest distance ends: their bound is what it is.
+/// Where more triangles than this are left, the search for the largest distance ends, with the bound known then.
 constexpr std::size_t kMaxPieces = 1 << 18;
 
 /// A point of the surface and the closest point of the other one.
@@ -47,7 +47,7 @@ struct Findings {
 class DistanceMeasure {
  public:
   DistanceMeasure(const Mesh& from, const Mesh& to, int threads) : from_(from), tree_(to), parallel_(threads, none_) {
-    triangles_ = std::min(kMaxTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
+    triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
     absolute_tolerance_ = kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal());
   }
 
@@ -153,6 +153,8 @@ class DistanceMeasure {
     return farthest + std::max(kHausdorffTolerance * farthest, absolute_tolerance_);
   }
 
+  /// No point of the triangle is farther than this. Over it, the distance from one face is convex, so the largest value
+  /// is at a corner. Of the faces nearest to the corners, the one with the least such value counts.
   double upper_bound(const Corners& corners) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Sample& candidate : corners) {
@@ -188,7 +190,7 @@ class DistanceMeasure {
     }
   }
 
-  /// Of the pieces, those that may hold points farther than any found.
+  /// Joins what the chunks found. Of their pieces, it keeps those that may hold points farther than any found.
   Findings join(const std::vector<Findings>& chunks) {
     Findings all;
     for (const Findings& found : chunks) farthest_ = std::max(farthest_, found.farthest);

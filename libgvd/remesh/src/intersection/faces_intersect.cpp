@@ -24,8 +24,8 @@ bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
          (abp == 0 && lies_between(a, b, p)) || (abq == 0 && lies_between(a, b, q));
 }
 
-/// Segments in one plane meet exactly where their projections along all three axes do: at least one projection maps
-/// the plane, or the common line, one to one.
+/// Segments in one plane meet exactly where their projections along all three axes do. At least one projection maps the
+/// plane, or the common line, one to one.
 bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
   if (exact_orientation(p, q, a, b) != 0) return false;
   for (int axis = 0; axis < 3; ++axis) {

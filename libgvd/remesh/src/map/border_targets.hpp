@@ -22,9 +22,9 @@ void place_crossings(const CellSurface& surface, DualPolygons& polygons);
 
 /// The targets of a cell's border, in its order, without the run along the mesh's boundary.
 ///
-/// A run goes from the centre of a polygon to its crossing with the edge between the two cells' vertices, and on to the
-/// centre of the next polygon. The vertices are spaced by their distances. Both cells have the same targets, to the
-/// last bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
+/// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
+/// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
+/// bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
 std::vector<BorderTarget> border_targets(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell);
 
 }  // namespace gvd

@@ -24,8 +24,8 @@ struct CellBorder {
 
 /// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
 ///
-/// Throws Error{no_valid_result} where a face has no label, a cell is no disc, two cells have more than one run in
-/// common, or a cell has one run only. Cost: O(n), and O(k log k) for a cell with k neighbours.
+/// Throws Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share
+/// several runs. Cost: O(n), and O(k log k) for a cell with k neighbours.
 IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
                                                      std::size_t cells);
 

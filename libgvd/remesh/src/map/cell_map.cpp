@@ -60,8 +60,8 @@ class CellFlattener {
     return is_fan();
   }
 
-  /// Where the disc has the point of the cell that is nearest to the remesh's vertex, or the generator if that is too
-  /// near the border. Faces that are turned away from the remesh count only if there are no others.
+  /// Puts the apex where the disc has the point of the cell that is nearest to the remesh's vertex. If that is too near
+  /// the border, it takes the generator. Faces that are turned away from the remesh count only if there are no others.
   void place_apex() {
     const Vec3& vertex = input_.result.mesh.position(plane_.vertex);
     set_origin(nearest(vertex, surface_normal(input_.result.mesh, vertex_point(input_.result.mesh, plane_.vertex))));

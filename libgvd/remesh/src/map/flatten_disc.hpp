@@ -32,9 +32,11 @@ struct BorderPoint {
 
 /// The convex combination map of a disc of faces: every inner vertex is the weighted mean of its neighbours.
 ///
-/// `border` is the whole border. If it goes to a convex polygon, and no inner edge joins two vertices of one side of
-/// that, the map is one-to-one but for rounding (M. Floater, One-to-one piecewise linear mappings over triangulations,
-/// 2003). `is_oriented` tells whether it is with rounding. The weights: M. Floater, Mean value coordinates, 2003.
+/// `border` is the whole border. The map is one-to-one, but for rounding, if two conditions hold. The border goes to a
+/// convex polygon, and no inner edge joins two vertices of one side of it. `is_oriented` tells whether the map is
+/// one-to-one with rounding, too.
+/// Sources: M. Floater, One-to-one piecewise linear mappings over triangulations, 2003; for the weights, M. Floater, Mean
+/// value coordinates, 2003.
 /// Throws Error{no_valid_result} where the system can't be solved. Cost: a sparse system of the inner vertices.
 PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
                        DiscWeights weights);

@@ -10,8 +10,8 @@
 namespace gvd {
 namespace {
 
-/// An image has no area unless twice its area exceeds this fraction of its longest edge squared: above the rounding of
-/// its corners for images that are a millionth of the mesh in size.
+/// An image has no area unless twice its area exceeds this fraction of its longest edge squared. It is above the
+/// rounding of the corners of images that are a millionth of the mesh in size.
 constexpr double kFlatImage = 1e-9;
 
 class MapMeasure {

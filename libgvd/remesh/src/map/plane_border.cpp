@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side:
-/// it keeps triangles of three of them from having no area within rounding.
+/// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side.
+/// Without it, triangles of three of them could have no area within rounding.
 constexpr double kEvenShare = 0.1;
 
 /// Bounds of the angle of a sector. A straight angle would let edges between its two sides fall onto them.
 constexpr double kLeastSector = kPi / 3, kLargestSector = 0.95 * kPi;
 
-/// How far the sides of a star are bent outwards, as a fraction of their distance: triangles of three vertices of one
-/// side need an area.
+/// How far the sides of a star are bent outwards, as a fraction of their distance. Without it, triangles of three
+/// vertices of one side would have no area.
 constexpr double kBulge = 0.02;
 
 /// Scales ascending numbers, which begin with 0, to a last one, and makes their distances more even.

@@ -6,7 +6,7 @@
 
 namespace gvd {
 
-/// A weighted sum of square distances from planes and lines, as a function of an offset d from a fixed point:
+/// A weighted sum of square distances from planes and lines. As a function of an offset d from a fixed point it is
 /// d' matrix d - 2 vector' d, and a constant.
 struct Quadric {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -23,8 +23,8 @@ struct Quadric {
   Vec3 minimize(double truncation) const;
 };
 
-/// The quadrics of all cells, with offsets from their generators: planes of the faces by their areas in the cell, and
-/// lines of boundary edges by their lengths in the cell times the square root of the cell's area. Cost: O(n).
+/// The quadrics of all cells, with offsets from their generators. Planes of faces weigh by their areas in the cell.
+/// Lines of boundary edges weigh by their lengths in the cell times the square root of the cell's area. Cost: O(n).
 IdVector<GeneratorId, Quadric> compute_cell_quadrics(const Mesh& mesh, const Diagram& diagram);
 
 }  // namespace gvd

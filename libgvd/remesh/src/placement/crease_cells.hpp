@@ -8,9 +8,9 @@ namespace gvd {
 /// An edge is sharp where the normals of its two faces differ by more than this, degrees.
 inline constexpr double kSharpAngle = 40;
 
-/// A cell has a crease if its sharp edges carry at least this share of its bending: of the sum of lengths times angles
-/// between normals, over the parts of edges in the cell. On creases of CAD models it is nearly 1. Noise and
-/// folds have sharp edges between others that bend as well.
+/// A cell has a crease if its sharp edges carry at least this share of its bending. Bending is the sum of lengths times
+/// angles between normals, over the parts of edges in the cell. On creases of CAD models the share is nearly 1. Noise
+/// and folds have sharp edges between others that bend as well.
 inline constexpr double kLeastBendingShare = 0.7;
 
 /// Creases go on: smaller groups of neighbouring cells with sharp edges are those of coarse, curved surfaces. Measured

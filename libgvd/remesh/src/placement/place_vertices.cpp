@@ -19,9 +19,9 @@ namespace {
 constexpr double kQuadricTruncation = 0.01;
 /// Samples for each vertex.
 constexpr double kSamplesPerVertex = 16;
-/// A cell of no area must have a spring, too: that of a square with sides of a millionth of the bounding box's
-/// diagonal.
+/// Least area of a cell for its spring, in squares of the bounding box's diagonal: a cell of no area needs one, too.
 constexpr double kLeastCellArea = 1e-12;
+
 class Placer {
  public:
   Placer(const Mesh& surface, const Diagram& diagram, const Mesh& remesh, const std::vector<SurfacePoint>& face_points,

@@ -6,9 +6,9 @@ namespace gvd {
 namespace {
 
 /// Weight of the springs along the surface, as a fraction of a cell's area. They pull towards better triangles, and
-/// matter where the distances hardly change: the samples' weight in such a direction is r^2 / 4 of the area for an
-/// angular radius of r. This outweighs the samples of cells below three quarters of a radian. What weaker and stronger
-/// ones give is measured in docs/notes/remesh-placement.md, for the following ones too.
+/// matter where the distances hardly change. In such a direction the samples weigh r^2 / 4 of the area, for a cell with
+/// an angular radius of r. So springs outweigh the samples of cells below three quarters of a radian. What weaker and
+/// stronger springs give, here and below, is measured in docs/notes/remesh-placement.md.
 constexpr double kSmoothSpring = 0.15;
 
 /// The same along a crease.

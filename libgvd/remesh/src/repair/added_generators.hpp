@@ -19,6 +19,7 @@ inline constexpr double kMinAddedSpacing = 1e-6;
 /// Generators to be added to a diagram: at most `max_count`, each with a least distance from all others.
 class AddedGenerators {
  public:
+  /// The mesh must outlive this. Cost: O(n).
   AddedGenerators(const Mesh& mesh, const std::vector<SurfacePoint>& existing, std::size_t max_count);
 
   std::size_t size() const { return points_.size(); }
@@ -37,9 +38,9 @@ class AddedGenerators {
     return std::any_of(order.begin(), order.end(), [&](const auto& entry) { return add(candidates[entry.second]); });
   }
 
-  /// Euclidean distance from the nearest generator of the point's component, those added included. Generators of other
-  /// components don't count, nor those that coincide with the point in space and are not near it along the surface:
-  /// components may touch, and so may the two banks of a slit.
+  /// Euclidean distance from the nearest generator of the point's component, those added included; mesh units.
+  /// Generators of other components don't count. Nor do those that coincide with the point in space and are not near it
+  /// along the surface, as on the two banks of a slit. Infinite where no generator counts. Cost: O(generators).
   double clearance(const SurfacePoint& point) const;
 
   /// Position of a generator of the diagram.

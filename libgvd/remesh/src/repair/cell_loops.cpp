@@ -64,8 +64,8 @@ VertexId CellLoops::find_root(const std::vector<FaceId>& faces, GeneratorId cell
   return best;
 }
 
-/// The edges that close a non-contractible loop with the tree. The dual graph may cross every edge outside of the tree;
-/// the edges that remain after pruning its leaves are dual to cycles, or to paths from border to border.
+/// The edges that close a non-contractible loop with the tree. The dual graph may cross every edge outside of the tree.
+/// The edges that remain after pruning its leaves are dual to cycles, or to paths from border to border.
 std::vector<HalfedgeId> CellLoops::find_loop_edges(const std::vector<FaceId>& faces, GeneratorId cell) {
   for (std::size_t i = 0; i < faces.size(); ++i) face_node_[faces[i]] = static_cast<std::int32_t>(i);
   DualGraph graph(faces.size());

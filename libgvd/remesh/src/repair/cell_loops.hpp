@@ -21,9 +21,9 @@ class CellLoops {
   CellLoops(const CellLoops&) = delete;
   CellLoops& operator=(const CellLoops&) = delete;
 
-  /// Points of the input mesh that divide a short non-contractible loop of the cell into thirds: two of them, since the
-  /// generator serves as the third; three where the generator is far from the loop. Empty for a cell that is a disc.
-  /// The loop is the shortest one made of two paths of the shortest-path tree and one edge outside of it that no
+  /// Points of the input mesh that divide a short non-contractible loop of the cell into thirds. They are two, since
+  /// the generator serves as the third; three where the generator is far from the loop. Empty for a cell that is a
+  /// disc. The loop is the shortest one made of two paths of the shortest-path tree and one edge outside of it that no
   /// pruning removes: Erickson and Har-Peled, Optimally cutting a surface into a disk, 2004.
   /// Cost: O(k log k) for a cell of k faces.
   std::vector<SurfacePoint> find(GeneratorId cell);

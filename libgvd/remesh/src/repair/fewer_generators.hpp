@@ -14,18 +14,18 @@
 
 namespace gvd {
 
-/// No more pairs are tried when diagrams of parts have had so many times as many faces and generators as the whole one,
-/// or so many in all: some seconds on one core. With 400 times as many, two meshes of docs/notes/remesh-bench.md came
-/// out the same. The search ends after twice as many.
+/// Bounds on the search, in faces and generators of all its diagrams: so many times those of the whole diagram, or so
+/// many in all. Beyond either, no more pairs are tried; beyond twice as many, the search ends. That is some seconds on
+/// one core. With 400 times as many, two meshes of docs/notes/remesh-bench.md came out the same.
 inline constexpr std::size_t kSearchedMeshes = 60, kSearchedElements = 1'000'000;
 
 /// Looks for generators without which the dual has no defect either, among those that a repair has added. It tries to
 /// leave one out, and to put a single one in the place of two that are near each other.
 ///
 /// Whether a change leaves a defect is told by a part of the mesh (LocalDual); what passes there is decided on the
-/// whole one. Candidates for the place of two are what would repair the defects that they leave, and in the cells with
-/// these the branch points and some vertices. Every change leaves one generator less, so the search ends.
-/// Deterministic.
+/// whole one. Candidates for the place of two are the points that would repair the defects that the two leave. In the
+/// cells with these defects, branch points and some vertices are candidates, too. Every change leaves one generator
+/// less, so the search ends. Deterministic.
 class FewerGenerators {
  public:
   /// Whether the dual of these generators is right. If so, the diagram becomes theirs.

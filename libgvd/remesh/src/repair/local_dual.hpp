@@ -16,10 +16,10 @@ namespace gvd {
 /// faces of these cells and of two rings of cells round them are computed again.
 ///
 /// Why it is right. A shortest path from a generator stays in its cell. New generators take area away from cells, and
-/// the cells round a removed one share what was its own. So all shortest paths to points of the part's cells stay in
-/// the part, as long as no new cell reaches its fringe: the faces in which other cells begin. There other generators
-/// may be nearer. A cell that meets no face of the fringe is the same in the diagram of the whole mesh.
-/// docs/developer/proofs.md has the proof.
+/// the cells round a removed one share what was its own. The fringe of the part consists of the faces in which other
+/// cells begin. As long as no new cell reaches it, all shortest paths to points of the part's cells stay in the part.
+/// In the fringe, other generators may be nearer. A cell that meets no face of the fringe is the same in the diagram of
+/// the whole mesh. docs/developer/proofs.md has the proof.
 class LocalDual {
  public:
   /// `removed`: cells whose generators go, also to be listed in `cells`. Mesh and diagram must outlive this. Cost:

@@ -20,13 +20,14 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
 /// The faces of a mesh that meet some cells of a diagram, as a mesh of their own.
 ///
 /// Faces that meet at a vertex only, without a fan of such faces between them, get a vertex each. No shortest path that
-/// stays in the cells passes such a vertex: if a cell holds a vertex, all faces round it belong to the part.
+/// stays in the cells passes such a vertex. Why: if a cell holds a vertex, all faces round it belong to the part.
 class MeshPart {
  public:
-  /// `in_part`: which cells. Cost: O(n).
+  /// `in_part`: which cells. The diagram is one of the mesh. Cost: O(n).
   MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part);
 
   const Mesh& mesh() const { return part_; }
+  /// The number of its faces.
   std::size_t size() const { return whole_face_.size(); }
 
   /// Nothing for a point of a face outside of the part.

@@ -29,9 +29,9 @@ struct NarrowTip {
 ///
 /// On a cone of total angle a, let b < a / 2 be the angle between two generators. The one at distance r from the tip
 /// shuts the other one out if that is farther from the tip than r / cos(b). Points on the shortest loop round the tip
-/// lie just that far, because the loop is a straight line: each generator there shuts the others out, at half the
-/// distance of the one before, and so on. Three points at the same distance r, an angle of a / 3 apart, shut no other
-/// one out.
+/// lie just that far, because the loop is a straight line. So each generator there shuts the others out, and repairs
+/// there go on without end, each at half the distance of the one before. Three points at the same distance r, an angle
+/// of a / 3 apart, shut no other one out.
 class TipRings {
  public:
   /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each cell that is an annulus, of m
@@ -43,8 +43,9 @@ class TipRings {
   /// empty where a straight line from the tip to a point is not the shortest one: the surface is no cone there.
   std::vector<SurfacePoint> find(GeneratorId cell) const;
 
-  /// The tip that the cell surrounds, if the circle round it through the cell's generator is shorter than three times
-  /// the least distance between generators (kMinAddedSpacing). Nearer to the tip there is still less room.
+  /// The tip that the cell surrounds, if there is no room for three generators on the circle round it through the
+  /// cell's generator. The circle is then shorter than three times the least distance between generators
+  /// (kMinAddedSpacing). Nearer to the tip there is still less room.
   std::optional<NarrowTip> find_narrow_tip(GeneratorId cell) const;
 
  private:
