@@ -7,26 +7,15 @@
 #include <utility>
 
 #include "creases/follow_creases.hpp"
+#include "dual_mesh_maker.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "placement/with_positions.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
 #include "repair/propose_nearby.hpp"
 
 namespace gvd {
 namespace {
-
-std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  std::vector<Vec3> positions;
-  for (const SurfacePoint& p : points) positions.push_back(position(mesh, p));
-  return positions;
-}
-
-/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
-/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
-/// remeshes end before.
-constexpr std::int32_t kRoundsWithoutFlips = 12;
 
 /// Creases that are followed take some percent more generators, and close curves up to twice as many. What is more
 /// than that stays as it is.
@@ -56,109 +45,7 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
 }
 
-/// Makes the mesh of the generators and the diagram in a result, and finds the defects that keep it from being one.
-class MeshMaker {
- public:
-  /// All must outlive this.
-  MeshMaker(const Mesh& mesh, const RemeshOptions& options, RemeshResult& result)
-      : mesh_(mesh), options_(options), result_(result) {}
-
-  /// Builds the mesh where the dual has no defect, and then looks for flipped faces.
-  std::vector<DualDefect> find_defects(const DualMesh& dual) {
-    std::vector<DualDefect> defects = check_dual(mesh_, result_.diagram);
-    if (!defects.empty() && result_.rounds <= kRoundsWithoutFlips) return defects;
-    if (!defects.empty()) {
-      for (const std::size_t i : find_flipped_triangles(mesh_, result_.diagram, dual)) {
-        defects.push_back(triangle_defect(dual, i, "is flipped"));
-      }
-      return defects;
-    }
-    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
-      if (has_coincident_corners(dual.faces[i])) defects.push_back(triangle_defect(dual, i, "has an edge of length 0"));
-    }
-    if (!defects.empty()) return defects;
-    build_mesh(dual);
-    for (const FaceId f : find_flipped_faces(mesh_, result_.mesh, result_.generators, result_.face_points)) {
-      defects.push_back(triangle_defect(dual, f.index(), "is flipped"));
-    }
-    return defects;
-  }
-
-  /// Moves the vertices, and then looks for intersections.
-  std::vector<DualDefect> place(const DualMesh& dual) {
-    PlacementOptions options = options_.placement;
-    options.threads = options_.diagram.threads;
-    if (options.method != Placement::generator) {
-      const auto positions = place_vertices(mesh_, result_.diagram, result_.mesh, result_.face_points, options);
-      result_.mesh = with_positions(result_.mesh, positions);
-    }
-    return find_intersections(dual);
-  }
-
- private:
-  /// Of the placed mesh: its vertices may have left the intersections that there were at the generators.
-  std::vector<DualDefect> find_intersections(const DualMesh& dual) const {
-    if (options_.allow_intersections) return {};
-    const int threads = options_.diagram.threads;
-    const std::vector<FacePair> pairs = find_self_intersections(result_.mesh, threads);
-    const std::vector<FacePair> inherited = find_inherited(mesh_, result_.mesh, pairs, threads);
-    std::vector<DualDefect> defects;
-    for (const FacePair& pair : pairs) {
-      if (std::binary_search(inherited.begin(), inherited.end(), pair)) continue;
-      for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
-        const auto& [a, b, c] = dual.faces[g.index()];
-        DualDefect defect = triangle_defect(
-            dual, f.index(), fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value()),
-            DualProperty::no_self_intersection);
-        defects.push_back(std::move(defect));
-      }
-    }
-    return defects;
-  }
-
-  /// Generators on the two sides of a slit can have the same position while they are far apart on the surface.
-  bool has_coincident_corners(const std::array<GeneratorId, 3>& face) const {
-    const auto at = [&](std::size_t corner) { return position(mesh_, result_.generators[face[corner].index()]); };
-    return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
-  }
-
-  void build_mesh(const DualMesh& dual) {
-    std::vector<std::array<VertexId, 3>> faces;
-    result_.face_points.clear();
-    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
-      const auto& [a, b, c] = dual.faces[i];
-      faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
-      result_.face_points.push_back(result_.diagram.branch_points[dual.branch_points[i]].point);
-    }
-    try {
-      result_.mesh = Mesh(positions_of(mesh_, result_.generators), std::move(faces));
-    } catch (const Error& error) {
-      throw Error(ErrorCode::no_valid_result,
-                  std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
-                      "; move or remove generators",
-                  error.element());
-    }
-  }
-
-  DualDefect triangle_defect(const DualMesh& dual, std::size_t face, const std::string& what,
-                             DualProperty property = DualProperty::not_flipped) const {
-    DualDefect defect;
-    defect.property = property;
-    defect.branch_point = dual.branch_points[face];
-    const auto& [a, b, c] = dual.faces[face];
-    defect.cells = {a, b, c};
-    const Vec3& at = result_.diagram.branch_points[defect.branch_point].position;
-    defect.message =
-        fmt::format("({}) the triangle of the generators {}, {} and {} {}, near ({:.6g}, {:.6g}, {:.6g})",
-                    static_cast<int>(property), a.value(), b.value(), c.value(), what, at.x(), at.y(), at.z());
-    return defect;
-  }
-
-  const Mesh& mesh_;
-  const RemeshOptions& options_;
-  RemeshResult& result_;
-};
-
+/// The rounds of a remesh: diagram, dual, new generators where it has defects; then the search and the certificate.
 class Remesher {
  public:
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
@@ -181,7 +68,7 @@ class Remesher {
       ++result_.rounds;
       enter(RemeshStage::dual);
       const DualMesh dual = build_dual(mesh_, result_.diagram);
-      std::vector<DualDefect> defects = maker_.find_defects(dual);
+      std::vector<DualDefect> defects = maker_.build(dual);
       if (result_.rounds == 1) result_.given_defects = defects;
       if (!follow_creases()) {
         if (defects.empty()) {
@@ -239,13 +126,13 @@ class Remesher {
     append(nearby);
   }
 
-  std::string given() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
+  std::string all_generators() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
 
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
     const bool intersects = defects.front().property == DualProperty::no_self_intersection;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", given(), defects.front().message,
+                fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", all_generators(), defects.front().message,
                             others(defects.size() - 1), advice, intersects ? ", or set allow_intersections" : ""),
                 cells.empty() ? -1 : cells.front().value());
   }
@@ -273,7 +160,7 @@ class Remesher {
     try {
       result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
       const DualMesh dual = build_dual(mesh_, result_.diagram);
-      if (maker_.find_defects(dual).empty() && maker_.place(dual).empty()) return true;
+      if (maker_.build(dual).empty() && maker_.place(dual).empty()) return true;
     } catch (const Error& error) {
       if (error.code() != ErrorCode::no_valid_result) throw;
     }
@@ -287,7 +174,7 @@ class Remesher {
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,
-                  fmt::format("the remesh of {} can't be certified: {}; give other generators", given(),
+                  fmt::format("the remesh of {} can't be certified: {}; give other generators", all_generators(),
                               result_.certificate.first_failure()));
     }
     result_.added_on_creases = creases_.added();
@@ -304,7 +191,7 @@ class Remesher {
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
-  MeshMaker maker_{mesh_, options_, result_};
+  DualMeshMaker maker_{mesh_, options_, result_};
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "map/path_spacing.hpp"
 
 namespace gvd {
 namespace {
@@ -16,26 +17,13 @@ constexpr double kEvenShare = 0.01;
 
 /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
 std::vector<double> space(const Mesh& mesh, const std::vector<VertexId>& path) {
-  std::vector<double> at{0};
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    at.push_back(at.back() + (mesh.position(path[i]) - mesh.position(path[i - 1])).norm());
-  }
-  const double length = at.back(), steps = static_cast<double>(path.size() - 1);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    at[i] = (1 - kEvenShare) * at[i] / length + kEvenShare * static_cast<double>(i) / steps;
-  }
-  at.back() = 1;
+  std::vector<double> at = lengths_along(mesh, path);
+  scale_and_even(at, 1, kEvenShare);
+  at.back() = 1;  // without rounding
   return at;
 }
 
 using Path = std::vector<VertexId>;
-
-Path path_of(const Mesh& mesh, const CellBorder& border, const BorderRun& run) {
-  Path path;
-  for (std::size_t i = run.begin; i < run.end; ++i) path.push_back(mesh.from(border.loop[i]));
-  path.push_back(mesh.to(border.loop[run.end - 1]));
-  return path;
-}
 
 /// Bounds of a crossing on its edge, from 0 to 1: near an end it would squeeze the triangles of one of the cells' fans.
 constexpr double kLeastCrossing = 0.1;
@@ -86,7 +74,7 @@ class TargetCollector {
 
  private:
   void add(const BorderRun& r) {
-    const Path path = path_of(mesh_, border_, r);
+    const Path path = run_vertices(mesh_, border_, r);
     const DualPolygon *before = polygons_.at(path.front()), *behind = polygons_.at(path.back());
     if (!before && !behind) {
       throw Error(ErrorCode::no_valid_result, "two cells touch from boundary to boundary", cell_.value());
@@ -137,7 +125,7 @@ void place_crossings(const CellSurface& surface, DualPolygons& polygons) {
     const GeneratorId g(static_cast<std::int64_t>(i));
     for (const BorderRun& run : surface.borders[g].runs) {
       if (run.other < g) continue;
-      const Path path = path_of(surface.cut.mesh, surface.borders[g], run);
+      const Path path = run_vertices(surface.cut.mesh, surface.borders[g], run);
       const double t = find_crossing(surface, polygons, path, {g, run.other}).t;
       polygons.set_crossing(path.front(), run.other, 1 - t);
       polygons.set_crossing(path.back(), g, t);

@@ -148,6 +148,13 @@ class BorderTracer {
 
 }  // namespace
 
+std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, const BorderRun& run) {
+  std::vector<VertexId> vertices;
+  for (std::size_t i = run.begin; i < run.end; ++i) vertices.push_back(mesh.from(border.loop[i]));
+  vertices.push_back(mesh.to(border.loop[run.end - 1]));
+  return vertices;
+}
+
 IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
                                                      std::size_t cells) {
   return BorderTracer(mesh, label, cells).run();

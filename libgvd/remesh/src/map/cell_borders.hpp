@@ -22,6 +22,9 @@ struct CellBorder {
   bool at_boundary() const { return !runs.back().other.valid(); }
 };
 
+/// The vertices of a run of the border, from its first to its last. Cost: O(k).
+std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, const BorderRun& run);
+
 /// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
 ///
 /// Throws Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share

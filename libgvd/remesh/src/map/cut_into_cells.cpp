@@ -121,8 +121,9 @@ class CellCutter {
     IdVector<VertexId, GeneratorId> side(static_cast<std::size_t>(mesh().vertex_count()));
     for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
       const GeneratorId g(static_cast<std::int64_t>(i));
-      if (!cells_.borders[g].at_boundary()) continue;
-      const std::vector<VertexId> vertices = boundary_vertices(g);
+      const CellBorder& border = cells_.borders[g];
+      if (!border.at_boundary()) continue;
+      const std::vector<VertexId> vertices = run_vertices(mesh(), border, border.runs.back());
       const auto anchor = std::find(vertices.begin(), vertices.end(), cells_.anchors[g]);
       collect_chords(g, {vertices.begin(), anchor + 1}, side, chords);
       for (const VertexId v : vertices) side[v] = GeneratorId();
@@ -130,16 +131,6 @@ class CellCutter {
       for (const VertexId v : vertices) side[v] = GeneratorId();
     }
     split_edges(chords);
-  }
-
-  std::vector<VertexId> boundary_vertices(GeneratorId g) const {
-    const CellBorder& border = cells_.borders[g];
-    std::vector<VertexId> vertices;
-    for (std::size_t i = border.runs.back().begin; i < border.runs.back().end; ++i) {
-      vertices.push_back(mesh().from(border.loop[i]));
-    }
-    vertices.push_back(mesh().to(border.loop.back()));
-    return vertices;
   }
 
   /// Appends the edges inside cell g that join two of the vertices. `side` is invalid for all others.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/plane.hpp"
+#include "map/path_spacing.hpp"
 
 namespace gvd {
 namespace {
@@ -22,14 +23,6 @@ constexpr double kLeastSector = kPi / 3, kLargestSector = 0.95 * kPi;
 /// How far the sides of a star are bent outwards, as a fraction of their distance. Without it, triangles of three
 /// vertices of one side would have no area.
 constexpr double kBulge = 0.02;
-
-/// Scales ascending numbers, which begin with 0, to a last one, and makes their distances more even.
-void scale(std::vector<double>& values, double last, double even_share) {
-  const double given = values.back(), steps = static_cast<double>(values.size() - 1);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = last * ((1 - even_share) * values[i] / given + even_share * static_cast<double>(i) / steps);
-  }
-}
 
 class BorderPlacer {
  public:
@@ -65,7 +58,7 @@ class BorderPlacer {
   }
 
   void place_round(double even_share) {
-    scale(angles_, 2 * kPi, even_share);
+    scale_and_even(angles_, 2 * kPi, even_share);
     for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
     border_.bases.push_back(border_.bases.front());
     place_bases();
@@ -74,7 +67,7 @@ class BorderPlacer {
   /// In a frame of the two sides, so that points on them lie on one line without rounding.
   void place_sector(double even_share) {
     const double sector = std::clamp(angles_.back(), kLeastSector, kLargestSector);
-    scale(angles_, sector, even_share);
+    scale_and_even(angles_, sector, even_share);
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double along = std::sin(angles_[i]) / std::sin(sector);
       border_.bases.push_back(radii_[i] * Vec2(std::cos(angles_[i]) - along * std::cos(sector), along));
@@ -93,11 +86,7 @@ class BorderPlacer {
 
   void place_sides() {
     const CellBorder& border = surface_.borders[cell_];
-    std::vector<VertexId> vertices;
-    for (std::size_t i = border.runs.back().begin; i < border.loop.size(); ++i) {
-      vertices.push_back(mesh_.from(border.loop[i]));
-    }
-    vertices.push_back(mesh_.to(border.loop.back()));
+    const std::vector<VertexId> vertices = run_vertices(mesh_, border, border.runs.back());
     const auto anchor = std::find(vertices.begin(), vertices.end(), surface_.anchors[cell_]);
     const std::vector<double> down = fractions({anchor, vertices.end()}),
                               up = fractions({std::make_reverse_iterator(anchor + 1), vertices.rend()});
@@ -111,11 +100,8 @@ class BorderPlacer {
 
   /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
   std::vector<double> fractions(const std::vector<VertexId>& path) const {
-    std::vector<double> at{0};
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      at.push_back(at.back() + (mesh_.position(path[i]) - mesh_.position(path[i - 1])).norm());
-    }
-    scale(at, 1, kEvenShare);
+    std::vector<double> at = lengths_along(mesh_, path);
+    scale_and_even(at, 1, kEvenShare);
     return at;
   }
 
