@@ -169,6 +169,7 @@ class Remesher {
   }
 
   void measure() {
+    enter(RemeshStage::distance);
     result_.certificate =
         certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, options_.diagram.threads);
     result_.certificate.intersections_allowed = options_.allow_intersections;
@@ -181,7 +182,6 @@ class Remesher {
     result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
-    enter(RemeshStage::distance);
     result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, options_.diagram.threads);
     result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, options_.diagram.threads);
   }

@@ -94,6 +94,15 @@ TEST_CASE("distances agree with a dense sampling, for any number of threads") {
   }
 }
 
+TEST_CASE("a triangle without area has the distances of its points") {
+  const Mesh line({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const Mesh square = test::make_grid(1, 1);
+  const SurfaceDistance distance = measure_surface_distance(line, square);
+  CHECK(distance.hausdorff == Approx(1));
+  CHECK(distance.hausdorff_bound >= distance.hausdorff);
+  CHECK(distance.rms == 0);
+}
+
 TEST_CASE("a mesh without faces has no distance") {
   CHECK_THROWS_AS(measure_surface_distance(Mesh(), test::make_tetrahedron()), Error);
   CHECK_THROWS_AS(measure_surface_distance(test::make_tetrahedron(), Mesh()), Error);

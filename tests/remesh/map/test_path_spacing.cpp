@@ -1,9 +1,11 @@
 // How the vertices of a path are spaced.
+#include <algorithm>
 #include <vector>
 
 #include "map/path_spacing.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
 
 using namespace gvd;
 
@@ -31,5 +33,18 @@ TEST_CASE("path spacing: numbers that coincide are taken apart by the share of e
   std::vector<double> values{0, 1, 1, 2};
   scale_and_even(values, 3, 0.1);
   CHECK(values[2] - values[1] == Approx(0.1));
-  CHECK(values[3] == Approx(3));
+  CHECK(values[3] == 3);
+}
+
+TEST_CASE("path spacing: numbers ascend and end at the last one, bit by bit") {
+  test::Random random(1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<double> values{0};
+    for (int i = 0; i < 1 + trial % 7; ++i) values.push_back(values.back() + random.real(0, 1));
+    const double last = random.real(0.1, 7);
+    scale_and_even(values, last, 0.1);
+    CHECK(values.front() == 0);
+    CHECK(values.back() == last);
+    CHECK(std::is_sorted(values.begin(), values.end()));
+  }
 }

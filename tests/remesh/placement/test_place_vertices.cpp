@@ -1,6 +1,7 @@
 // Whole placements: features are met, fixed vertices stay, and the result depends on no thread.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "gvd/error.hpp"
 #include "gvd/placement.hpp"
@@ -83,6 +84,31 @@ TEST_CASE("a remesh of another diagram is refused") {
   const Mesh mesh = test::make_sphere(2);
   const RemeshResult a = remesh_at_generators(mesh, 10), b = remesh_at_generators(mesh, 12);
   CHECK_THROWS_AS(place_vertices(mesh, a.diagram, b.mesh, b.face_points), Error);
+}
+
+TEST_CASE("angles out of range and fixed generators that there are not are refused") {
+  const Mesh mesh = test::make_sphere(2);
+  const RemeshResult result = remesh_at_generators(mesh, 12);
+  const auto is_refused = [&](const PlacementOptions& options) {
+    try {
+      place(mesh, result, options);
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::invalid_option;
+    }
+    return false;
+  };
+  for (const double angle : {-1.0, 60.1, std::nan("")}) {
+    CAPTURE(angle);
+    PlacementOptions smooth, crease;
+    smooth.least_angle = crease.least_crease_angle = angle;
+    CHECK(is_refused(smooth));
+    CHECK(is_refused(crease));
+  }
+  for (const GeneratorId g : {GeneratorId(), GeneratorId(std::ssize(result.generators))}) {
+    PlacementOptions options;
+    options.fixed = {g};
+    CHECK(is_refused(options));
+  }
 }
 
 TEST_CASE("a cube with a generator at each corner stays a cube") {

@@ -43,7 +43,8 @@ struct PlacementOptions {
 /// angles are raised.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
-/// Throws Error{precondition} if the arguments do not belong together. Cost: O(n log n), and a sparse system a round.
+/// Throws Error{precondition} if the arguments do not belong together, Error{invalid_option} for an angle outside of
+/// [0, 60] or a fixed generator that there is not. Cost: O(n log n), and a sparse system a round.
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, const PlacementOptions& options = {});
 

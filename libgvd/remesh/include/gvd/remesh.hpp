@@ -21,10 +21,10 @@ namespace gvd {
 /// The stages of a remesh. The first two make a round; where the dual has no defect, the third one follows.
 enum class RemeshStage {
   diagram,    ///< computes the diagram
-  dual,       ///< checks its dual, and adds generators or builds and certifies the mesh
+  dual,       ///< checks its dual, and adds generators or builds the mesh
   placement,  ///< moves the vertices; then triangles that intersect may lead to another round
   search,     ///< looks for fewer generators, where many were added
-  distance,   ///< measures the distances of the input and the mesh, at the end
+  distance,   ///< certifies the mesh and measures its distances from the input, at the end
 };
 
 struct RemeshOptions {

@@ -7,6 +7,7 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "gvd/surface_area.hpp"
 #include "gvd/surface_distance.hpp"
 
 namespace gvd {
@@ -89,7 +90,7 @@ class DistanceMeasure {
   }
 
   Findings sample_faces() {
-    for (std::int32_t f = 0; f < from_.face_count(); ++f) area_ += from_.area(FaceId(f));
+    area_ = compute_area(from_);
     const auto chunks = cut_into_chunks(static_cast<std::size_t>(from_.face_count()), kFacesPerChunk);
     return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
       Findings found;
@@ -101,7 +102,8 @@ class DistanceMeasure {
 
   /// Cuts the face into k * k triangles. Row i of the lattice has the points with the weight i / k of corner 0.
   void sample_face(FaceId f, Findings& found) const {
-    const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(from_.area(f) / area_ * triangles_))));
+    const double share = area_ > 0 ? from_.area(f) / area_ : 0;
+    const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(share * triangles_))));
     const double area = from_.area(f) / (k * k);
     std::vector<Sample> row = sample_row(f, 0, k), next;
     for (int i = 0; i < k; ++i, row.swap(next)) {

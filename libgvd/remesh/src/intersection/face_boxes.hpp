@@ -13,6 +13,7 @@ struct Box3 {
   Vec3 low, high;
 };
 
+/// The bounding box of a face, without rounding.
 Box3 face_box(const Mesh& mesh, FaceId f);
 
 /// Whether two closed boxes have a common point.
@@ -20,7 +21,7 @@ inline bool overlap(const Box3& a, const Box3& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-/// A balanced tree of the bounding boxes of faces, split at the median of the longest axis. The mesh must outlive it.
+/// A balanced tree of the bounding boxes of faces, split at the median of the longest axis.
 class FaceBoxes {
  public:
   /// Cost: O(n log n).

@@ -19,7 +19,6 @@ constexpr double kEvenShare = 0.01;
 std::vector<double> space(const Mesh& mesh, const std::vector<VertexId>& path) {
   std::vector<double> at = lengths_along(mesh, path);
   scale_and_even(at, 1, kEvenShare);
-  at.back() = 1;  // without rounding
   return at;
 }
 

@@ -17,6 +17,7 @@ void scale_and_even(std::vector<double>& values, double last, double even_share)
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = last * ((1 - even_share) * values[i] / given + even_share * static_cast<double>(i) / steps);
   }
+  values.back() = last;
 }
 
 }  // namespace gvd

@@ -14,7 +14,8 @@ struct SurfaceSample {
   double area = 0;  ///< square mesh units
 };
 
-/// Cuts each face into equal triangles, `count` or more in all, and gives their centroids. Cost: O(n + count).
+/// Cuts each face into equal triangles, about `count` in all and at least one a face, and gives their centroids. Cost:
+/// O(n + count).
 std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count);
 
 }  // namespace gvd

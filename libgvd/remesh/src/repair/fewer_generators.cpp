@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostDefects = 4;
 
 /// Changes in one place that pass on a part and fail on the whole mesh, before the next place is tried.
-constexpr int kMostRefusals = 2;
+constexpr int kMostRefusals = 3;
 
 /// So many vertices of a part are candidates, in the cells with defects. With twice as many the search took half as
 /// long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
@@ -57,7 +57,7 @@ bool FewerGenerators::replace(const std::vector<GeneratorId>& removed, const Loc
                               const LocalDual::Result& without) {
   int refusals = 0;
   for (const SurfacePoint& candidate : list_candidates(local, without)) {
-    if (has_ended() || refusals > kMostRefusals) break;
+    if (has_ended() || refusals == kMostRefusals) break;
     const auto with = compute(local, {candidate});
     if (!with || !with->defects.empty()) continue;
     if (accept(removed, {candidate})) return true;
