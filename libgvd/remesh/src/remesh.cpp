@@ -24,10 +24,11 @@ std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::in
 /// Where more than this fraction of the given generators was added, fewer are looked for.
 constexpr double kWorthSearching = 0.1;
 
-void check_options(const RemeshOptions& options) {
+void check_options(const RemeshOptions& options, std::size_t generators) {
   if (options.max_added && *options.max_added < 0) {
     throw Error(ErrorCode::invalid_option, "max_added must not be negative", *options.max_added);
   }
+  check_placement(options.placement, generators);
 }
 
 std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
@@ -203,12 +204,12 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) 
 }
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
-  check_options(options);
+  check_options(options, generators.size());
   return Remesher(mesh, generators, options).run();
 }
 
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
-  check_options(options);
+  check_options(options, diagram.generators.size());
   const bool fits = std::ssize(diagram.vertex_label) == mesh.vertex_count() &&
                     std::ssize(diagram.face_label) == mesh.face_count() && !diagram.generators.empty();
   if (!fits) throw Error(ErrorCode::precondition, "the diagram is not one of the mesh; compute it of this mesh");

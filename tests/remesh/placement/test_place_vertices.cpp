@@ -109,6 +109,11 @@ TEST_CASE("angles out of range and fixed generators that there are not are refus
     options.fixed = {g};
     CHECK(is_refused(options));
   }
+  PlacementOptions steep;
+  steep.least_angle = 61;
+  RemeshOptions options;
+  options.placement = steep;
+  CHECK_THROWS_AS(remesh(mesh, result.generators, options), Error);
 }
 
 TEST_CASE("a cube with a generator at each corner stays a cube") {

@@ -44,6 +44,9 @@ TEST_CASE("fewest: no number where the largest is too small, one where all are e
   CHECK_FALSE(none.count);
   CHECK(none.trials.back().count == 500);
   CHECK(find_fewest(options, [](std::int32_t) { return 0.5; }).count == 1);
+  options.tolerance = -0.1;
+  CHECK_THROWS_AS(find_fewest(options, [](std::int32_t) { return 0.5; }), Error);
+  options.tolerance = 0;
   options.first = 501;
   CHECK_THROWS_AS(find_fewest(options, [](std::int32_t) { return 0.5; }), Error);
 }

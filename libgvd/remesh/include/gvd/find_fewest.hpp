@@ -31,8 +31,8 @@ struct Fewest {
 ///
 /// A trial takes the number that this rule predicts from the last one. Once a number is too small and another one is
 /// enough, trials bisect between them, by the geometric mean. Errors need not fall everywhere: a smaller number may
-/// then be enough, too. Deterministic if `error_of` is. Throws what `error_of` throws, and Error{invalid_option} for a
-/// target or a range of numbers out of its range. Cost: `max_trials` calls of `error_of` at most.
+/// then be enough, too. Deterministic if `error_of` is. Throws what `error_of` throws, and Error{invalid_option} for an
+/// option out of its range. Cost: `max_trials` calls of `error_of` at most.
 Fewest find_fewest(const FewestOptions& options, const std::function<double(std::int32_t)>& error_of);
 
 }  // namespace gvd

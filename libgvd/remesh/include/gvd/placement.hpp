@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -20,10 +21,14 @@ struct PlacementOptions {
   std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
   /// No move takes an angle of a triangle below this; degrees, in [0, 60]. Smaller ones do not shrink.
   double least_angle = 33;
-  /// The same of triangles at creases, and of all triangles with Placement::quadric.
+  /// The same of triangles at creases, and of all triangles with Placement::quadric; degrees, in [0, 60].
   double least_crease_angle = 10;
   int threads = 0;  ///< 0: one a core; the result does not depend on it
 };
+
+/// Throws Error{invalid_option} for an angle out of its range, or a fixed generator that is none of so many `generators`.
+/// Cost: O(k) for k fixed ones.
+void check_placement(const PlacementOptions& options, std::size_t generators);
 
 /// Positions for the vertices of a remesh, mesh units, near the surface by the chosen method.
 ///
@@ -43,8 +48,8 @@ struct PlacementOptions {
 /// angles are raised.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
-/// Throws Error{precondition} if the arguments do not belong together, Error{invalid_option} for an angle outside of
-/// [0, 60] or a fixed generator that there is not. Cost: O(n log n), and a sparse system a round.
+/// Throws what check_placement throws, and Error{precondition} if the arguments do not belong together.
+/// Cost: O(n log n), and a sparse system a round.
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, const PlacementOptions& options = {});
 

@@ -88,8 +88,8 @@ struct RemeshResult {
 /// bit; (3) deterministic.
 /// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators within kMaxRemeshRounds, or
 /// without `refine`. It names the failing property and its position. Throws Error{invalid_option} for a negative
-/// `max_added`, and what compute_diagram throws. Cost: one diagram a round, and some tens of rounds for the hardest
-/// surfaces.
+/// `max_added`, and what check_placement and compute_diagram throw. Cost: one diagram a round, and some tens of rounds
+/// for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
 /// The same where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must

@@ -30,6 +30,21 @@ struct CreaseGaps::Course {
   }
 };
 
+/// The parts between two consecutive generators that belong to neither of them.
+struct CreaseGaps::Gap {
+  std::size_t index = 0;      // of the mark at its begin
+  std::vector<Part> foreign;  // one at least
+
+  double first() const {
+    const auto begins_before = [](const Part& a, const Part& b) { return a.begin < b.begin; };
+    return std::min_element(foreign.begin(), foreign.end(), begins_before)->begin;
+  }
+  double last() const {
+    const auto ends_before = [](const Part& a, const Part& b) { return a.end < b.end; };
+    return std::max_element(foreign.begin(), foreign.end(), ends_before)->end;
+  }
+};
+
 CreaseGaps::CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram)
     : mesh_(mesh), curves_(curves), generators_(diagram.generators), labels_(mesh, diagram) {
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
@@ -167,21 +182,19 @@ double CreaseGaps::nearest(const Course& course, double begin, double end, const
 /// Where a gap takes a generator: see the table of the class.
 double CreaseGaps::place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const {
   const double begin = marks[gap.index].at, end = marks[gap.index + 1].at, length = end - begin;
-  double first = end, last = begin;
-  for (const Part& part : gap.foreign) first = std::min(first, part.begin), last = std::max(last, part.end);
-  const double middle = (first + last) / 2;
-  const auto longer = [](const Part& a, const Part& b) { return a.end - a.begin < b.end - b.begin; };
-  const GeneratorId of = std::max_element(gap.foreign.begin(), gap.foreign.end(), longer)->cell;
+  const auto is_shorter = [](const Part& a, const Part& b) { return a.end - a.begin < b.end - b.begin; };
+  const GeneratorId of = std::max_element(gap.foreign.begin(), gap.foreign.end(), is_shorter)->cell;
   const VertexId corner = shared_corner(course, gap.index, marks.size(), of);
   if (corner.valid()) {
     const bool at_begin = gap.index == 0 && corner == course.curve.vertices.front();
     return at_begin ? begin + shell_distance(length) : end - shell_distance(length);
   }
   const double opposite = nearest(course, begin, end, position(mesh_, generators_[of.index()]));
-  return std::min(opposite - begin, end - opposite) < kLeastGapShare * length ? middle : opposite;
+  if (std::min(opposite - begin, end - opposite) >= kLeastGapShare * length) return opposite;
+  return (gap.first() + gap.last()) / 2;
 }
 
-/// The parts between two consecutive generators that belong to neither of them.
+/// The gaps between consecutive marks that have foreign parts.
 std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks) {
   std::vector<Gap> gaps(marks.size() - 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i].index = i;
@@ -208,9 +221,7 @@ void CreaseGaps::add_foreign(const Course& course, std::vector<CreaseGap>& gaps)
     for (const Part& p : course.parts) parts.push_back({p.begin + course.length(), p.end + course.length(), p.cell});
   }
   for (const Gap& gap : list_gaps(parts, marks)) {
-    double first = marks.back().at, last = 0;
-    for (const Part& part : gap.foreign) first = std::min(first, part.begin), last = std::max(last, part.end);
-    gaps.push_back({course.point(mesh_, place_in(course, marks, gap)), last - first});
+    gaps.push_back({course.point(mesh_, place_in(course, marks, gap)), gap.last() - gap.first()});
   }
 }
 

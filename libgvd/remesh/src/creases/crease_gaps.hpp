@@ -67,10 +67,7 @@ class CreaseGaps {
   std::vector<Mark> marks_on(const CreaseCurve& curve) const;
   std::vector<Part> parts_of(const CreaseCurve& curve) const;
   bool add_missing(const Course& course, std::vector<CreaseGap>& gaps) const;
-  struct Gap {
-    std::size_t index = 0;  // of the mark at its begin
-    std::vector<Part> foreign;
-  };
+  struct Gap;
   static std::vector<Gap> list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks);
   VertexId shared_corner(const Course& course, std::size_t i, std::size_t marks, GeneratorId of) const;
   double nearest(const Course& course, double begin, double end, const Vec3& to) const;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "mesh/foot_on_edge.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -81,7 +82,7 @@ class CellCutter {
     for (std::size_t i = border.runs.back().begin; i < border.runs.back().end; ++i) {
       const HalfedgeId h = border.loop[i];
       const Vec3 &from = mesh().position(mesh().from(h)), along = mesh().position(mesh().to(h)) - from;
-      const double t = std::clamp(along.dot(at - from) / along.squaredNorm(), 0.0, 1.0);
+      const double t = std::clamp(foot_on_edge(mesh(), h, at), 0.0, 1.0);
       const double distance = (from + t * along - at).norm();
       if (distance < least) {
         least = distance;

@@ -9,6 +9,7 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_normal.hpp"
+#include "mesh/foot_on_edge.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -42,8 +43,7 @@ Patch collect_patch(const Mesh& mesh, VertexId centre) {
 }
 
 ClosestPoint closest_on_edge(const Mesh& mesh, HalfedgeId h, const Vec3& query) {
-  const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
-  const SurfacePoint point = edge_point(h, std::clamp(along.dot(query - from) / along.squaredNorm(), 0.0, 1.0));
+  const SurfacePoint point = edge_point(h, std::clamp(foot_on_edge(mesh, h, query), 0.0, 1.0));
   return {point, (position(mesh, point) - query).norm()};
 }
 

@@ -103,34 +103,51 @@ IdVector<FaceId, FaceSystem> sum_up(const Mesh& remesh, const FitTarget& target)
   return systems;
 }
 
-}  // namespace
-
-std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors) {
-  const auto systems = sum_up(remesh, target);
-  const int size = 3 * remesh.vertex_count();
+/// The normal equations over the moves of all vertices.
+struct VertexSystem {
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd right;
+};
+
+void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all) {
+  const auto systems = sum_up(remesh, target);
   for (std::int32_t f = 0; f < remesh.face_count(); ++f) {
     const auto& corners = remesh.vertices(FaceId(f));
     const FaceSystem& system = systems[FaceId(f)];
     const auto row = [&](int i) { return 3 * corners[static_cast<std::size_t>(i / 3)].value() + i % 3; };
     for (int i = 0; i < 9; ++i) {
-      right[row(i)] += system.right[i];
-      for (int j = 0; j < 9; ++j) entries.emplace_back(row(i), row(j), system.matrix(i, j));
+      all.right[row(i)] += system.right[i];
+      for (int j = 0; j < 9; ++j) all.entries.emplace_back(row(i), row(j), system.matrix(i, j));
     }
   }
+}
+
+void add_springs(const Mesh& remesh, const std::vector<VertexAnchor>& anchors, VertexSystem& all) {
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
     const VertexAnchor& anchor = anchors[static_cast<std::size_t>(v)];
-    right.segment<3>(3 * v) += anchor.weight * (anchor.position - remesh.position(VertexId(v)));
-    for (int i = 0; i < 9; ++i) entries.emplace_back(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
+    all.right.segment<3>(3 * v) += anchor.weight * (anchor.position - remesh.position(VertexId(v)));
+    for (int i = 0; i < 9; ++i) all.entries.emplace_back(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
   }
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+}
+
+Eigen::VectorXd solve(const VertexSystem& system) {
+  Eigen::SparseMatrix<double> matrix(system.right.size(), system.right.size());
+  matrix.setFromTriplets(system.entries.begin(), system.entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(system.right);
+}
+
+}  // namespace
+
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors) {
+  VertexSystem system{{}, Eigen::VectorXd::Zero(3 * remesh.vertex_count())};
+  add_samples(remesh, target, system);
+  add_springs(remesh, anchors, system);
+  const Eigen::VectorXd solution = solve(system);
   std::vector<Vec3> positions = remesh.positions();
   if (!solution.allFinite()) return positions;
-  for (std::size_t v = 0; v < positions.size(); ++v)
+  for (std::size_t v = 0; v < positions.size(); ++v) {
     positions[v] += solution.segment<3>(static_cast<Eigen::Index>(3 * v));
+  }
   return positions;
 }
 

@@ -22,19 +22,6 @@ constexpr double kSamplesPerVertex = 16;
 /// Least area of a cell for its spring, in squares of the bounding box's diagonal: a cell of no area needs one, too.
 constexpr double kLeastCellArea = 1e-12;
 
-void check_options(const PlacementOptions& options, std::size_t generators) {
-  for (const double angle : {options.least_angle, options.least_crease_angle}) {
-    if (!(angle >= 0 && angle <= 60)) {
-      throw Error(ErrorCode::invalid_option, "the least angles must be from 0 to 60 degrees");
-    }
-  }
-  for (const GeneratorId g : options.fixed) {
-    if (!g.valid() || g.index() >= generators) {
-      throw Error(ErrorCode::invalid_option, "a fixed generator is none of the remesh", g.value());
-    }
-  }
-}
-
 class Placer {
  public:
   Placer(const Mesh& surface, const Diagram& diagram, const Mesh& remesh, const std::vector<SurfacePoint>& face_points,
@@ -117,13 +104,26 @@ class Placer {
 
 }  // namespace
 
+void check_placement(const PlacementOptions& options, std::size_t generators) {
+  for (const double angle : {options.least_angle, options.least_crease_angle}) {
+    if (!(angle >= 0 && angle <= 60)) {
+      throw Error(ErrorCode::invalid_option, "the least angles must be from 0 to 60 degrees");
+    }
+  }
+  for (const GeneratorId g : options.fixed) {
+    if (!g.valid() || g.index() >= generators) {
+      throw Error(ErrorCode::invalid_option, "a fixed generator is none of the remesh", g.value());
+    }
+  }
+}
+
 std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, const PlacementOptions& options) {
   if (static_cast<std::size_t>(remesh.vertex_count()) != diagram.generators.size() ||
       static_cast<std::size_t>(remesh.face_count()) != face_points.size()) {
     throw Error(ErrorCode::precondition, "the remesh is not the dual of the diagram");
   }
-  check_options(options, diagram.generators.size());
+  check_placement(options, diagram.generators.size());
   if (options.method == Placement::generator) return remesh.positions();
   return Placer(surface, diagram, remesh, face_points, options).run(diagram);
 }

@@ -10,6 +10,7 @@
 namespace gvd {
 namespace {
 
+/// Directions in which a vertex tries to move.
 constexpr int kDirections = 8;
 
 /// Length of the first steps, relative to the mean edge of the vertex; the next ones are half as long.
@@ -82,6 +83,7 @@ class AngleRaiser {
     return {length * first, length * normal.normalized().cross(first)};
   }
 
+  /// Tries places round the vertex, with steps that get shorter, and keeps the best. False if the vertex stays.
   bool improve(std::size_t v) {
     const auto [x, y] = axes(v);
     Vec3 best = positions_[v];

@@ -4,15 +4,15 @@
 #include <set>
 #include <vector>
 
+#include "mesh/foot_on_edge.hpp"
+
 namespace gvd {
 namespace {
 
 /// Euclidean distance of a point from an edge.
 double distance_to_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
-  const Vec3& from = mesh.position(mesh.from(h));
-  const Vec3 along = mesh.position(mesh.to(h)) - from;
-  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (from + t * along - point).norm();
+  const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
+  return (from + std::clamp(foot_on_edge(mesh, h, point), 0.0, 1.0) * along - point).norm();
 }
 
 }  // namespace

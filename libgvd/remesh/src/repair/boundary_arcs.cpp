@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "mesh/foot_on_edge.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -93,7 +94,7 @@ SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const 
   for (const BoundaryArc::Segment& segment : arc.segments) {
     const Vec3& from = mesh.position(mesh.from(segment.halfedge));
     const Vec3 along = mesh.position(mesh.to(segment.halfedge)) - from;
-    const double t = std::clamp((to - from).dot(along) / along.squaredNorm(), segment.begin, segment.end);
+    const double t = std::clamp(foot_on_edge(mesh, segment.halfedge, to), segment.begin, segment.end);
     const double distance = (from + t * along - to).squaredNorm();
     if (distance >= least) continue;
     least = distance;

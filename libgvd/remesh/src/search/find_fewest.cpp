@@ -54,6 +54,7 @@ Fewest find_fewest(const FewestOptions& options, const std::function<double(std:
   if (!has_range || !(options.target > 0)) {
     throw Error(ErrorCode::invalid_option, "the search for a number needs a target above 0, and a range of numbers");
   }
+  if (!(options.tolerance >= 0)) throw Error(ErrorCode::invalid_option, "the tolerance must not be negative");
   Fewest result;
   Bracket bracket;
   std::int32_t count = options.first;
