@@ -46,7 +46,7 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
   if (carried.properties.empty() && carried.texture.empty()) {
     run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over", name));
   } else if (!carried.properties.empty() && !writes(run, "ply")) {
-    run.console().note(fmt::format("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply"));
+    run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
   return carried;
 }

@@ -56,8 +56,7 @@ struct Settings {
 
 /// Listed generators are where the user wants the vertices.
 Placement default_placement(const app::GeneratorOptions& generators) {
-  const bool listed = generators.vertices || !generators.file.empty();
-  return listed ? Placement::generator : PlacementOptions().method;
+  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
 }
 
 void register_options(app::CommandLine& line, Settings& settings) {

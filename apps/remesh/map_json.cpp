@@ -15,11 +15,6 @@ nlohmann::ordered_json obstacle(const RemeshMap& map) {
   return map.one_to_one ? nlohmann::ordered_json() : nlohmann::ordered_json(map.obstacle);
 }
 
-/// Without its closing bracket.
-std::string open_point(const SurfacePoint& p) {
-  return fmt::format("{{\"face\":{},\"bary\":[{},{},{}]", p.face.value(), p.bary[0], p.bary[1], p.bary[2]);
-}
-
 void write_output_vertices(std::ostream& out, const CheckedMesh& input, const RemeshMap& map) {
   out << ",\n\"output_vertices\":[";
   const char* separator = "\n";

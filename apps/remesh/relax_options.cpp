@@ -37,8 +37,7 @@ void register_relaxation(CommandLine& line, RelaxOptions& options) {
 }
 
 std::int32_t relax_iterations(const RelaxOptions& options, const GeneratorOptions& generators) {
-  const bool listed = generators.vertices || !generators.file.empty();
-  return options.iterations.value_or(listed ? 0 : kDefaultRelaxation);
+  return options.iterations.value_or(generators.are_listed() ? 0 : kDefaultRelaxation);
 }
 
 void check_relaxation(const RelaxOptions& options, const GeneratorOptions& generators) {

@@ -12,8 +12,7 @@ void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& 
   out << ",\n\"face_points\":[";
   const char* separator = "\n";
   for (const SurfacePoint& p : result.face_points) {
-    out << fmt::format("{}{{\"face\":{},\"bary\":[{},{},{}]}}", separator, p.face.value(), p.bary[0], p.bary[1],
-                       p.bary[2]);
+    out << separator << open_point(p) << "}";
     separator = ",\n";
   }
   out << fmt::format("],\n\"added\":{}}}}}\n", result.added);

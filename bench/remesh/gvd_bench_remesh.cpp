@@ -30,8 +30,8 @@ struct Settings {
 
 /// What the results of one number of vertices add up to.
 struct Totals {
-  int models = 0, right = 0, made = 0;
-  double worst_inflation = 0;
+  int models = 0, right = 0, made = 0;  ///< meshes, remeshes with their topology, and remeshes that did not fail
+  double worst_inflation = 0;           ///< largest number of vertices / n
   RemeshFigures sum;
   std::vector<double> kept;  ///< of the runs with --features
   double dijkstra = 0;       ///< seconds
@@ -126,8 +126,8 @@ void print_means(const Totals& totals) {
   const double made = std::max(1, totals.made);
   std::cout << fmt::format(
       "  means of {} of {} models: topology right {}; vertices / n {:.3f}, at worst {:.3f}; Hausdorff {:.3f} %, RMS "
-      "{:.4f} "
-      "%; Q {:.3f}; median angle {:.1f}; rounds {:.1f}\n  sums: CPU {:.2f} s, of which relaxation, diagrams, duals and "
+      "{:.4f} %; Q {:.3f}; median angle {:.1f}; rounds {:.1f}\n  sums: CPU {:.2f} s, of which relaxation, diagrams, "
+      "duals and "
       "placement {:.2f} s ({:.0f} Dijkstras); a plain Dijkstra {:.4f} s\n",
       totals.made, totals.models, totals.right, totals.sum.inflation / made, totals.worst_inflation,
       totals.sum.hausdorff / made, totals.sum.rms / made, totals.sum.q / made, totals.sum.angle / made,

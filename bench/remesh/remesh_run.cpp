@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <vector>
 
 #include "gvd/quality.hpp"
@@ -66,13 +67,16 @@ std::string command_line(const RemeshRequest& request, const std::string& output
                      quoted(request.path), request.vertices, features, quoted(output), quoted(report));
 }
 
+/// The steps that make the mesh: others read, measure and write.
+bool makes_mesh(std::string_view step) {
+  return step == "relaxation" || step == "diagram" || step == "dual" || step == "placement" || step == "search";
+}
+
 void divide_time(const nlohmann::json& timings, RemeshFigures& figures) {
   double all = 0, made = 0;
   for (const auto& [step, milliseconds] : timings.items()) {
     all += milliseconds.get<double>();
-    if (step == "relaxation" || step == "diagram" || step == "dual" || step == "placement" || step == "search") {
-      made += milliseconds.get<double>();
-    }
+    if (makes_mesh(step)) made += milliseconds.get<double>();
   }
   if (all > 0) figures.made_seconds = figures.seconds * made / all;
   if (made > 0) figures.diagrams = 100 * timings.value("diagram", 0.0) / made;

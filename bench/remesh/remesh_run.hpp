@@ -23,8 +23,8 @@ struct RemeshFigures {
   double kept = 0;          ///< percent_of_creases_kept
   double rounds = 0;        ///< diagrams of the repair
   double seconds = 0;       ///< processor time of the whole command
-  double made_seconds = 0;  ///< of that: relaxation, diagrams, duals and placement
-  double diagrams = 0;      ///< percent of made_seconds in diagrams
+  double made_seconds = 0;  ///< of that: relaxation, diagrams, duals, placement and searches
+  double diagrams = 0;      ///< percent of made_seconds in diagrams, but for those of searches
 };
 
 /// Runs the command on one thread, in a scratch folder that it removes. Nothing if the command fails.

@@ -42,6 +42,9 @@ struct GeneratorOptions {
   std::optional<ErrorBound> error;                    ///< as many as a mesh of them needs
   std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0
   bool merge_coincident = false;
+
+  /// Whether the generators are those of a list: where the user wants them.
+  bool are_listed() const { return vertices || !file.empty(); }
 };
 
 struct ComputeOptions {

@@ -107,8 +107,6 @@ Placed all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
   return {points, std::vector<Freedom>(points.size(), freedom)};
 }
 
-bool is_listed(const Options& options) { return options.generators.vertices || !options.generators.file.empty(); }
-
 /// The listed generators after those that are placed; each stays on its crease.
 void append_listed(const Mesh& mesh, const ConstrainedStart& start, Placed& placed) {
   append_different(mesh, {start.points, freedoms_on_creases(mesh, start.creases, start.points)}, placed);
@@ -151,7 +149,7 @@ void note_freedoms(Console& console, const std::vector<Freedom>& freedom) {
 void find_curves(const Options& run, const Mesh& mesh, const ConstraintOptions& options, ConstrainedStart& start) {
   const double angle = options.features.value_or(180);
   start.corner_distance = kCornerDistance * even_spacing(compute_area(mesh), std::ssize(start.points));
-  const bool prefers = options.prefers_boundary && !options.keep_boundary && !is_listed(run);
+  const bool prefers = options.prefers_boundary && !options.keep_boundary && !run.generators.are_listed();
   start.creases = find_creases(mesh, {angle, options.keep_boundary || prefers});
   if (!prefers || start.creases.empty()) return;
   const Placed least = place_on_creases(mesh, start.creases, mesh.bbox_diagonal(), start.corner_distance);
@@ -166,7 +164,7 @@ ConstrainedStart make_start(Run& run, const CheckedMesh& input, const Constraint
   const bool asks = options.features || options.keep_boundary || !options.fixed.empty();
   if (!asks && start.creases.empty()) return start;
   Placed placed = all_of(read_fixed(input, options.fixed), Freedom::fixed);
-  if (is_listed(run.options())) {
+  if (run.options().generators.are_listed()) {
     append_listed(input.mesh, start, placed);
   } else {
     append_sampled(input.mesh, start, placed);

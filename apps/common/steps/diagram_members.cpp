@@ -18,6 +18,11 @@ std::string open_diagram(const Mesh& mesh, const Diagram& diagram) {
   return object;
 }
 
+std::string open_point(const SurfacePoint& point) {
+  return fmt::format("{{\"face\":{},\"bary\":[{},{},{}]", point.face.value(), point.bary[0], point.bary[1],
+                     point.bary[2]);
+}
+
 void write_mesh_members(std::ostream& out, const Mesh& mesh) {
   out << "\"vertices\":[";
   const char* separator = "\n";

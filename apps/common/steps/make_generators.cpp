@@ -93,7 +93,7 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh, std::optional<std::int32_t
 
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count) {
   const GeneratorOptions& asked = run.options().generators;
-  const bool listed = asked.vertices || !asked.file.empty();
+  const bool listed = asked.are_listed();
   ResolvedGenerators found =
       run.timed("generators", [&] { return listed ? resolve(run, input) : sample(run, input.mesh, count); });
   for (std::size_t i = 0; i < found.points.size(); ++i) {
