@@ -10,6 +10,7 @@
 #include "common/options/plan_runs.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
+#include "common/run/freed_memory.hpp"
 #include "common/run/outcome.hpp"
 #include "common/run/run_several.hpp"
 #include "common/run/standard_output.hpp"
@@ -56,6 +57,7 @@ void Command::add_target(OptionText option, const std::vector<std::string>& exte
 void Command::check() const { check_options(options_, {info_.output_formats, info_.materials}); }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
+  keep_freed_memory();
   reserve_standard_streams();
   install_signal_handlers();
   int exit_code = kDone;

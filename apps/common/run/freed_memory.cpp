@@ -1,0 +1,19 @@
+#include "common/run/freed_memory.hpp"
+
+#include <cstdlib>  // defines __GLIBC__
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace gvd::app {
+
+void keep_freed_memory() noexcept {
+#ifdef __GLIBC__
+  // To set one of the two ends glibc's own choice of the other.
+  mallopt(M_MMAP_THRESHOLD, kKeptFreedBytes);
+  mallopt(M_TRIM_THRESHOLD, kKeptFreedBytes);
+#endif
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,50 @@
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <cstdlib>  // defines __GLIBC__
+#include <cstring>
+#include <new>
+
+#include "common/run/freed_memory.hpp"
+#include "common/run/heap_count.hpp"
+#include "support/catch.hpp"
+
+using namespace gvd::app;
+
+namespace {
+
+constexpr int kBlock = 8 << 20;
+static_assert(kBlock < kKeptFreedBytes);
+
+#ifdef __GLIBC__
+constexpr bool kHasGlibc = true;
+#else
+constexpr bool kHasGlibc = false;
+#endif
+
+std::int64_t page_faults() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+/// Whether the heap was counted meanwhile: sanitizers have an allocator of their own.
+bool use_block() {
+  const std::int64_t before = heap_bytes();
+  void* const block = ::operator new(kBlock);
+  const bool is_counted = heap_bytes() - before >= kBlock;
+  std::memset(block, 1, kBlock);
+  ::operator delete(block);
+  return is_counted;
+}
+
+}  // namespace
+
+TEST_CASE("freed blocks are used again without faults of their pages") {
+  keep_freed_memory();
+  if (!use_block() || !kHasGlibc) return;
+  const std::int64_t before = page_faults();
+  for (int i = 0; i < 20; ++i) use_block();
+  // A block that the system provides anew has 2048 pages of 4 KiB. A few faults may come from elsewhere.
+  CHECK(page_faults() - before < 2048);
+}
