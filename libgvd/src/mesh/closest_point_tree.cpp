@@ -11,7 +11,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::int32_t kLeafFaces = 8;
+constexpr std::int32_t kLeafFaces = 4;
 /// A box is skipped if it is farther than the best face by more than this fraction of the distance. Dimensionless. Far
 /// above the rounding of the two distances (about ten units in the last place), so that no closer face is ever skipped.
 constexpr double kPruneSlack = 1e-12;

@@ -105,8 +105,12 @@ IdVector<FaceId, FaceSystem> sum_up(const Mesh& remesh, const FitTarget& target)
 
 /// The normal equations over the moves of all vertices.
 struct VertexSystem {
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Triplet<double>> entries;  ///< on the diagonal and below: the matrix is symmetric
   Eigen::VectorXd right;
+
+  void add(int row, int column, double value) {
+    if (row >= column) entries.emplace_back(row, column, value);
+  }
 };
 
 void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all) {
@@ -117,7 +121,7 @@ void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all)
     const auto row = [&](int i) { return 3 * corners[static_cast<std::size_t>(i / 3)].value() + i % 3; };
     for (int i = 0; i < 9; ++i) {
       all.right[row(i)] += system.right[i];
-      for (int j = 0; j < 9; ++j) all.entries.emplace_back(row(i), row(j), system.matrix(i, j));
+      for (int j = 0; j < 9; ++j) all.add(row(i), row(j), system.matrix(i, j));
     }
   }
 }
@@ -126,14 +130,14 @@ void add_springs(const Mesh& remesh, const std::vector<VertexAnchor>& anchors, V
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
     const VertexAnchor& anchor = anchors[static_cast<std::size_t>(v)];
     all.right.segment<3>(3 * v) += anchor.weight * (anchor.position - remesh.position(VertexId(v)));
-    for (int i = 0; i < 9; ++i) all.entries.emplace_back(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
+    for (int i = 0; i < 9; ++i) all.add(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
   }
 }
 
 Eigen::VectorXd solve(const VertexSystem& system) {
   Eigen::SparseMatrix<double> matrix(system.right.size(), system.right.size());
   matrix.setFromTriplets(system.entries.begin(), system.entries.end());
-  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(system.right);
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower>(matrix).solve(system.right);
 }
 
 }  // namespace
