@@ -90,7 +90,7 @@ void register_options(app::CommandLine& line, Settings& settings) {
       settings.carry);
 }
 
-/// Remeshes, and reports the time of the diagrams apart from that of all other work.
+/// Remeshes, and reports the time of each stage.
 RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, RemeshOptions options) {
   app::StepTimes times(run);
   options.on_stage = [&times](RemeshStage stage) {
@@ -120,12 +120,12 @@ RemeshResult make_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& st
   options.creases = trace_creases(mesh, given.creases, given.corner_distance);
   options.placement = placement_options(run, given.freedom, settings);
   if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), given.points.size());
-  app::report_remesh_options(run, options, settings.no_refine);
   options.refine = !settings.no_refine;
+  app::report_remesh_options(run, options);
   options.diagram = app::make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
   RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
-  app::report_remesh(run, mesh, result);
+  app::report_remesh(run, mesh, result, options);
   return result;
 }
 

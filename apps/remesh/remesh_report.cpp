@@ -106,7 +106,14 @@ void note_distance(Console& console, const RemeshResult& result) {
                            100 * std::max(there.rms, back.rms) / diagonal));
 }
 
-void note_result(Console& console, const RemeshResult& result) {
+/// What lets the edges follow more of the creases.
+const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
+  if (!options.refine) return "leave out --no-refine";
+  if (result.added >= *options.max_added) return "raise --max-added";
+  return "ask for more generators";
+}
+
+void note_result(Console& console, const RemeshResult& result, const RemeshOptions& options) {
   console.note(fmt::format("{}, {}: manifold, with the input's topology",
                            counted(result.mesh.vertex_count(), "vertex", "vertices"),
                            counted(result.mesh.face_count(), "face", "faces")));
@@ -123,10 +130,8 @@ void note_result(Console& console, const RemeshResult& result) {
                              describe_defects(result.given_defects)));
   }
   if (result.crease_gap_length > 0) {
-    console.note(
-        fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; ask for more "
-                    "generators",
-                    100 * result.crease_gap_length / result.crease_length));
+    console.note(fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; {}",
+                             100 * result.crease_gap_length / result.crease_length, following_advice(result, options)));
   }
   note_intersections(console, result.certificate);
   note_distance(console, result);
@@ -134,13 +139,13 @@ void note_result(Console& console, const RemeshResult& result) {
 
 }  // namespace
 
-void report_remesh_options(Run& run, const RemeshOptions& options, bool no_refine) {
+void report_remesh_options(Run& run, const RemeshOptions& options) {
   run.report().options()["max_added"] = *options.max_added;
   run.report().options()["allow_intersections"] = options.allow_intersections;
-  run.report().options()["no_refine"] = no_refine;
+  run.report().options()["no_refine"] = !options.refine;
 }
 
-void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
+void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const RemeshOptions& options) {
   Json& results = run.report().results();
   results["added_generators"] = result.added;
   results["rounds"] = result.rounds;
@@ -162,7 +167,7 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result) {
     const SurfacePoint& p = result.generators[i];
     generators.push_back({p, position(mesh, p), std::nullopt});
   }
-  note_result(run.console(), result);
+  note_result(run.console(), result, options);
 }
 
 }  // namespace gvd::app

@@ -8,9 +8,10 @@
 namespace gvd::app {
 
 /// `options.max_added` must be the bound that holds for the run, given or not.
-void report_remesh_options(Run& run, const RemeshOptions& options, bool no_refine);
+void report_remesh_options(Run& run, const RemeshOptions& options);
 
-/// The certificate and the quality of a remesh, its diagram, and the generators that were added.
-void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result);
+/// The certificate and the quality of a remesh, its diagram, and the generators that were added. `options`: those that
+/// gave the result, with the bound as above.
+void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const RemeshOptions& options);
 
 }  // namespace gvd::app

@@ -84,6 +84,21 @@ TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is
   CHECK_THAT(both.err, Contains("--keep-boundary and --loose-boundary exclude each other"));
 }
 
+TEST_CASE("gvd-remesh: what edges do not follow is at most the whole length, and the note says what helps") {
+  const ScratchFolder scratch;
+  const std::string bowl = data_file("half_sphere.off");
+  write_text(scratch / "list.json", report_of(bowl + " -n 60 --sampling poisson --loose-boundary --relax none").dump());
+  const std::string run = bowl + " --keep-boundary --generators " + scratch / "list.json";
+  for (const auto& [options, advice] :
+       {std::pair{" --no-refine", "leave out --no-refine"}, std::pair{" --max-added 0", "raise --max-added"}}) {
+    const CommandResult result = run_command("gvd-remesh", run + options + " --report " + scratch / "report.json");
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("edges do not follow 100 % of their length; " + std::string(advice)));
+    const auto report = nlohmann::json::parse(read_text(scratch / "report.json"));
+    CHECK(report["results"]["creases"]["followed"] == 0);
+  }
+}
+
 TEST_CASE("gvd-remesh --target-edge: the number of generators for a length of edges") {
   const auto torus = report_of(data_file("torus.ply") + " --target-edge 0.2 --sampling poisson");
   const double area = torus["results"]["output"]["area"], faces = torus["results"]["output"]["faces"];

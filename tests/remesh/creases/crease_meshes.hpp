@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "gvd/features.hpp"
@@ -58,6 +59,13 @@ inline Mesh make_corner_block() {
     faces.insert(faces.end(), {{i, k, k + 6}, {i, k + 6, i + 6}});
   }
   return make_mesh(std::move(positions), faces);
+}
+
+/// Meshes with open, closed and acute creases and boundaries, with names.
+inline std::vector<std::pair<const char*, Mesh>> creased_meshes() {
+  return {{"cube", make_cube(4)},         {"can", make_can(24, 0.5)},       {"flat can", make_can(24, 0.1)},
+          {"block", make_corner_block()}, {"sector", make_sector(20, 4.5)}, {"sharp sector", make_sector(8, 0.4)},
+          {"plate", make_plate(6, 0.05)}, {"ring", make_ring(24, 3)}};
 }
 
 /// The generators on a curve in order, by comparing positions; the first one again at the end of a closed curve.

@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "creases/crease_gaps.hpp"
+#include "creases/follow_creases.hpp"
 #include "remesh/creases/crease_meshes.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
 
 using namespace gvd;
 
@@ -26,6 +30,12 @@ struct Square {
   }
 };
 
+double total_length(const std::vector<CreaseGap>& gaps) {
+  double sum = 0;
+  for (const CreaseGap& gap : gaps) sum += gap.length;
+  return sum;
+}
+
 }  // namespace
 
 TEST_CASE("crease gaps: corners without a generator come first") {
@@ -34,9 +44,25 @@ TEST_CASE("crease gaps: corners without a generator come first") {
   const auto gaps = square.gaps({{2, 2, 0}});
   REQUIRE(gaps.size() == 8);  // both ends of each side
   for (const CreaseGap& gap : gaps) {
-    CHECK(std::isinf(gap.length));
-    CHECK(gap.place.kind() == SurfacePoint::Kind::vertex);
+    CHECK(gap.at_corner);
+    REQUIRE(gap.places.size() == 1);
+    CHECK(gap.places[0].kind() == SurfacePoint::Kind::vertex);
   }
+  CHECK(total_length(gaps) == Approx(16));  // the whole sides
+}
+
+TEST_CASE("crease gaps: beside a corner without a generator, the rest of the curve counts, too") {
+  const Square square;
+  const auto gaps = square.gaps({{0, 0, 0}, {3, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 1, 0}});
+  REQUIRE(gaps.size() == 3);
+  // The side from (0, 0) to the corner (4, 0), which ends at (3, 0), and the side from there to (4, 4).
+  CHECK((gaps[0].at_corner && gaps[1].at_corner));
+  CHECK(std::min(gaps[0].length, gaps[1].length) == Approx(1));
+  CHECK(std::max(gaps[0].length, gaps[1].length) == Approx(4));
+  // Points of the first side as far from (2, 1) as from (0, 0) and as from (3, 0): x = 5 / 4 and 2.
+  CHECK_FALSE(gaps[2].at_corner);
+  CHECK(gaps[2].length == Approx(0.75));
+  CHECK(gaps[2].places.empty());
 }
 
 TEST_CASE("crease gaps: none where each point of a side belongs to the nearest generators on it") {
@@ -52,7 +78,8 @@ TEST_CASE("crease gaps: the point opposite to a foreign generator, with the leng
   const Square square;
   const auto gaps = square.gaps({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 1, 0}});
   REQUIRE(gaps.size() == 1);
-  CHECK((position(square.mesh, gaps[0].place) - Vec3(2, 0, 0)).norm() < 1e-9);
+  REQUIRE(gaps[0].places.size() == 1);
+  CHECK((position(square.mesh, gaps[0].places[0]) - Vec3(2, 0, 0)).norm() < 1e-9);
   // Points of the side as far from (2, 1) as from the nearer corner: x = 5 / 4 and 11 / 4.
   CHECK(gaps[0].length == Approx(1.5));
 }
@@ -69,14 +96,40 @@ TEST_CASE("crease gaps: next to a corner, a power of two away from it where a cr
   }
   const auto gaps = CreaseGaps(sector, curves, compute_diagram(sector, generators)).find();
   REQUIRE(gaps.size() == 1);
-  CHECK(position(sector, gaps[0].place).norm() == Approx(0.5));
+  REQUIRE(gaps[0].places.size() == 1);
+  CHECK(position(sector, gaps[0].places[0]).norm() == Approx(0.5));
 }
 
-TEST_CASE("crease gaps: a closed curve takes thirds until it has three generators") {
+TEST_CASE("crease gaps: a closed curve takes thirds until it has three generators, and counts once") {
   const Mesh can = test::make_can(24, 3);
   const auto curves = trace_creases(can, find_creases(can, {40}));
   REQUIRE(curves.size() == 2);
-  CHECK(curves[0].closed);
-  const auto gaps = CreaseGaps(can, curves, compute_diagram(can, {vertex_point(can, VertexId(0))})).find();
-  CHECK(gaps.size() == 2 + 3);
+  REQUIRE(curves[0].closed);
+  std::vector<SurfacePoint> generators{vertex_point(can, VertexId(48))};  // in the middle of a cap
+  const double length = 24 * 2 * std::sin(std::numbers::pi / 24);
+  for (const std::size_t places : {3u, 2u, 2u}) {
+    const auto gaps = CreaseGaps(can, {curves[0]}, compute_diagram(can, generators)).find();
+    REQUIRE(gaps.size() == 1);
+    CHECK(gaps[0].places.size() == places);
+    CHECK(gaps[0].length == Approx(length));
+    generators.push_back(vertex_point(can, curves[0].vertices[generators.size() - 1]));
+  }
+}
+
+TEST_CASE("crease gaps: their lengths are within those of the curves, with any generators") {
+  for (const auto& [name, mesh] : test::creased_meshes()) {
+    const auto curves = trace_creases(mesh, find_creases(mesh, {40, true}));
+    const double length = CreaseFollower(mesh, curves, 0).length();
+    for (const int count : {1, 2, 3, 5, 9, 40}) {
+      INFO(name << ", " << count << " generators");
+      const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, count, 7));
+      const auto gaps = CreaseGaps(mesh, curves, diagram).find();
+      for (const CreaseGap& gap : gaps) CHECK(gap.length >= 0);
+      CHECK(total_length(gaps) <= length * (1 + 1e-12));
+      CreaseFollower follower(mesh, curves, 0);
+      CHECK(follower.propose(diagram).empty());
+      CHECK(follower.gap_length() <= length);
+      CHECK(follower.gap_length() > 0);  // random points are on no corner
+    }
+  }
 }

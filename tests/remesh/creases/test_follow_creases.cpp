@@ -50,12 +50,7 @@ TEST_CASE("creases: a cube with eight generators is a cube") {
 }
 
 TEST_CASE("creases: edges follow them, whatever generators are given") {
-  const std::vector<std::pair<const char*, Mesh>> meshes{
-      {"cube", test::make_cube(4)},           {"can", test::make_can(24, 0.5)},
-      {"flat can", test::make_can(24, 0.1)},  {"block", test::make_corner_block()},
-      {"sector", test::make_sector(20, 4.5)}, {"sharp sector", test::make_sector(8, 0.4)},
-      {"plate", test::make_plate(6, 0.05)},   {"ring", test::make_ring(24, 3)}};
-  for (const auto& [name, mesh] : meshes) {
+  for (const auto& [name, mesh] : test::creased_meshes()) {
     const std::vector<CreaseCurve> curves = curves_of(mesh);
     REQUIRE_FALSE(curves.empty());
     for (const int count : {4, 20}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gvd {
 namespace {
@@ -20,6 +21,13 @@ struct CreaseGaps::Course {
   std::vector<Part> parts;
 
   double length() const { return vertex_at.back(); }
+
+  /// Whether a curve that ends where it begins has less than three generators. A generator at its corner has a mark at
+  /// both ends.
+  bool has_too_few() const {
+    if (curve.vertices.front() != curve.vertices.back()) return false;
+    return marks.size() < (curve.closed ? 3 : 4);
+  }
 
   SurfacePoint point(const Mesh& mesh, double at) const {
     if (curve.closed) at = std::fmod(at, length());
@@ -73,13 +81,25 @@ std::vector<CreaseGap> CreaseGaps::find() const {
     for (const EdgeId e : curve.edges) {
       course.vertex_at.push_back(course.vertex_at.back() + mesh_.length(mesh_.halfedge(e)));
     }
-    if (add_missing(course, gaps)) continue;
     course.parts = parts_of(curve);
-    add_foreign(course, gaps);
+    add_gaps(course, gaps);
   }
-  std::stable_sort(gaps.begin(), gaps.end(),
-                   [](const CreaseGap& a, const CreaseGap& b) { return a.length > b.length; });
+  std::stable_sort(gaps.begin(), gaps.end(), [](const CreaseGap& a, const CreaseGap& b) {
+    return a.at_corner != b.at_corner ? a.at_corner : !a.at_corner && a.length > b.length;
+  });
   return gaps;
+}
+
+void CreaseGaps::add_gaps(const Course& course, std::vector<CreaseGap>& gaps) const {
+  const bool lacks_corner = add_corners(course, gaps);
+  if (!lacks_corner && course.has_too_few()) {
+    gaps.push_back(whole_curve(course));
+    return;
+  }
+  for (CreaseGap& gap : foreign_gaps(course)) {
+    if (lacks_corner) gap.places.clear();
+    gaps.push_back(std::move(gap));
+  }
 }
 
 /// The generators of a curve, each once: that at the ends of a closed curve stands at its beginning.
@@ -121,28 +141,26 @@ std::vector<CreaseGaps::Part> CreaseGaps::parts_of(const CreaseCurve& curve) con
   return parts;
 }
 
-/// Places at corners, and on a curve that has too few generators. False where none is missing.
-bool CreaseGaps::add_missing(const Course& course, std::vector<CreaseGap>& gaps) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const auto& vertices = course.curve.vertices;
-  const std::size_t before = gaps.size();
-  const std::size_t least = vertices.front() == vertices.back() ? 3 : 2;
-  if (!course.curve.closed) {
-    for (const VertexId end : {vertices.front(), vertices.back()}) {
-      if (at_vertex_.count(end) == 0) gaps.push_back({vertex_point(mesh_, end), kInfinity});
-    }
-    if (gaps.size() > before) return true;
-  }
-  // A curve from a corner to itself has that generator at both ends.
-  const std::size_t different = course.marks.size() - (course.curve.closed || least == 2 ? 0 : 1);
-  if (different >= least) return false;
+/// The parts beside corners without a generator. False where there is none.
+bool CreaseGaps::add_corners(const Course& course, std::vector<CreaseGap>& gaps) const {
+  if (course.curve.closed) return false;
+  const VertexId first = course.curve.vertices.front(), last = course.curve.vertices.back();
+  const bool lacks_first = at_vertex_.count(first) == 0, lacks_last = at_vertex_.count(last) == 0;
+  // Without any generator, the whole curve is beside its first corner, and nothing is left for the last one.
+  const double begin = course.marks.empty() ? course.length() : course.marks.front().at;
+  const double end = course.marks.empty() ? course.length() : course.marks.back().at;
+  if (lacks_first) gaps.push_back({{vertex_point(mesh_, first)}, begin, true});
+  if (lacks_last) gaps.push_back({{vertex_point(mesh_, last)}, course.length() - end, true});
+  return lacks_first || lacks_last;
+}
+
+CreaseGap CreaseGaps::whole_curve(const Course& course) const {
+  CreaseGap gap{{}, course.length()};
   const double first = course.marks.empty() ? 0 : course.marks.front().at;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (k == 0 && !course.marks.empty()) continue;
-    const double at = first + course.length() * static_cast<double>(k) / 3;
-    gaps.push_back({course.point(mesh_, at), course.length()});
+  for (int third = course.marks.empty() ? 0 : 1; third < 3; ++third) {
+    gap.places.push_back(course.point(mesh_, first + course.length() * third / 3));
   }
-  return true;
+  return gap;
 }
 
 /// The corner beside the i-th gap between these marks that a curve of the generator leaves, too; invalid if none is.
@@ -196,7 +214,7 @@ double CreaseGaps::place_in(const Course& course, const std::vector<Mark>& marks
 
 /// The gaps between consecutive marks that have foreign parts.
 std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks) {
-  std::vector<Gap> gaps(marks.size() - 1);
+  std::vector<Gap> gaps(marks.empty() ? 0 : marks.size() - 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i].index = i;
   for (const Part& part : parts) {
     const auto after = std::upper_bound(marks.begin(), marks.end(), part.begin,
@@ -213,16 +231,18 @@ std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& part
   return gaps;
 }
 
-void CreaseGaps::add_foreign(const Course& course, std::vector<CreaseGap>& gaps) const {
+std::vector<CreaseGap> CreaseGaps::foreign_gaps(const Course& course) const {
   std::vector<Mark> marks = course.marks;
   std::vector<Part> parts = course.parts;
   if (course.curve.closed) {
     marks.push_back({marks.front().at + course.length(), marks.front().generator});
     for (const Part& p : course.parts) parts.push_back({p.begin + course.length(), p.end + course.length(), p.cell});
   }
+  std::vector<CreaseGap> gaps;
   for (const Gap& gap : list_gaps(parts, marks)) {
-    gaps.push_back({course.point(mesh_, place_in(course, marks, gap)), gap.last() - gap.first()});
+    gaps.push_back({{course.point(mesh_, place_in(course, marks, gap))}, gap.last() - gap.first()});
   }
+  return gaps;
 }
 
 }  // namespace gvd

@@ -18,11 +18,13 @@ inline constexpr double kLeastForeignPart = 1e-6;
 /// Places of new generators are not nearer than this to the ends of their gap, relative to its length.
 inline constexpr double kLeastGapShare = 0.05;
 
-/// A place of a crease that the dual's edges do not follow, and where a generator would help.
+/// A part of a curve that the dual's edges do not follow.
 struct CreaseGap {
-  SurfacePoint place;
-  /// Length of the crease that belongs to the cells of others, mesh units; infinite at a corner without a generator.
-  double length = 0;
+  /// Where generators would help. While a corner of the curve has no generator, its other gaps have no places: a
+  /// generator at the corner changes them.
+  std::vector<SurfacePoint> places;
+  double length = 0;       ///< mesh units; gaps of a curve do not overlap
+  bool at_corner = false;  ///< the part beside a corner without a generator
 };
 
 /// Where the dual of a diagram leaves the creases.
@@ -35,8 +37,8 @@ struct CreaseGap {
 /// The generators of the ends and of turns have to be at the corners themselves, and a closed curve needs three.
 ///
 /// The place of a generator in each kind of gap:
-/// - a corner without a generator: the corner;
-/// - a curve with too few generators: thirds of its length;
+/// - from a corner without a generator to the first generator of the curve: the corner;
+/// - a whole curve that has too few generators: thirds of its length;
 /// - beside a corner that a curve of the foreign generator leaves: the point whose distance from the corner is a power
 ///   of two, and a third to two thirds of the gap;
 /// - any other: the point nearest to the foreign generator;
@@ -51,7 +53,8 @@ class CreaseGaps {
   /// All three must outlive this. Cost: O(n).
   CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram);
 
-  /// Those of all curves, the longest first. Cost: O(k log k) for k labels on creases.
+  /// Those of all curves: at corners first, then the longest first. The sum of their lengths exceeds that of the curves
+  /// by rounding at most. Cost: O(k log k) for k labels on creases.
   std::vector<CreaseGap> find() const;
 
  private:
@@ -66,13 +69,15 @@ class CreaseGaps {
   struct Course;
   std::vector<Mark> marks_on(const CreaseCurve& curve) const;
   std::vector<Part> parts_of(const CreaseCurve& curve) const;
-  bool add_missing(const Course& course, std::vector<CreaseGap>& gaps) const;
+  void add_gaps(const Course& course, std::vector<CreaseGap>& gaps) const;
+  bool add_corners(const Course& course, std::vector<CreaseGap>& gaps) const;
+  CreaseGap whole_curve(const Course& course) const;
   struct Gap;
   static std::vector<Gap> list_gaps(const std::vector<Part>& parts, const std::vector<Mark>& marks);
   VertexId shared_corner(const Course& course, std::size_t i, std::size_t marks, GeneratorId of) const;
   double nearest(const Course& course, double begin, double end, const Vec3& to) const;
   double place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const;
-  void add_foreign(const Course& course, std::vector<CreaseGap>& gaps) const;
+  std::vector<CreaseGap> foreign_gaps(const Course& course) const;
 
   const Mesh& mesh_;
   const std::vector<CreaseCurve>& curves_;

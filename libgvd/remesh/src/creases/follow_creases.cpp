@@ -1,6 +1,6 @@
 #include "creases/follow_creases.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "creases/crease_gaps.hpp"
 #include "repair/added_generators.hpp"
@@ -17,12 +17,15 @@ CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>&
 std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram) {
   if (curves_.empty()) return {};
   const std::vector<CreaseGap> gaps = CreaseGaps(mesh_, curves_, diagram).find();
-  gap_length_ = 0;
-  for (const CreaseGap& gap : gaps) gap_length_ += std::isfinite(gap.length) ? gap.length : 0;
+  double sum = 0;
+  for (const CreaseGap& gap : gaps) sum += gap.length;
+  gap_length_ = std::min(sum, length_);  // rounding alone can make the sum larger
   if (gaps.empty() || rounds_ >= kCreaseRounds || added_ >= max_added_) return {};
   ++rounds_;
   AddedGenerators added(mesh_, diagram.generators, static_cast<std::size_t>(max_added_ - added_));
-  for (const CreaseGap& gap : gaps) added.add(gap.place);
+  for (const CreaseGap& gap : gaps) {
+    for (const SurfacePoint& place : gap.places) added.add(place);
+  }
   added_ += static_cast<std::int64_t>(added.size());
   return added.take();
 }

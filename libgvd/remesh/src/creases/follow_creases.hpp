@@ -27,7 +27,7 @@ class CreaseFollower {
   std::int64_t added() const { return added_; }
   /// Of all creases, mesh units.
   double length() const { return length_; }
-  /// Of the parts that the diagram of the last `propose` leaves, mesh units.
+  /// Of the parts that the dual of the last `propose` does not follow, mesh units, in [0, length()].
   double gap_length() const { return gap_length_; }
 
  private:
