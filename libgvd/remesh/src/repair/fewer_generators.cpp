@@ -32,10 +32,10 @@ void FewerGenerators::search() {
 bool FewerGenerators::pass_over_added() {
   bool changed = false;
   for (std::size_t i = diagram_.generators.size(); i-- > given_;) {
-    if (has_ended(2)) return false;
+    if (is_beyond_bounds(2)) return false;
     if (i >= diagram_.generators.size()) continue;
     const GeneratorId g(static_cast<std::int64_t>(i));
-    if (leave_out({g}) || (!has_ended() && unite_with_nearest(g))) changed = true;
+    if (leave_out({g}) || (!is_beyond_bounds() && unite_with_nearest(g))) changed = true;
   }
   return changed;
 }
@@ -57,7 +57,7 @@ bool FewerGenerators::replace(const std::vector<GeneratorId>& removed, const Loc
                               const LocalDual::Result& without) {
   int refusals = 0;
   for (const SurfacePoint& candidate : list_candidates(local, without)) {
-    if (has_ended() || refusals == kMostRefusals) break;
+    if (is_beyond_bounds() || refusals == kMostRefusals) break;
     const auto with = compute(local, {candidate});
     if (!with || !with->defects.empty()) continue;
     if (accept(removed, {candidate})) return true;

@@ -52,9 +52,9 @@ class FewerGenerators {
   std::optional<GeneratorId> find_nearest_added(GeneratorId g) const;
   /// Faces and generators of the whole diagram.
   std::size_t whole_size() const { return static_cast<std::size_t>(mesh_.face_count()) + diagram_.generators.size(); }
-  /// Whether pairs, or with `share` 2 single ones, are no longer tried.
-  bool has_ended(std::size_t share = 1) const {
-    return searched_ > share * std::min(kSearchedElements, kSearchedMeshes * whole_size());
+  /// Whether all diagrams so far exceed the bounds, or these bounds times `factor`.
+  bool is_beyond_bounds(std::size_t factor = 1) const {
+    return searched_ > factor * std::min(kSearchedElements, kSearchedMeshes * whole_size());
   }
 
   const Mesh& mesh_;

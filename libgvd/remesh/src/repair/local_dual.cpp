@@ -18,11 +18,14 @@ bool are_all(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
 
 LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector<GeneratorId>& cells,
                      const std::vector<GeneratorId>& removed, const DiagramOptions& options)
-    : diagram_(diagram), part_(mesh, diagram, grow_rings(diagram, cells, kRings)), options_(options) {
+    : LocalDual(mesh, diagram, grow_rings(diagram, cells, kRings), removed, options) {}
+
+LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, const std::vector<GeneratorId>& removed,
+                     const DiagramOptions& options)
+    : diagram_(diagram), part_(mesh, diagram, stays), options_(options) {
   // The tolerance is in mean edge lengths: the same length in the part as in the whole mesh.
   options_.chord_tolerance = std::max(
       kLeastChordTolerance, options.chord_tolerance * mesh.mean_edge_length() / part_.mesh().mean_edge_length());
-  CellFlags stays = grow_rings(diagram, cells, kRings);
   for (const GeneratorId g : removed) stays[g] = 0;
   for (const Cell& cell : diagram.cells) {
     if (stays[cell.generator]) kept_.push_back(cell.generator);

@@ -44,6 +44,9 @@ class LocalDual {
   const std::vector<GeneratorId>& kept() const { return kept_; }
 
  private:
+  /// `stays`: the cells of the part.
+  LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, const std::vector<GeneratorId>& removed,
+            const DiagramOptions& options);
   bool add_generators(const std::vector<SurfacePoint>& added, std::vector<SurfacePoint>& generators) const;
   CellFlags find_inner_cells(const Diagram& diagram) const;
   std::vector<DualDefect> find_defects(const Result& result) const;

@@ -9,8 +9,9 @@
 namespace gvd {
 namespace {
 
-/// A larger part takes as long as a round on the whole mesh, which repairs in all places at once.
-constexpr std::size_t kLeastShare = 4;
+/// A part of more than one in so many of the mesh's faces takes as long as a round on the whole mesh, which repairs in
+/// all places at once.
+constexpr std::size_t kFacesPerPartFace = 4;
 
 /// Repairs that take more rounds are left to rounds on the whole mesh, which are counted and end.
 constexpr int kMostRounds = 8;
@@ -50,7 +51,7 @@ std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagra
                                          const std::vector<SurfacePoint>& added, std::size_t max_count,
                                          const DiagramOptions& options) {
   const LocalDual local(mesh, diagram, list_cells_around(mesh, diagram, added), {}, options);
-  if (kLeastShare * local.part().size() > static_cast<std::size_t>(mesh.face_count())) return {};
+  if (kFacesPerPartFace * local.part().size() > static_cast<std::size_t>(mesh.face_count())) return {};
   std::vector<SurfacePoint> all = added;
   for (int round = 0; round < kMostRounds && all.size() < added.size() + max_count; ++round) {
     const auto more = propose_in_part(local, all, added.size() + max_count - all.size());
