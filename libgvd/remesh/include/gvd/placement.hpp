@@ -42,10 +42,10 @@ void check_placement(const PlacementOptions& options, std::size_t generators);
 /// Planes weigh by their areas in the cell. Source: Garland and Heckbert, Surface simplification using quadric error
 /// metrics, 1997. In directions in which the sum hardly changes, the vertex keeps the generator's position.
 ///
-/// Fit: kFitRounds times, a sum of square distances is minimised over all vertices at once. It has the distances of
-/// samples of the surface from the planes of their nearest triangles. It also has those of samples of the remesh from
-/// the surface. Springs pull the vertices along the surface to positions of better triangles. At last the smallest
-/// angles are raised.
+/// Fit: vertices at creases and on the boundary go to their quadric's minimum first. Then, kFitRounds times, a sum of
+/// square distances is minimised over all vertices at once. It has the distances of samples of the surface from the
+/// planes of their nearest triangles. It also has those of samples of the remesh from the surface. Springs pull the
+/// vertices along the surface to positions of better triangles. At last the smallest angles are raised.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws what check_placement throws, and Error{precondition} if the arguments do not belong together.

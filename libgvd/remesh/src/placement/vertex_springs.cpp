@@ -7,8 +7,8 @@ namespace {
 
 /// Weight of the springs along the surface, as a fraction of a cell's area. They pull towards better triangles, and
 /// matter where the distances hardly change. In such a direction the samples weigh r^2 / 4 of the area, for a cell with
-/// an angular radius of r. So springs outweigh the samples of cells below three quarters of a radian. What weaker and
-/// stronger springs give, here and below, is measured in docs/notes/remesh-placement.md.
+/// an angular radius of r. So springs outweigh the samples of cells below three quarters of a radian. Of other weights,
+/// docs/notes/remesh-placement.md has what .2 and .3 gave here, and .02 beside creases.
 constexpr double kSmoothSpring = 0.15;
 
 /// The same along a crease.

@@ -13,7 +13,7 @@ enum class VertexRole : char {
   free,         ///< goes along the surface to where its triangles are good
   near_crease,  ///< a neighbour of vertices at creases: nothing but the samples moves it along the surface
   at_crease,    ///< goes across the crease to where its triangles meet it
-  held,         ///< stays where it is
+  held,         ///< stays where the rounds begin: at its generator if fixed, else at the boundary's quadric minimum
 };
 
 /// What the springs of the vertices depend on, beside their positions.

@@ -35,7 +35,7 @@ struct ProposedGenerators {
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
 /// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
 /// Returns at most `max_count` points; none where every candidate is too close.
-/// Cost: O(n log n) where a cell is no disc, else O(n) and O(k m) for k defects and m generators.
+/// Cost: O(n log n + k (n + m)) for k defects and m generators, at most.
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count);
 
