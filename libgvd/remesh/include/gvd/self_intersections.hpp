@@ -26,8 +26,8 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0)
 /// They are those near an intersecting pair of the surface, where a remesh can't be free of intersections. Take the
 /// common part of the boxes of the remesh's two faces, grown on all sides by half the longer diagonal of the two boxes.
 /// The pairs are near each other if it overlaps the boxes of both faces of the surface's pair. `pairs` are
-/// those of find_self_intersections. Cost: that of find_self_intersections of the surface, and O(p q) for p and q pairs
-/// of the two; none without pairs.
+/// those of find_self_intersections. Cost: that of find_self_intersections of the surface, and O(p log q) as a rule
+/// for p and q pairs of the two; none without pairs.
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      int threads = 0);
 

@@ -3,8 +3,18 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace gvd {
+namespace {
+
+std::vector<FaceId> all_faces(const Mesh& mesh) {
+  std::vector<FaceId> faces;
+  for (std::int32_t i = 0; i < mesh.face_count(); ++i) faces.push_back(FaceId(i));
+  return faces;
+}
+
+}  // namespace
 
 Box3 face_box(const Mesh& mesh, FaceId f) {
   const auto& [a, b, c] = mesh.vertices(f);
@@ -12,12 +22,11 @@ Box3 face_box(const Mesh& mesh, FaceId f) {
   return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
 }
 
-FaceBoxes::FaceBoxes(const Mesh& mesh) {
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    faces_.push_back(FaceId(i));
-    boxes_.push_back(face_box(mesh, FaceId(i)));
-  }
-  if (!faces_.empty()) build(0, mesh.face_count());
+FaceBoxes::FaceBoxes(const Mesh& mesh) : FaceBoxes(mesh, all_faces(mesh)) {}
+
+FaceBoxes::FaceBoxes(const Mesh& mesh, std::vector<FaceId> faces) : faces_(std::move(faces)) {
+  for (std::int32_t i = 0; i < mesh.face_count(); ++i) boxes_.push_back(face_box(mesh, FaceId(i)));
+  if (!faces_.empty()) build(0, static_cast<std::int32_t>(faces_.size()));
 }
 
 void FaceBoxes::build(std::int32_t first, std::int32_t count) {

@@ -24,8 +24,10 @@ inline bool overlap(const Box3& a, const Box3& b) {
 /// A balanced tree of the bounding boxes of faces, split at the median of the longest axis.
 class FaceBoxes {
  public:
-  /// Cost: O(n log n).
+  /// Of all faces. Cost: O(n log n).
   explicit FaceBoxes(const Mesh& mesh);
+  /// Of these faces, each listed once. Cost: O(n), and O(k log k) for k of them.
+  FaceBoxes(const Mesh& mesh, std::vector<FaceId> faces);
 
   /// Calls visit(f) for every face whose box overlaps this one. Cost: O(log n) and O(1) a visit, as a rule.
   template <class Visit>
@@ -58,7 +60,7 @@ class FaceBoxes {
     visit_below(node.right, box, visit);
   }
 
-  IdVector<FaceId, Box3> boxes_;
+  IdVector<FaceId, Box3> boxes_;  // of all faces of the mesh
   std::vector<FaceId> faces_;
   std::vector<Node> nodes_;
 };

@@ -16,6 +16,42 @@ Box3 common_box(const Mesh& mesh, const FacePair& pair) {
   return {a.low.cwiseMax(b.low) - margin, a.high.cwiseMin(b.high) + margin};
 }
 
+/// Whether a box overlaps those of both faces of a pair.
+class PairBoxes {
+ public:
+  /// `pairs` ascend. Both must outlive this. Cost: O(n), and O(q log q) for q pairs.
+  PairBoxes(const Mesh& mesh, const std::vector<FacePair>& pairs)
+      : mesh_(mesh), pairs_(pairs), firsts_(mesh, first_faces(pairs)) {}
+
+  bool any_overlaps(const Box3& box) const {
+    bool found = false;
+    firsts_.visit(box, [&](FaceId first) { found = found || overlaps_partner(first, box); });
+    return found;
+  }
+
+ private:
+  static std::vector<FaceId> first_faces(const std::vector<FacePair>& pairs) {
+    std::vector<FaceId> faces;
+    for (const FacePair& pair : pairs) {
+      if (faces.empty() || faces.back() != pair.first) faces.push_back(pair.first);
+    }
+    return faces;
+  }
+
+  bool overlaps_partner(FaceId first, const Box3& box) const {
+    const auto is_before = [](const FacePair& pair, FaceId f) { return pair.first < f; };
+    auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), first, is_before);
+    for (; pair != pairs_.end() && pair->first == first; ++pair) {
+      if (overlap(box, face_box(mesh_, pair->second))) return true;
+    }
+    return false;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<FacePair>& pairs_;
+  FaceBoxes firsts_;
+};
+
 }  // namespace
 
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
@@ -23,13 +59,9 @@ std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, co
   std::vector<FacePair> inherited;
   if (pairs.empty()) return inherited;
   const std::vector<FacePair> given = find_self_intersections(surface, threads);
-  const auto is_inherited = [&](const FacePair& pair) {
-    const Box3 box = common_box(remesh, pair);
-    return std::any_of(given.begin(), given.end(), [&](const FacePair& other) {
-      return overlap(box, face_box(surface, other.first)) && overlap(box, face_box(surface, other.second));
-    });
-  };
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(inherited), is_inherited);
+  const PairBoxes near_given(surface, given);
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(inherited),
+               [&](const FacePair& pair) { return near_given.any_overlaps(common_box(remesh, pair)); });
   return inherited;
 }
 
