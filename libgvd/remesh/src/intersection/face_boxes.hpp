@@ -32,7 +32,16 @@ class FaceBoxes {
   /// Calls visit(f) for every face whose box overlaps this one. Cost: O(log n) and O(1) a visit, as a rule.
   template <class Visit>
   void visit(const Box3& box, const Visit& visit) const {
-    if (!nodes_.empty()) visit_below(0, box, visit);
+    any_of(box, [&visit](FaceId f) {
+      visit(f);
+      return false;
+    });
+  }
+
+  /// Whether holds(f) is true of a face whose box overlaps this one; the first one ends the search.
+  template <class Holds>
+  bool any_of(const Box3& box, const Holds& holds) const {
+    return !nodes_.empty() && any_below(0, box, holds);
   }
 
  private:
@@ -45,19 +54,16 @@ class FaceBoxes {
 
   void build(std::int32_t first, std::int32_t count);
 
-  template <class Visit>
-  void visit_below(std::int32_t index, const Box3& box, const Visit& visit) const {
+  template <class Holds>
+  bool any_below(std::int32_t index, const Box3& box, const Holds& holds) const {
     const Node& node = nodes_[static_cast<std::size_t>(index)];
-    if (!overlap(node.box, box)) return;
-    if (node.right < 0) {
-      for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-        const FaceId f = faces_[static_cast<std::size_t>(i)];
-        if (overlap(boxes_[f], box)) visit(f);
-      }
-      return;
+    if (!overlap(node.box, box)) return false;
+    if (node.right >= 0) return any_below(index + 1, box, holds) || any_below(node.right, box, holds);
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const FaceId f = faces_[static_cast<std::size_t>(i)];
+      if (overlap(boxes_[f], box) && holds(f)) return true;
     }
-    visit_below(index + 1, box, visit);
-    visit_below(node.right, box, visit);
+    return false;
   }
 
   IdVector<FaceId, Box3> boxes_;  // of all faces of the mesh

@@ -24,9 +24,7 @@ class PairBoxes {
       : mesh_(mesh), pairs_(pairs), firsts_(mesh, first_faces(pairs)) {}
 
   bool any_overlaps(const Box3& box) const {
-    bool found = false;
-    firsts_.visit(box, [&](FaceId first) { found = found || overlaps_partner(first, box); });
-    return found;
+    return firsts_.any_of(box, [&](FaceId first) { return overlaps_partner(first, box); });
   }
 
  private:
