@@ -10,9 +10,8 @@ namespace gvd::app {
 
 void keep_freed_memory() noexcept {
 #ifdef __GLIBC__
-  // To set one of the two ends glibc's own choice of the other.
-  mallopt(M_MMAP_THRESHOLD, kKeptFreedBytes);
-  mallopt(M_TRIM_THRESHOLD, kKeptFreedBytes);
+  // To set one of the two ends glibc's own choice of the other. The first one is refused where pointers have 32 bits.
+  if (mallopt(M_MMAP_THRESHOLD, kKeptFreedBytes) == 1) mallopt(M_TRIM_THRESHOLD, kKeptFreedBytes);
 #endif
 }
 

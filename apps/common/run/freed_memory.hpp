@@ -2,9 +2,11 @@
 
 namespace gvd::app {
 
-/// The program keeps up to kKeptFreedBytes that it freed, and requests below that are served from what is kept. By
-/// default glibc gives large blocks back to the system at once, which has to clear each page of the next one again:
-/// a relaxation allocates and frees the same tens of megabytes in each iteration. Does nothing with other C libraries.
+/// Each arena of glibc keeps up to kKeptFreedBytes that were freed at its end, and serves requests below that from
+/// them. A relaxation allocates and frees the same tens of megabytes in each iteration. By default glibc gives back
+/// what exceeds twice the largest block freed so far, and the system has to clear each page of it again. Thresholds of
+/// MALLOC_TRIM_THRESHOLD_, MALLOC_MMAP_THRESHOLD_ and GLIBC_TUNABLES do not count then. Does nothing with other C
+/// libraries.
 void keep_freed_memory() noexcept;
 
 /// Bytes. The most that glibc takes for the size from which a block is the system's (HEAP_MAX_SIZE / 2, with 64 bits).
