@@ -32,6 +32,10 @@ constexpr double kWiderSpacing = 1.1;
 /// Least distance of turns of a crease, relative to the spacing of evenly spread generators.
 constexpr double kCornerDistance = 0.5;
 
+/// Listed generators this near to a crease are on it, as a fraction of the bounding box's diagonal: the rounding of six
+/// digits. The remesher's new generators keep a tenth of it from others, so corners beside such points stayed empty.
+constexpr double kListPrecision = 1e-5;
+
 /// Removes points one by one, always the nearest to a given place that is left.
 class NearestRemover {
  public:
@@ -109,7 +113,8 @@ Placed all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
 
 /// The listed generators after those that are placed; each stays on its crease.
 void append_listed(const Mesh& mesh, const ConstrainedStart& start, Placed& placed) {
-  append_different(mesh, {start.points, freedoms_on_creases(mesh, start.creases, start.points)}, placed);
+  const auto points = snap_to_creases(mesh, start.creases, start.points, kListPrecision * mesh.bbox_diagonal());
+  append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
 }
 
 /// Generators on the creases as far apart as evenly spread ones, or farther, so that they are no more than

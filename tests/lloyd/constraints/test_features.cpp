@@ -22,6 +22,31 @@ std::vector<EdgeId> all_boundary(const Mesh& mesh) { return find_creases(mesh, {
 
 }  // namespace
 
+TEST_CASE("creases: points near them are snapped to their vertices and edges, others stay") {
+  const Mesh box = make_box(4);
+  const std::vector<EdgeId> creases = find_creases(box, {30});
+  const auto snap = [&](const SurfacePoint& p) { return snap_to_creases(box, creases, {p}, 1e-5).front(); };
+  for (const EdgeId e : creases) {
+    const HalfedgeId h = box.halfedge(e);
+    const auto from = static_cast<std::size_t>(Mesh::corner(h)), to = (from + 1) % 3, beside = (from + 2) % 3;
+    const auto point = [&](double near_from, double near_to) {
+      SurfacePoint p{Mesh::face(h), {}};
+      p.bary[from] = near_from, p.bary[to] = near_to, p.bary[beside] = 1 - near_from - near_to;
+      return p;
+    };
+    CHECK(snap(point(1 - 2e-6, 1e-6)) == vertex_point(box, box.from(h)));  // beside the edge, next to its end
+    CHECK(snap(edge_point(h, 1e-6)) == vertex_point(box, box.from(h)));
+    const SurfacePoint middle = snap(point(0.5, 0.5 - 1e-6));
+    CHECK(middle.kind() == SurfacePoint::Kind::edge);
+    CHECK((position(box, middle) - position(box, edge_point(h, 0.5))).norm() < 1e-6);
+    CHECK(snap(edge_point(h, 0.3)) == edge_point(h, 0.3));
+    CHECK(snap(point(0.4, 0.4)) == point(0.4, 0.4));
+    CHECK(snap(vertex_point(box, box.from(h))) == vertex_point(box, box.from(h)));
+  }
+  const SurfacePoint near = edge_point(box.halfedge(creases[0]), 1e-6);
+  CHECK(snap_to_creases(box, {}, {near}, 1e-5).front() == near);
+}
+
 TEST_CASE("creases: the edges of a box, none of a sphere, and the boundary on demand") {
   const Mesh box = make_box(4);
   for (const EdgeId e : find_creases(box, {30})) {

@@ -65,6 +65,12 @@ inline constexpr double kCornerTurn = 45;
 FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
                                    double corner_distance = 0);
 
+/// The points, those within `distance` of a crease moved onto it: to its nearest vertex within `distance`, else to the
+/// nearest point of its edges. So points that were written with few digits are at corners and on creases again. Only
+/// the faces that contain a point are searched, and vertices stay. `distance`: mesh units, >= 0. Cost: O(n).
+std::vector<SurfacePoint> snap_to_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
+                                          std::vector<SurfacePoint> points, double distance);
+
 /// What each of these points may do by where it lies: fixed at a corner of a crease, on_crease beside it on the crease,
 /// free elsewhere. Cost: O(n).
 std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,

@@ -1,5 +1,6 @@
 #include "gvd/features.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -72,6 +73,44 @@ void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, Fea
   }
 }
 
+/// The nearest vertex of a crease in the faces of a point, within a distance; invalid if there is none.
+VertexId nearest_crease_vertex(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
+                               double distance) {
+  const Vec3 at = position(mesh, point);
+  VertexId nearest;
+  double least = distance;
+  for (const FaceId f : faces_around(mesh, point)) {
+    for (const VertexId v : mesh.vertices(f)) {
+      const double here = (mesh.position(v) - at).norm();
+      if (here > least || (nearest.valid() && here == least) || network.leaving(v).empty()) continue;
+      nearest = v;
+      least = here;
+    }
+  }
+  return nearest;
+}
+
+/// The nearest point on the creases in the faces of a point, within a distance; else the point itself.
+SurfacePoint nearest_on_edges(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
+                              double distance) {
+  const Vec3 at = position(mesh, point);
+  SurfacePoint nearest = point;
+  double least = distance;
+  for (const FaceId f : faces_around(mesh, point)) {
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = Mesh::halfedge(f, k);
+      if (!network.is_crease(mesh.edge(h))) continue;
+      const Vec3 &a = mesh.position(mesh.from(h)), way = mesh.position(mesh.to(h)) - a;
+      const double t = std::clamp((at - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const double here = (a + t * way - at).norm();
+      if (!(here <= least)) continue;
+      nearest = edge_point(h, t);
+      least = here;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options) {
@@ -91,6 +130,21 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options)
     if (has_area && here.dot(there) < least_cosine) creases.emplace_back(i);
   }
   return creases;
+}
+
+std::vector<SurfacePoint> snap_to_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
+                                          std::vector<SurfacePoint> points, double distance) {
+  const CreaseNetwork network(mesh, creases);
+  for (SurfacePoint& point : points) {
+    if (point.kind() == SurfacePoint::Kind::vertex) continue;
+    const VertexId v = nearest_crease_vertex(mesh, network, point, distance);
+    if (v.valid()) {
+      point = vertex_point(mesh, v);
+    } else if (!network.contains(point)) {
+      point = nearest_on_edges(mesh, network, point, distance);
+    }
+  }
+  return points;
 }
 
 std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
