@@ -53,7 +53,7 @@ class Remesher {
       : mesh_(mesh),
         options_(options),
         max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
-        creases_(mesh, options.creases, options.refine ? std::min(max_added_, max_on_creases(generators.size())) : 0) {
+        creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0) {
     result_.generators = generators;
   }
 
@@ -95,7 +95,7 @@ class Remesher {
 
   /// Adds generators on creases. They come before repairs, which they often make needless.
   bool follow_creases() {
-    const std::vector<SurfacePoint> points = creases_.propose(result_.diagram);
+    const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
     result_.crease_gap_length = creases_.gap_length();
     append(points);
     return !points.empty();

@@ -126,8 +126,8 @@ TEST_CASE("crease gaps: their lengths are within those of the curves, with any g
       const auto gaps = CreaseGaps(mesh, curves, diagram).find();
       for (const CreaseGap& gap : gaps) CHECK(gap.length >= 0);
       CHECK(total_length(gaps) <= length * (1 + 1e-12));
-      CreaseFollower follower(mesh, curves, 0);
-      CHECK(follower.propose(diagram).empty());
+      CreaseFollower follower(mesh, curves, 100);
+      CHECK(follower.propose(diagram, 0).empty());
       CHECK(follower.gap_length() <= length);
       CHECK(follower.gap_length() > 0);  // random points are on no corner
     }

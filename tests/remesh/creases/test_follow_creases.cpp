@@ -85,6 +85,19 @@ TEST_CASE("creases: no more generators are added than allowed, and what is left 
   CHECK(remesh(cube, test::random_generators(cube, 40, 1), options).added == 0);
 }
 
+TEST_CASE("creases: no more generators are proposed than repairs have left") {
+  const Mesh cube = test::make_cube(4);
+  const std::vector<CreaseCurve> curves = curves_of(cube);
+  std::vector<SurfacePoint> generators = test::random_generators(cube, 40, 1);
+  CreaseFollower follower(cube, curves, 7);
+  for (const auto& [may_add, expected] : {std::pair{2, 2u}, {0, 0u}, {100, 5u}, {100, 0u}}) {
+    const auto points = follower.propose(compute_diagram(cube, generators), may_add);
+    CHECK(points.size() == expected);
+    generators.insert(generators.end(), points.begin(), points.end());
+  }
+  CHECK(follower.added() == 7);
+}
+
 TEST_CASE("creases: two that leave a corner at an acute angle take few generators") {
   const Mesh sector = test::make_sector(3, 0.2);
   std::vector<SurfacePoint> generators = test::random_generators(sector, 6, 3);

@@ -14,15 +14,16 @@ CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>&
   }
 }
 
-std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram) {
+std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram, std::int64_t may_add) {
   if (curves_.empty()) return {};
   const std::vector<CreaseGap> gaps = CreaseGaps(mesh_, curves_, diagram).find();
   double sum = 0;
   for (const CreaseGap& gap : gaps) sum += gap.length;
   gap_length_ = std::min(sum, length_);  // rounding alone can make the sum larger
-  if (gaps.empty() || rounds_ >= kCreaseRounds || added_ >= max_added_) return {};
+  const std::int64_t most = std::min(may_add, max_added_ - added_);
+  if (gaps.empty() || rounds_ >= kCreaseRounds || most <= 0) return {};
   ++rounds_;
-  AddedGenerators added(mesh_, diagram.generators, static_cast<std::size_t>(max_added_ - added_));
+  AddedGenerators added(mesh_, diagram.generators, static_cast<std::size_t>(most));
   for (const CreaseGap& gap : gaps) {
     for (const SurfacePoint& place : gap.places) added.add(place);
   }

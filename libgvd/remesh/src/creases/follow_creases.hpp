@@ -11,7 +11,8 @@
 
 namespace gvd {
 
-/// Rounds that add generators on creases. Gaps shrink to less than three quarters each time.
+/// Rounds that add generators on creases. Gaps shrink to less than three quarters each time, as a rule: where few
+/// generators are given for many creases, the first rounds fill corners and closed curves, and some gaps may stay.
 inline constexpr int kCreaseRounds = 12;
 
 /// Adds generators on creases, round by round, so that the dual's edges follow them (see crease_gaps.hpp).
@@ -20,9 +21,9 @@ class CreaseFollower {
   /// Mesh and creases must outlive this. `max_added`: generators in all rounds together. Cost: O(n).
   CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added);
 
-  /// New generators for the largest gaps. None where there is no gap, and once the rounds or the generators are used
-  /// up: other gaps then stay. Cost: O(n), and O(k m) for k new ones beside m generators.
-  std::vector<SurfacePoint> propose(const Diagram& diagram);
+  /// New generators for the largest gaps, at most `may_add`. None where there is no gap, and once the rounds or the
+  /// generators are used up: other gaps then stay. Cost: O(n), and O(k m) for k new ones beside m generators.
+  std::vector<SurfacePoint> propose(const Diagram& diagram, std::int64_t may_add);
 
   std::int64_t added() const { return added_; }
   /// Of all creases, mesh units.
