@@ -108,9 +108,9 @@ void note_distance(Console& console, const RemeshResult& result) {
 
 /// What lets the edges follow more of the creases.
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
-  if (!options.refine) return "leave out --no-refine";
+  if (!options.refine) return "without --no-refine and --exact-count, generators are added there";
   if (result.added >= *options.max_added) return "raise --max-added";
-  return "ask for more generators";
+  return "give more generators";
 }
 
 void note_result(Console& console, const RemeshResult& result, const RemeshOptions& options) {
@@ -118,8 +118,9 @@ void note_result(Console& console, const RemeshResult& result, const RemeshOptio
                            counted(result.mesh.vertex_count(), "vertex", "vertices"),
                            counted(result.mesh.face_count(), "face", "faces")));
   if (result.added_on_creases > 0) {
-    console.note(fmt::format("{} added on creases and boundaries, which the edges then follow",
-                             counted(result.added_on_creases, "generator was", "generators were")));
+    console.note(fmt::format("{} added on creases and boundaries{}",
+                             counted(result.added_on_creases, "generator was", "generators were"),
+                             result.crease_gap_length > 0 ? "" : ", which the edges then follow"));
   }
   const std::int64_t repairs = result.added - result.added_on_creases;
   if (repairs > 0 && result.given_defects.empty()) {

@@ -1,5 +1,7 @@
 // gvd-remesh on files: its JSON carries the diagram and the mesh, and a refusal is one line.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -90,13 +92,39 @@ TEST_CASE("gvd-remesh: what edges do not follow is at most the whole length, and
   write_text(scratch / "list.json", report_of(bowl + " -n 60 --sampling poisson --loose-boundary --relax none").dump());
   const std::string run = bowl + " --keep-boundary --generators " + scratch / "list.json";
   for (const auto& [options, advice] :
-       {std::pair{" --no-refine", "leave out --no-refine"}, std::pair{" --max-added 0", "raise --max-added"}}) {
+       {std::pair{" --no-refine", "without --no-refine and --exact-count, generators are added there"},
+        std::pair{" --max-added 0", "raise --max-added"}}) {
     const CommandResult result = run_command("gvd-remesh", run + options + " --report " + scratch / "report.json");
     REQUIRE(result.exit_code == 0);
     CHECK_THAT(result.err, Contains("edges do not follow 100 % of their length; " + std::string(advice)));
     const auto report = nlohmann::json::parse(read_text(scratch / "report.json"));
     CHECK(report["results"]["creases"]["followed"] == 0);
   }
+}
+
+TEST_CASE("gvd-remesh: listed generators with few digits are on the creases that they came from") {
+  const ScratchFolder scratch;
+  const std::string plate = data_file("plate.stl") + " --features 40";
+  const auto placed = report_of(plate + " -n 60 --relax none");
+  std::string list;
+  for (const auto& generator : placed["generators"]) {
+    const auto& p = generator["position"];
+    list += fmt::format("{:.6g} {:.6g} {:.6g}\n", double(p[0]), double(p[1]), double(p[2]));
+  }
+  write_text(scratch / "list.txt", list);
+  const auto creases = report_of(plate + " --generators " + scratch / "list.txt")["results"]["creases"];
+  CHECK(creases["followed"] == creases["length"]);
+  CHECK(creases["added_generators"] == 0);
+}
+
+TEST_CASE("gvd-remesh: notes on creases do not contradict each other") {
+  const std::string run = data_file("half_sphere.off") + " --vertices 30,11 --keep-boundary --allow-intersections";
+  const CommandResult few = run_command("gvd-remesh", run + " --max-added 1");
+  CHECK_THAT(few.err, Contains("1 generator was added on creases and boundaries\n"));
+  CHECK_THAT(few.err, Contains("edges do not follow 100 % of their length; raise --max-added"));
+  const CommandResult enough = run_command("gvd-remesh", run);
+  CHECK_THAT(enough.err, Contains("added on creases and boundaries, which the edges then follow"));
+  CHECK_THAT(enough.err, !Contains("do not follow"));
 }
 
 TEST_CASE("gvd-remesh --target-edge: the number of generators for a length of edges") {

@@ -91,7 +91,7 @@ void compare_components(const Mesh& surface, const Mesh& remesh, const std::vect
 
 std::string RemeshCertificate::first_failure() const {
   if (!manifold) return "it is not a manifold";
-  if (!closed_as_input) return "of it and the input, one is closed and the other has a boundary";
+  if (!closed_as_input) return "it has a boundary and the input has none, or the other way round";
   if (!same_components) return "its components are not those of the input";
   if (!same_euler_characteristic) return "its Euler characteristic is not that of the input";
   if (!same_boundary_loops) return "it does not have the boundary loops of the input";
