@@ -133,12 +133,13 @@ paper:
 	@scripts/make_gallery.sh $(BUILD)/bin $(BUILD)/paper $(PAPER_MODELS)
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
-# Not here: tests labelled `slow`, and `install`, which builds against an installed library without sanitizers.
+# Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; and `oracle`,
+# most of whose time is that of CGAL's shortest paths.
 sanitize:
 	@$(install_deps) build test
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install"
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle"
 
 # The tests of threads only: everything else works in one thread.
 sanitize-threads:
@@ -146,7 +147,7 @@ sanitize-threads:
 	@$(configure) sanitizers $(THREADS) -DCMAKE_CXX_COMPILER=clang++ -DGVD_SANITIZE=thread -DGVD_BUILD_APPS=OFF \
 	  -DGVD_WITH_CGAL_GPL=OFF -DGVD_WITH_VIEWER=OFF $(CMAKE_FLAGS)
 	@cmake --build $(THREADS) -j $(JOBS) --target test_threads
-	@$(THREADS)/bin/test_threads
+	@ctest --test-dir $(THREADS) --output-on-failure -j $(JOBS) --timeout 300 -R "^threads: "
 
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
