@@ -62,7 +62,8 @@ TEST_CASE("crease gaps: beside a corner without a generator, the rest of the cur
   // Points of the first side as far from (2, 1) as from (0, 0) and as from (3, 0): x = 5 / 4 and 2.
   CHECK_FALSE(gaps[2].at_corner);
   CHECK(gaps[2].length == Approx(0.75));
-  CHECK(gaps[2].places.empty());
+  CHECK(gaps[2].waits);
+  CHECK_FALSE((gaps[0].waits || gaps[1].waits));
 }
 
 TEST_CASE("crease gaps: none where each point of a side belongs to the nearest generators on it") {

@@ -98,6 +98,32 @@ TEST_CASE("creases: no more generators are proposed than repairs have left") {
   CHECK(follower.added() == 7);
 }
 
+TEST_CASE("creases: a generator too near to a corner does not keep others from the rest of the creases") {
+  const Mesh cube = test::make_cube(4);
+  const std::vector<CreaseCurve> curves = curves_of(cube);
+  std::vector<SurfacePoint> generators = place_on_creases(cube, find_creases(cube, {40}), 0.3).points;
+  const SurfacePoint corner = generators.front();
+  REQUIRE(corner.kind() == SurfacePoint::Kind::vertex);
+  for (double& b : generators.front().bary) b = b == 1 ? 1 - 2e-7 : 1e-7;
+  for (const SurfacePoint& p : test::random_generators(cube, 200, 1)) {
+    if (p.kind() == SurfacePoint::Kind::face) generators.push_back(p);
+  }
+  CreaseFollower follower(cube, curves, 1000);
+  std::size_t at_curves_of_corner = 0;
+  while (true) {
+    const auto points = follower.propose(compute_diagram(cube, generators), 1000);
+    if (points.empty()) break;
+    for (const SurfacePoint& p : points) {
+      const Vec3 way = (position(cube, p) - position(cube, corner)).cwiseAbs();
+      CHECK(way.norm() > 1e-3);
+      at_curves_of_corner += way.sum() < way.maxCoeff() + 1e-9;
+    }
+    generators.insert(generators.end(), points.begin(), points.end());
+  }
+  CHECK(at_curves_of_corner > 0);
+  CHECK(follower.gap_length() == Approx(1));  // beside the corner, a third of each of its three curves
+}
+
 TEST_CASE("creases: two that leave a corner at an acute angle take few generators") {
   const Mesh sector = test::make_sector(3, 0.2);
   std::vector<SurfacePoint> generators = test::random_generators(sector, 6, 3);

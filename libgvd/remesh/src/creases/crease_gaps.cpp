@@ -97,7 +97,7 @@ void CreaseGaps::add_gaps(const Course& course, std::vector<CreaseGap>& gaps) co
     return;
   }
   for (CreaseGap& gap : foreign_gaps(course)) {
-    if (lacks_corner) gap.places.clear();
+    gap.waits = lacks_corner;
     gaps.push_back(std::move(gap));
   }
 }

@@ -20,11 +20,10 @@ inline constexpr double kLeastGapShare = 0.05;
 
 /// A part of a curve that the dual's edges do not follow.
 struct CreaseGap {
-  /// Where generators would help. While a corner of the curve has no generator, its other gaps have no places: a
-  /// generator at the corner changes them.
-  std::vector<SurfacePoint> places;
-  double length = 0;       ///< mesh units; gaps of a curve do not overlap
-  bool at_corner = false;  ///< the part beside a corner without a generator
+  std::vector<SurfacePoint> places;  ///< where generators would help
+  double length = 0;                 ///< mesh units; gaps of a curve do not overlap
+  bool at_corner = false;            ///< the part beside a corner without a generator
+  bool waits = false;                ///< for a generator at a corner of the curve, which changes this gap
 };
 
 /// Where the dual of a diagram leaves the creases.

@@ -6,6 +6,17 @@
 #include "repair/added_generators.hpp"
 
 namespace gvd {
+namespace {
+
+/// Of the gaps that wait for a corner, or of the others.
+void add_places(const std::vector<CreaseGap>& gaps, bool waits, AddedGenerators& added) {
+  for (const CreaseGap& gap : gaps) {
+    if (gap.waits != waits) continue;
+    for (const SurfacePoint& place : gap.places) added.add(place);
+  }
+}
+
+}  // namespace
 
 CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added)
     : mesh_(mesh), curves_(creases), max_added_(max_added) {
@@ -24,8 +35,9 @@ std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram, std::i
   if (gaps.empty() || rounds_ >= kCreaseRounds || most <= 0) return {};
   ++rounds_;
   AddedGenerators added(mesh_, diagram.generators, static_cast<std::size_t>(most));
-  for (const CreaseGap& gap : gaps) {
-    for (const SurfacePoint& place : gap.places) added.add(place);
+  // Where no corner takes a generator, one is too near to it. Then nothing is to be waited for.
+  for (const bool waits : {false, true}) {
+    if (added.size() == 0) add_places(gaps, waits, added);
   }
   added_ += static_cast<std::int64_t>(added.size());
   return added.take();
