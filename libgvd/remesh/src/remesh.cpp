@@ -10,6 +10,8 @@
 #include "dual_mesh_maker.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/sampling.hpp"
+#include "gvd/surface_area.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
 #include "repair/propose_nearby.hpp"
@@ -53,7 +55,8 @@ class Remesher {
       : mesh_(mesh),
         options_(options),
         max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
-        creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0) {
+        creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0,
+                 even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
   }
 

@@ -12,6 +12,9 @@ using namespace gvd;
 
 namespace {
 
+/// A spacing with which no bend counts.
+constexpr double kWide = 100;
+
 /// A flat square of side 4 whose boundary is one curve, or four between its corners.
 struct Square {
   Mesh mesh = test::make_grid(4, 4);
@@ -26,7 +29,7 @@ struct Square {
   std::vector<CreaseGap> gaps(const std::vector<Vec3>& generators) const {
     std::vector<SurfacePoint> points;
     for (const Vec3& p : generators) points.push_back(vertex_point(mesh, at(p.x(), p.y())));
-    return CreaseGaps(mesh, curves, compute_diagram(mesh, points)).find();
+    return CreaseGaps(mesh, curves, compute_diagram(mesh, points), kWide).find();
   }
 };
 
@@ -95,7 +98,7 @@ TEST_CASE("crease gaps: next to a corner, a power of two away from it where a cr
     if (sector.twin(h).valid() || sector.position(sector.from(h)).norm() > 1e-9) continue;
     generators.push_back(edge_point(h, 0.4));
   }
-  const auto gaps = CreaseGaps(sector, curves, compute_diagram(sector, generators)).find();
+  const auto gaps = CreaseGaps(sector, curves, compute_diagram(sector, generators), kWide).find();
   REQUIRE(gaps.size() == 1);
   REQUIRE(gaps[0].places.size() == 1);
   CHECK(position(sector, gaps[0].places[0]).norm() == Approx(0.5));
@@ -109,7 +112,7 @@ TEST_CASE("crease gaps: a closed curve takes thirds until it has three generator
   std::vector<SurfacePoint> generators{vertex_point(can, VertexId(48))};  // in the middle of a cap
   const double length = 24 * 2 * std::sin(std::numbers::pi / 24);
   for (const std::size_t places : {3u, 2u, 2u}) {
-    const auto gaps = CreaseGaps(can, {curves[0]}, compute_diagram(can, generators)).find();
+    const auto gaps = CreaseGaps(can, {curves[0]}, compute_diagram(can, generators), kWide).find();
     REQUIRE(gaps.size() == 1);
     CHECK(gaps[0].places.size() == places);
     CHECK(gaps[0].length == Approx(length));
@@ -117,17 +120,43 @@ TEST_CASE("crease gaps: a closed curve takes thirds until it has three generator
   }
 }
 
+TEST_CASE("crease gaps: the middle of a bend of more than 40 degrees, where the edge is longer than the spacing") {
+  const Mesh can = test::make_can(24, 3);
+  const std::vector<CreaseCurve> circle{trace_creases(can, find_creases(can, {40})).front()};
+  const auto find = [&](std::size_t step, double spacing) {
+    std::vector<SurfacePoint> generators{vertex_point(can, VertexId(49))};  // in the middle of the other cap
+    for (std::size_t i = 0; i < 24; i += step) generators.push_back(vertex_point(can, circle[0].vertices[i]));
+    return CreaseGaps(can, circle, compute_diagram(can, generators), spacing).find();
+  };
+  const auto gaps = find(4, 0.9);  // edges of length 1
+  REQUIRE(gaps.size() == 6);
+  for (const CreaseGap& gap : gaps) {
+    CHECK(gap.length == 0);
+    REQUIRE(gap.places.size() == 1);
+    CHECK(position(can, gap.places[0]).head<2>().norm() == Approx(1));  // at a vertex of the circle
+  }
+  CHECK(find(4, 1.1).empty());
+  CHECK(find(2, 0).empty());  // 30 degrees
+}
+
+TEST_CASE("crease gaps: bends of a boundary do not count") {
+  const Mesh sector = test::make_sector(20, 4.5);
+  const auto edges = find_creases(sector, {180, true});
+  const auto corners = place_on_creases(sector, edges, 10).points;
+  CHECK(CreaseGaps(sector, trace_creases(sector, edges), compute_diagram(sector, corners), 0).find().empty());
+}
+
 TEST_CASE("crease gaps: their lengths are within those of the curves, with any generators") {
   for (const auto& [name, mesh] : test::creased_meshes()) {
     const auto curves = trace_creases(mesh, find_creases(mesh, {40, true}));
-    const double length = CreaseFollower(mesh, curves, 0).length();
+    const double length = CreaseFollower(mesh, curves, 0, kWide).length();
     for (const int count : {1, 2, 3, 5, 9, 40}) {
       INFO(name << ", " << count << " generators");
       const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, count, 7));
-      const auto gaps = CreaseGaps(mesh, curves, diagram).find();
+      const auto gaps = CreaseGaps(mesh, curves, diagram, kWide).find();
       for (const CreaseGap& gap : gaps) CHECK(gap.length >= 0);
       CHECK(total_length(gaps) <= length * (1 + 1e-12));
-      CreaseFollower follower(mesh, curves, 100);
+      CreaseFollower follower(mesh, curves, 100, kWide);
       CHECK(follower.propose(diagram, 0).empty());
       CHECK(follower.gap_length() <= length);
       CHECK(follower.gap_length() > 0);  // random points are on no corner

@@ -69,7 +69,7 @@ TEST_CASE("creases: without them, edges do not follow") {
   CHECK(result.added_on_creases == 0);
   CHECK(result.crease_length == 0);
   const auto curves = curves_of(cube);
-  CHECK_FALSE(CreaseGaps(cube, curves, result.diagram).find().empty());
+  CHECK_FALSE(CreaseGaps(cube, curves, result.diagram, 100).find().empty());
 }
 
 TEST_CASE("creases: no more generators are added than allowed, and what is left is measured") {
@@ -89,7 +89,7 @@ TEST_CASE("creases: no more generators are proposed than repairs have left") {
   const Mesh cube = test::make_cube(4);
   const std::vector<CreaseCurve> curves = curves_of(cube);
   std::vector<SurfacePoint> generators = test::random_generators(cube, 40, 1);
-  CreaseFollower follower(cube, curves, 7);
+  CreaseFollower follower(cube, curves, 7, 100);
   for (const auto& [may_add, expected] : {std::pair{2, 2u}, {0, 0u}, {100, 5u}, {100, 0u}}) {
     const auto points = follower.propose(compute_diagram(cube, generators), may_add);
     CHECK(points.size() == expected);
@@ -108,7 +108,7 @@ TEST_CASE("creases: a generator too near to a corner does not keep others from t
   for (const SurfacePoint& p : test::random_generators(cube, 200, 1)) {
     if (p.kind() == SurfacePoint::Kind::face) generators.push_back(p);
   }
-  CreaseFollower follower(cube, curves, 1000);
+  CreaseFollower follower(cube, curves, 1000, 100);
   std::size_t at_curves_of_corner = 0;
   while (true) {
     const auto points = follower.propose(compute_diagram(cube, generators), 1000);

@@ -36,8 +36,8 @@ struct RemeshOptions {
   /// that intersect where the input does itself (find_inherited) are always accepted.
   bool allow_intersections = false;
   /// Curves that the dual's edges shall follow: creases, and the boundary (trace_creases). With `refine`,
-  /// generators are added on them where cells of others come between; `max_added` counts them, and at most one for each
-  /// given generator and 100 more are added.
+  /// generators are added on them where cells of others come between, and where long edges would cut off bends of
+  /// creases. `max_added` counts them, and at most one for each given generator and 100 more are added.
   std::vector<CreaseCurve> creases;
   PlacementOptions placement;  ///< where the vertices are; its `threads` are those of `diagram`
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.

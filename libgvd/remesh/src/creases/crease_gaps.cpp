@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numbers>
 
 namespace gvd {
 namespace {
 
 /// The power of two from a third of the length to two thirds.
 double shell_distance(double length) { return std::exp2(std::floor(std::log2(length * 2 / 3))); }
+
+/// Height of an arc that turns by kLargestBend over its chord, relative to the chord: tan(bend / 4) / 2.
+const double kLargestSagitta = std::tan(kLargestBend / 4 * std::numbers::pi / 180) / 2;
 
 }  // namespace
 
@@ -21,6 +24,13 @@ struct CreaseGaps::Course {
   std::vector<Part> parts;
 
   double length() const { return vertex_at.back(); }
+
+  /// The marks; of a closed curve, the first one again at the end.
+  std::vector<Mark> all_marks() const {
+    std::vector<Mark> all = marks;
+    if (curve.closed) all.push_back({marks.front().at + length(), marks.front().generator});
+    return all;
+  }
 
   /// Whether a curve that ends where it begins has less than three generators. A generator at its corner has a mark at
   /// both ends.
@@ -53,8 +63,8 @@ struct CreaseGaps::Gap {
   }
 };
 
-CreaseGaps::CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram)
-    : mesh_(mesh), curves_(curves), generators_(diagram.generators), labels_(mesh, diagram) {
+CreaseGaps::CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram, double spacing)
+    : mesh_(mesh), curves_(curves), generators_(diagram.generators), spacing_(spacing), labels_(mesh, diagram) {
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
     const SurfacePoint& p = diagram.generators[i];
     const GeneratorId g(static_cast<std::int64_t>(i));
@@ -96,9 +106,8 @@ void CreaseGaps::add_gaps(const Course& course, std::vector<CreaseGap>& gaps) co
     gaps.push_back(whole_curve(course));
     return;
   }
-  for (CreaseGap& gap : foreign_gaps(course)) {
-    gap.waits = lacks_corner;
-    gaps.push_back(std::move(gap));
+  for (const auto& found : {foreign_gaps(course), bends(course)}) {
+    for (const CreaseGap& gap : found) gaps.push_back({gap.places, gap.length, false, lacks_corner});
   }
 }
 
@@ -232,17 +241,45 @@ std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& part
 }
 
 std::vector<CreaseGap> CreaseGaps::foreign_gaps(const Course& course) const {
-  std::vector<Mark> marks = course.marks;
   std::vector<Part> parts = course.parts;
   if (course.curve.closed) {
-    marks.push_back({marks.front().at + course.length(), marks.front().generator});
     for (const Part& p : course.parts) parts.push_back({p.begin + course.length(), p.end + course.length(), p.cell});
   }
+  const std::vector<Mark> marks = course.all_marks();
   std::vector<CreaseGap> gaps;
   for (const Gap& gap : list_gaps(parts, marks)) {
     gaps.push_back({{course.point(mesh_, place_in(course, marks, gap))}, gap.last() - gap.first()});
   }
   return gaps;
+}
+
+std::vector<CreaseGap> CreaseGaps::bends(const Course& course) const {
+  if (mesh_.is_boundary(course.curve.edges.front())) return {};
+  const std::vector<Mark> marks = course.all_marks();
+  std::vector<CreaseGap> found;
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+    const double begin = marks[i].at, end = marks[i + 1].at;
+    const double chord =
+        (position(mesh_, course.point(mesh_, end)) - position(mesh_, course.point(mesh_, begin))).norm();
+    if (!(chord > spacing_ && distance_from_chord(course, begin, end) > kLargestSagitta * chord)) continue;
+    found.push_back({{course.point(mesh_, (begin + end) / 2)}, 0});
+  }
+  return found;
+}
+
+/// The largest one of the curve's vertices between two lengths, from the line through its points there.
+double CreaseGaps::distance_from_chord(const Course& course, double begin, double end) const {
+  const Vec3 a = position(mesh_, course.point(mesh_, begin));
+  const Vec3 way = (position(mesh_, course.point(mesh_, end)) - a).normalized();
+  const std::size_t edges = course.curve.edges.size();
+  const auto at = [&](std::size_t k) { return course.vertex_at[k % edges] + (k < edges ? 0 : course.length()); };
+  const auto after = std::upper_bound(course.vertex_at.begin(), course.vertex_at.end(), begin);
+  double largest = 0;
+  for (auto k = static_cast<std::size_t>(after - course.vertex_at.begin()); k < 2 * edges && at(k) < end; ++k) {
+    const Vec3 to = mesh_.position(course.curve.vertices[k % edges]) - a;
+    largest = std::max(largest, (to - to.dot(way) * way).norm());
+  }
+  return largest;
 }
 
 }  // namespace gvd

@@ -18,10 +18,14 @@ inline constexpr double kLeastForeignPart = 1e-6;
 /// Places of new generators are not nearer than this to the ends of their gap, relative to its length.
 inline constexpr double kLeastGapShare = 0.05;
 
-/// A part of a curve that the dual's edges do not follow.
+/// The edge between consecutive generators of a curve shall not cut off a bend of more degrees. A circle then has nine
+/// edges at least. The result's creases are within half of that from the input's in direction.
+inline constexpr double kLargestBend = 40;
+
+/// A part of a curve that the dual's edges do not follow, or where they cut off a bend.
 struct CreaseGap {
   std::vector<SurfacePoint> places;  ///< where generators would help
-  double length = 0;                 ///< mesh units; gaps of a curve do not overlap
+  double length = 0;                 ///< mesh units; gaps of a curve do not overlap; 0 for a bend
   bool at_corner = false;            ///< the part beside a corner without a generator
   bool waits = false;                ///< for a generator at a corner of the curve, which changes this gap
 };
@@ -41,7 +45,9 @@ struct CreaseGap {
 /// - beside a corner that a curve of the foreign generator leaves: the point whose distance from the corner is a power
 ///   of two, and a third to two thirds of the gap;
 /// - any other: the point nearest to the foreign generator;
-/// - any other, where that point is next to an end (kLeastGapShare): the middle of the foreign parts.
+/// - any other, where that point is next to an end (kLeastGapShare): the middle of the foreign parts;
+/// - a bend (kLargestBend) of a crease between generators that are farther apart than `spacing`: the middle. Boundaries
+///   of scans bend at every scale, so bends of boundaries do not count.
 ///
 /// Opposite generators of two parallel curves do not disturb each other, however close the curves are. Two curves that
 /// leave a corner at an acute angle would disturb each other without end, unless their generators are equally far from
@@ -49,8 +55,9 @@ struct CreaseGap {
 /// Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 class CreaseGaps {
  public:
-  /// All three must outlive this. Cost: O(n).
-  CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram);
+  /// The first three must outlive this. `spacing`: that of evenly spread generators, mesh units. Shorter edges may cut
+  /// off bends: circles that are small beside the triangles need few edges. Cost: O(n).
+  CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves, const Diagram& diagram, double spacing);
 
   /// Those of all curves: at corners first, then the longest first. The sum of their lengths exceeds that of the curves
   /// by rounding at most. Cost: O(k log k) for k labels on creases.
@@ -77,10 +84,13 @@ class CreaseGaps {
   double nearest(const Course& course, double begin, double end, const Vec3& to) const;
   double place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const;
   std::vector<CreaseGap> foreign_gaps(const Course& course) const;
+  std::vector<CreaseGap> bends(const Course& course) const;
+  double distance_from_chord(const Course& course, double begin, double end) const;
 
   const Mesh& mesh_;
   const std::vector<CreaseCurve>& curves_;
   const std::vector<SurfacePoint>& generators_;
+  double spacing_;
   EdgeLabels labels_;
   std::map<EdgeId, std::vector<Mark>> on_edge_;  // at parameters along the edge's halfedge
   std::map<VertexId, GeneratorId> at_vertex_;

@@ -18,8 +18,9 @@ void add_places(const std::vector<CreaseGap>& gaps, bool waits, AddedGenerators&
 
 }  // namespace
 
-CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added)
-    : mesh_(mesh), curves_(creases), max_added_(max_added) {
+CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added,
+                               double spacing)
+    : mesh_(mesh), curves_(creases), max_added_(max_added), spacing_(spacing) {
   for (const CreaseCurve& curve : creases) {
     for (const EdgeId e : curve.edges) length_ += mesh.length(mesh.halfedge(e));
   }
@@ -27,7 +28,7 @@ CreaseFollower::CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>&
 
 std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram, std::int64_t may_add) {
   if (curves_.empty()) return {};
-  const std::vector<CreaseGap> gaps = CreaseGaps(mesh_, curves_, diagram).find();
+  const std::vector<CreaseGap> gaps = CreaseGaps(mesh_, curves_, diagram, spacing_).find();
   double sum = 0;
   for (const CreaseGap& gap : gaps) sum += gap.length;
   gap_length_ = std::min(sum, length_);  // rounding alone can make the sum larger

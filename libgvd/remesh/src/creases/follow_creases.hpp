@@ -18,8 +18,9 @@ inline constexpr int kCreaseRounds = 12;
 /// Adds generators on creases, round by round, so that the dual's edges follow them (see crease_gaps.hpp).
 class CreaseFollower {
  public:
-  /// Mesh and creases must outlive this. `max_added`: generators in all rounds together. Cost: O(n).
-  CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added);
+  /// Mesh and creases must outlive this. `max_added`: generators in all rounds together. `spacing`: that of evenly
+  /// spread generators, mesh units. Cost: O(n).
+  CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added, double spacing);
 
   /// New generators for the largest gaps, at most `may_add`. None where there is no gap, and once the rounds or the
   /// generators are used up: other gaps then stay. Cost: O(n), and O(k m) for k new ones beside m generators.
@@ -37,6 +38,7 @@ class CreaseFollower {
   double length_ = 0;
   double gap_length_ = 0;
   std::int64_t max_added_;
+  double spacing_;
   std::int64_t added_ = 0;
   int rounds_ = 0;
 };
