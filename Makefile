@@ -133,13 +133,13 @@ paper:
 	@scripts/make_gallery.sh $(BUILD)/bin $(BUILD)/paper $(PAPER_MODELS)
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
-# Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; and `oracle`,
-# most of whose time is that of CGAL's shortest paths.
+# Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; `oracle`, most
+# of whose time is that of CGAL's shortest paths; and `browser`, which tests a page.
 sanitize:
 	@$(install_deps) build test
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle"
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle|browser"
 
 # The tests of threads only: everything else works in one thread.
 sanitize-threads:
