@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace gvd {
 namespace {
@@ -106,8 +107,9 @@ void CreaseGaps::add_gaps(const Course& course, std::vector<CreaseGap>& gaps) co
     gaps.push_back(whole_curve(course));
     return;
   }
-  for (const auto& found : {foreign_gaps(course), bends(course)}) {
-    for (const CreaseGap& gap : found) gaps.push_back({gap.places, gap.length, false, lacks_corner});
+  for (CreaseGap& gap : gaps_between(course)) {
+    gap.waits = lacks_corner;
+    gaps.push_back(std::move(gap));
   }
 }
 
@@ -240,43 +242,46 @@ std::vector<CreaseGaps::Gap> CreaseGaps::list_gaps(const std::vector<Part>& part
   return gaps;
 }
 
-std::vector<CreaseGap> CreaseGaps::foreign_gaps(const Course& course) const {
+/// Between consecutive generators: foreign parts, and bends where there are none.
+std::vector<CreaseGap> CreaseGaps::gaps_between(const Course& course) const {
   std::vector<Part> parts = course.parts;
   if (course.curve.closed) {
     for (const Part& p : course.parts) parts.push_back({p.begin + course.length(), p.end + course.length(), p.cell});
   }
   const std::vector<Mark> marks = course.all_marks();
+  std::vector<char> is_followed(marks.size(), 1);
   std::vector<CreaseGap> gaps;
   for (const Gap& gap : list_gaps(parts, marks)) {
     gaps.push_back({{course.point(mesh_, place_in(course, marks, gap))}, gap.last() - gap.first()});
+    is_followed[gap.index] = 0;
+  }
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
+    const double begin = marks[i].at, end = marks[i + 1].at;
+    if (is_followed[i] && cuts_off_bend(course, begin, end)) {
+      gaps.push_back({{course.point(mesh_, (begin + end) / 2)}, 0});
+    }
   }
   return gaps;
 }
 
-std::vector<CreaseGap> CreaseGaps::bends(const Course& course) const {
-  if (mesh_.is_boundary(course.curve.edges.front())) return {};
-  const std::vector<Mark> marks = course.all_marks();
-  std::vector<CreaseGap> found;
-  for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
-    const double begin = marks[i].at, end = marks[i + 1].at;
-    const double chord =
-        (position(mesh_, course.point(mesh_, end)) - position(mesh_, course.point(mesh_, begin))).norm();
-    if (!(chord > spacing_ && distance_from_chord(course, begin, end) > kLargestSagitta * chord)) continue;
-    found.push_back({{course.point(mesh_, (begin + end) / 2)}, 0});
-  }
-  return found;
+/// Whether the edge between two points of a curve, by their lengths, is long and cuts off a bend.
+bool CreaseGaps::cuts_off_bend(const Course& course, double begin, double end) const {
+  if (mesh_.is_boundary(course.curve.edges.front())) return false;
+  const Vec3 a = position(mesh_, course.point(mesh_, begin)), b = position(mesh_, course.point(mesh_, end));
+  const double chord = (b - a).norm();
+  return chord > spacing_ && distance_from_line(course, begin, end, {a, b}) > kLargestSagitta * chord;
 }
 
-/// The largest one of the curve's vertices between two lengths, from the line through its points there.
-double CreaseGaps::distance_from_chord(const Course& course, double begin, double end) const {
-  const Vec3 a = position(mesh_, course.point(mesh_, begin));
-  const Vec3 way = (position(mesh_, course.point(mesh_, end)) - a).normalized();
+/// The largest one of the curve's vertices between two lengths.
+double CreaseGaps::distance_from_line(const Course& course, double begin, double end,
+                                      const std::array<Vec3, 2>& line) const {
+  const Vec3 way = (line[1] - line[0]).normalized();
   const std::size_t edges = course.curve.edges.size();
   const auto at = [&](std::size_t k) { return course.vertex_at[k % edges] + (k < edges ? 0 : course.length()); };
   const auto after = std::upper_bound(course.vertex_at.begin(), course.vertex_at.end(), begin);
   double largest = 0;
   for (auto k = static_cast<std::size_t>(after - course.vertex_at.begin()); k < 2 * edges && at(k) < end; ++k) {
-    const Vec3 to = mesh_.position(course.curve.vertices[k % edges]) - a;
+    const Vec3 to = mesh_.position(course.curve.vertices[k % edges]) - line[0];
     largest = std::max(largest, (to - to.dot(way) * way).norm());
   }
   return largest;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -83,9 +84,9 @@ class CreaseGaps {
   VertexId shared_corner(const Course& course, std::size_t i, std::size_t marks, GeneratorId of) const;
   double nearest(const Course& course, double begin, double end, const Vec3& to) const;
   double place_in(const Course& course, const std::vector<Mark>& marks, const Gap& gap) const;
-  std::vector<CreaseGap> foreign_gaps(const Course& course) const;
-  std::vector<CreaseGap> bends(const Course& course) const;
-  double distance_from_chord(const Course& course, double begin, double end) const;
+  std::vector<CreaseGap> gaps_between(const Course& course) const;
+  bool cuts_off_bend(const Course& course, double begin, double end) const;
+  double distance_from_line(const Course& course, double begin, double end, const std::array<Vec3, 2>& line) const;
 
   const Mesh& mesh_;
   const std::vector<CreaseCurve>& curves_;
