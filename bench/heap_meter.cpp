@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/run/replaced_new.hpp"
+#include "common/memory/replaced_new.hpp"
 
 namespace gvd::bench {
 namespace {

@@ -44,6 +44,7 @@ FLOORS = [
     ["libgvd/remesh/src/creases"],
     ["libgvd/remesh/src/placement"],
     ["libgvd/remesh"],
+    ["apps/common/memory"],
     ["apps/common/options"],
     ["apps/common/run"],
     ["apps/common/steps"],

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <ostream>
 
+#include "common/memory/freed_memory.hpp"
 #include "common/options/check_options.hpp"
 #include "common/options/file_extension.hpp"
 #include "common/options/plan_runs.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/run/freed_memory.hpp"
 #include "common/run/outcome.hpp"
 #include "common/run/run_several.hpp"
 #include "common/run/standard_output.hpp"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "common/run/heap_count.hpp"
-#include "common/run/memory_limit.hpp"
+#include "common/memory/heap_count.hpp"
+#include "common/memory/memory_limit.hpp"
 #include "common/run/name_options.hpp"
 #include "gvd/error.hpp"
 

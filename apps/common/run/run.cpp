@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/run/memory_limit.hpp"
+#include "common/memory/memory_limit.hpp"
 
 namespace gvd::app {
 

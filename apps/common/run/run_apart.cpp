@@ -6,8 +6,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "common/memory/heap_count.hpp"
 #include "common/run/child_process.hpp"
-#include "common/run/heap_count.hpp"
 #include "common/run/interrupt.hpp"
 #include "common/run/outcome.hpp"
 #include "common/run/termination.hpp"

@@ -10,8 +10,8 @@
 #include <exception>
 #include <string_view>
 
+#include "common/memory/heap_count.hpp"
 #include "common/run/console.hpp"
-#include "common/run/heap_count.hpp"
 #include "common/run/outcome.hpp"
 
 namespace gvd::app {

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "apps/run_command.hpp"
+#include "common/memory/heap_count.hpp"
+#include "common/memory/memory_limit.hpp"
 #include "common/run/child_process.hpp"
-#include "common/run/heap_count.hpp"
-#include "common/run/memory_limit.hpp"
 #include "common/run/termination.hpp"
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/run/memory_limit.hpp"
+#include "common/memory/memory_limit.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "common/run/heap_count.hpp"
+#include "common/memory/heap_count.hpp"
 
 namespace gvd::app {
 namespace {

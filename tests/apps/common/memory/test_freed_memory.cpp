@@ -6,8 +6,8 @@
 #include <cstring>
 #include <new>
 
-#include "common/run/freed_memory.hpp"
-#include "common/run/heap_count.hpp"
+#include "common/memory/freed_memory.hpp"
+#include "common/memory/heap_count.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd::app;

@@ -1,4 +1,4 @@
-#include "common/run/heap_count.hpp"
+#include "common/memory/heap_count.hpp"
 
 #include <atomic>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #endif
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !GVD_CLANG_SANITIZER
 #define GVD_COUNTS_HEAP
-#include "common/run/replaced_new.hpp"
+#include "common/memory/replaced_new.hpp"
 #endif
 
 namespace gvd::app {

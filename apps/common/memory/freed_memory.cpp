@@ -1,4 +1,4 @@
-#include "common/run/freed_memory.hpp"
+#include "common/memory/freed_memory.hpp"
 
 #include <cstdlib>  // defines __GLIBC__
 

@@ -2,7 +2,7 @@
 #include <new>
 #include <thread>
 
-#include "common/run/heap_count.hpp"
+#include "common/memory/heap_count.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd::app;

@@ -1,5 +1,5 @@
-#include "common/run/heap_count.hpp"
-#include "common/run/memory_limit.hpp"
+#include "common/memory/heap_count.hpp"
+#include "common/memory/memory_limit.hpp"
 #include "support/catch.hpp"
 
 using namespace gvd::app;
