@@ -33,7 +33,8 @@ constexpr double kWiderSpacing = 1.1;
 constexpr double kCornerDistance = 0.5;
 
 /// Listed generators this near to a crease are on it, as a fraction of the bounding box's diagonal: the rounding of six
-/// digits. The remesher's new generators keep a tenth of it from others, so corners beside such points stayed empty.
+/// digits. The remesher adds no generator nearer than a tenth of it to another one, so a corner that such a point
+/// misses would stay empty.
 constexpr double kListPrecision = 1e-5;
 
 /// Removes points one by one, always the nearest to a given place that is left.

@@ -6,6 +6,7 @@
 
 #include "crease_network.hpp"
 #include "gvd/error.hpp"
+#include "mesh/foot_on_edge.hpp"
 
 namespace gvd {
 namespace {
@@ -100,11 +101,10 @@ SurfacePoint nearest_on_edges(const Mesh& mesh, const CreaseNetwork& network, co
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = Mesh::halfedge(f, k);
       if (!network.is_crease(mesh.edge(h))) continue;
-      const Vec3 &a = mesh.position(mesh.from(h)), way = mesh.position(mesh.to(h)) - a;
-      const double t = std::clamp((at - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      const double here = (a + t * way - at).norm();
+      const SurfacePoint foot = edge_point(h, std::clamp(foot_on_edge(mesh, h, at), 0.0, 1.0));
+      const double here = (position(mesh, foot) - at).norm();
       if (!(here <= least)) continue;
-      nearest = edge_point(h, t);
+      nearest = foot;
       least = here;
     }
   }
