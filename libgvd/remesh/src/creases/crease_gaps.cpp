@@ -26,6 +26,17 @@ struct CreaseGaps::Course {
 
   double length() const { return vertex_at.back(); }
 
+  /// Of the k-th vertex; of a closed curve, also on a second way round.
+  double at(std::size_t k) const {
+    const std::size_t edges = curve.edges.size();
+    return k < edges ? vertex_at[k] : vertex_at[k - edges] + length();
+  }
+
+  /// The first vertex after a point.
+  std::size_t first_after(double point) const {
+    return static_cast<std::size_t>(std::upper_bound(vertex_at.begin(), vertex_at.end(), point) - vertex_at.begin());
+  }
+
   /// The marks; of a closed curve, the first one again at the end.
   std::vector<Mark> all_marks() const {
     std::vector<Mark> all = marks;
@@ -192,12 +203,12 @@ VertexId CreaseGaps::shared_corner(const Course& course, std::size_t i, std::siz
 double CreaseGaps::nearest(const Course& course, double begin, double end, const Vec3& to) const {
   double best = (begin + end) / 2, least = std::numeric_limits<double>::infinity();
   const std::size_t edges = course.curve.edges.size(), rounds = course.curve.closed ? 2 : 1;
-  for (std::size_t k = 0; k < rounds * edges; ++k) {
-    const double start = course.vertex_at[k % edges] + (k < edges ? 0 : course.length());
+  for (std::size_t k = course.first_after(begin) - 1; k < rounds * edges && course.at(k) <= end; ++k) {
+    const double start = course.at(k);
     const Vec3 &a = mesh_.position(course.curve.vertices[k % edges]),
                &b = mesh_.position(course.curve.vertices[k % edges + 1]);
     const double length = (b - a).norm();
-    if (start + length < begin || start > end || !(length > 0)) continue;
+    if (start + length < begin || !(length > 0)) continue;
     const double at =
         std::clamp(start + (to - a).dot(b - a) / length, std::max(start, begin), std::min(start + length, end));
     const double squared = (a + (at - start) / length * (b - a) - to).squaredNorm();
@@ -277,10 +288,8 @@ double CreaseGaps::distance_from_line(const Course& course, double begin, double
                                       const std::array<Vec3, 2>& line) const {
   const Vec3 way = (line[1] - line[0]).normalized();
   const std::size_t edges = course.curve.edges.size();
-  const auto at = [&](std::size_t k) { return course.vertex_at[k % edges] + (k < edges ? 0 : course.length()); };
-  const auto after = std::upper_bound(course.vertex_at.begin(), course.vertex_at.end(), begin);
   double largest = 0;
-  for (auto k = static_cast<std::size_t>(after - course.vertex_at.begin()); k < 2 * edges && at(k) < end; ++k) {
+  for (std::size_t k = course.first_after(begin); k < 2 * edges && course.at(k) < end; ++k) {
     const Vec3 to = mesh_.position(course.curve.vertices[k % edges]) - line[0];
     largest = std::max(largest, (to - to.dot(way) * way).norm());
   }

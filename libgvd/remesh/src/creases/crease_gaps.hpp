@@ -19,8 +19,8 @@ inline constexpr double kLeastForeignPart = 1e-6;
 /// Places of new generators are not nearer than this to the ends of their gap, relative to its length.
 inline constexpr double kLeastGapShare = 0.05;
 
-/// The edge between consecutive generators of a curve shall not cut off a bend of more degrees. A circle then has nine
-/// edges at least. The result's creases are within half of that from the input's in direction.
+/// The edge between consecutive generators of a crease shall not cut off a bend of more degrees: a circle then has nine
+/// edges at least. The direction of an arc differs from that of such an edge by half of that at most.
 inline constexpr double kLargestBend = 40;
 
 /// A part of a curve that the dual's edges do not follow, or where they cut off a bend.
