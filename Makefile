@@ -147,7 +147,7 @@ sanitize-threads:
 	@$(configure) sanitizers $(THREADS) -DCMAKE_CXX_COMPILER=clang++ -DGVD_SANITIZE=thread -DGVD_BUILD_APPS=OFF \
 	  -DGVD_WITH_CGAL_GPL=OFF -DGVD_WITH_VIEWER=OFF $(CMAKE_FLAGS)
 	@cmake --build $(THREADS) -j $(JOBS) --target test_threads
-	@ctest --test-dir $(THREADS) --output-on-failure -j $(JOBS) --timeout 300 -R "^threads: "
+	@ctest --test-dir $(THREADS) --output-on-failure -j $(JOBS) --timeout 300 -L "^threads$$"
 
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
