@@ -19,7 +19,7 @@ Mesh refine_flat(const Mesh& mesh) {
     std::array<VertexId, 3> middle;
     for (int i = 0; i < 3; ++i) {
       const EdgeId e = mesh.edge(Mesh::halfedge(FaceId(f), i));
-      middle[static_cast<std::size_t>(i)] = VertexId(std::int64_t{mesh.vertex_count()} + e.value());
+      middle[i] = VertexId(std::int64_t{mesh.vertex_count()} + e.value());
     }
     const auto& [ab, bc, ca] = middle;
     faces.insert(faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});

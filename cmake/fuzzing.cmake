@@ -8,10 +8,9 @@ if(GVD_BUILD_FUZZERS AND NOT (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND GVD_SAN
 endif()
 
 # gvd_guide_fuzzers(SOURCES...): libFuzzer sees which branches of SOURCES an input takes. Only the readers have it, so that the
-# other tests of the same build tree stay as fast as they are. Precompiled headers lack the option, and clang refuses them.
+# other tests of the same build tree stay as fast as they are.
 function(gvd_guide_fuzzers)
   if(GVD_BUILD_FUZZERS)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fsanitize=fuzzer-no-link
-                                                   SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fsanitize=fuzzer-no-link)
   endif()
 endfunction()

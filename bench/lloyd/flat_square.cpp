@@ -34,7 +34,7 @@ InteriorEnergy interior_energy(const Mesh& square, int n, const Diagram& diagram
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const Vec3 p = position(square, diagram.generators[i]);
     if (std::min({p.x(), p.y(), n - p.x(), n - p.y()}) < least) continue;
-    const CellMoments& cell = moments[GeneratorId(static_cast<std::int64_t>(i))];
+    const CellMoments& cell = moments[GeneratorId(i)];
     ++interior.cells;
     interior.energy += cell.energy;
     area += cell.area;

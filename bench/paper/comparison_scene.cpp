@@ -27,7 +27,7 @@ ViewScene make_comparison_scene(std::string name, const Mesh& mesh, const Compar
 void share_neighbours(std::vector<ViewScene>& scenes) {
   if (scenes.empty()) return;
   for (std::size_t i = 0; i < scenes.front().cells.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     std::set<GeneratorId> all;
     for (const ViewScene& scene : scenes)
       all.insert(scene.cells[g].neighbours.begin(), scene.cells[g].neighbours.end());

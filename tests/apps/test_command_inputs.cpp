@@ -6,7 +6,9 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_command_inputs {
+
+using namespace test;
 using Catch::Matchers::Contains;
 
 TEST_CASE("commands: a run reports what it did, and is silent when asked") {
@@ -127,3 +129,5 @@ TEST_CASE("commands: a covering radius far too small is refused at once") {
     }
   }
 }
+
+}  // namespace gvd::test_command_inputs

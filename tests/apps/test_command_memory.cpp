@@ -6,11 +6,11 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_command_memory {
+
+using namespace test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-
-namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
@@ -19,8 +19,6 @@ constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(th
 #else
 constexpr bool kSanitized = false;
 #endif
-
-}  // namespace
 
 TEST_CASE("memory: a run that passes --max-memory ends in one line, and writes nothing") {
   const ScratchFolder scratch;
@@ -97,3 +95,5 @@ TEST_CASE(
   }
   CHECK(told > 0);
 }
+
+}  // namespace gvd::test_command_memory

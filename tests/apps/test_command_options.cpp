@@ -7,7 +7,9 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_command_options {
+
+using namespace test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
@@ -100,3 +102,5 @@ TEST_CASE("commands: the command line's generators take the place of those of th
     CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["generators"].size() == 3);
   }
 }
+
+}  // namespace gvd::test_command_options

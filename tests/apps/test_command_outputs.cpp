@@ -6,7 +6,9 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_command_outputs {
+
+using namespace test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
@@ -133,3 +135,5 @@ TEST_CASE("commands: the same call gives the same bytes") {
     }
   }
 }
+
+}  // namespace gvd::test_command_outputs

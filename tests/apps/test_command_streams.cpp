@@ -8,7 +8,9 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_command_streams {
+
+using namespace test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
@@ -157,3 +159,5 @@ TEST_CASE("commands: a pipe without a reader is waited for until the run is inte
     CHECK(line_count(result.err) == 1);
   }
 }
+
+}  // namespace gvd::test_command_streams

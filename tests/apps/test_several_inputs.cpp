@@ -8,12 +8,12 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_several_inputs {
+
+using namespace test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// Two meshes that can be read, and one between them that can't.
 struct Inputs {
@@ -26,8 +26,6 @@ struct Inputs {
   std::string bad = scratch / "bad.off", good = scratch / "good.off", out = scratch / "out",
               all = data_file("torus.ply") + " " + bad + " " + good, to_out = " -n 9 --output-dir " + out;
 };
-
-}  // namespace
 
 TEST_CASE("several inputs: each has its outputs, a failed one does not stop the rest, and a table ends the run") {
   for (const std::string& name : built_commands()) {
@@ -111,3 +109,5 @@ TEST_CASE("several inputs: a file of options may list them") {
   CHECK(fs::exists(inputs.out + "/good.ply"));
   CHECK(fs::exists(inputs.out + "/torus.ply"));
 }
+
+}  // namespace gvd::test_several_inputs

@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_apex_foot {
 
 TEST_CASE("an apex on the base's line is its own foot") {
   CHECK(apex_foot(2, 0, 2) == 0);
@@ -26,3 +26,5 @@ TEST_CASE("the foot is where the coordinates say, by the base and by its inverse
     REQUIRE(apex_foot_by_inverse(base, 1 / base, first, second) == Approx(x).epsilon(1e-12).margin(1e-12));
   }
 }
+
+}  // namespace gvd::test_apex_foot

@@ -3,7 +3,7 @@
 #include "base/barycentric.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_barycentric {
 
 TEST_CASE("mix keeps both ends to the last bit and the sum of the weights") {
   const Bary a{0.1, 0.2, 0.7}, b{0.3, 0.3, 0.4};
@@ -33,3 +33,5 @@ TEST_CASE("area_share: the whole face, half of it, and clockwise") {
   CHECK(area_share({{1, 0, 0}, {0, 1, 0}}) == 0);
   CHECK(area_share({}) == 0);
 }
+
+}  // namespace gvd::test_barycentric

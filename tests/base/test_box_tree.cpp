@@ -7,9 +7,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_box_tree {
 
 std::vector<Box2> random_boxes(int count, unsigned seed) {
   test::Random random(seed);
@@ -26,8 +24,6 @@ BoxTree tree_of(const std::vector<Box2>& boxes) {
   tree.build(boxes.size(), [&](std::size_t i) { return boxes[i]; });
   return tree;
 }
-
-}  // namespace
 
 TEST_CASE("boxes: an empty one overlaps nothing and is neutral in a union") {
   const Box2 empty, box{{0, 0}, {1, 2}};
@@ -115,3 +111,5 @@ TEST_CASE("box tree: build replaces what the tree held") {
   CHECK(tree.find(0, [](const Box2& box) { return box.high.x() >= 5; }) == 0);
   CHECK(tree.find(1, [](const Box2&) { return true; }) == BoxTree::kNone);
 }
+
+}  // namespace gvd::test_box_tree

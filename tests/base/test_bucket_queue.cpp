@@ -7,17 +7,13 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_bucket_queue {
 
 std::vector<int> pop_all(BucketQueue<int>& queue) {
   std::vector<int> items;
   while (!queue.empty()) items.push_back(queue.pop());
   return items;
 }
-
-}  // namespace
 
 TEST_CASE("an empty queue is empty, also after use") {
   BucketQueue<int> queue(1, 2);
@@ -73,7 +69,7 @@ TEST_CASE("the ring turns: a bucket is used again after it was passed") {
     queue.push(i + 1, i + 1);
     popped.push_back(queue.pop());
   }
-  for (int i = 0; i < 50; ++i) CHECK(popped[static_cast<std::size_t>(i)] == i);
+  for (int i = 0; i < 50; ++i) CHECK(popped[i] == i);
 }
 
 TEST_CASE("random work: everything comes out once, and never a bucket too early") {
@@ -91,7 +87,7 @@ TEST_CASE("random work: everything comes out once, and never a bucket too early"
     for (int i = 0; i < 20; ++i) push(random.real(0, 14) * width);
     for (int i = 0; i < 20000 && !queue.empty(); ++i) {
       popped.push_back(queue.pop());
-      const double key = keys[static_cast<std::size_t>(popped.back())];
+      const double key = keys[popped.back()];
       REQUIRE(std::floor(key / width) >= std::floor(now / width));
       now = std::max(now, key);
       for (int k = random.below(3); k > 0; --k) push(now + random.real(0, 14) * width);
@@ -147,3 +143,5 @@ TEST_CASE("one can look at the items that come next in the current bucket, and a
   CHECK(*queue.ahead(1) == 3);
   CHECK(queue.ahead(2) == nullptr);
 }
+
+}  // namespace gvd::test_bucket_queue

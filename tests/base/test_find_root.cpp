@@ -4,9 +4,7 @@
 #include "base/find_root.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_find_root {
 
 constexpr double kWidth = 1e-14;
 
@@ -20,8 +18,6 @@ std::pair<double, int> count_root(double begin, double end, const Function& func
   });
   return {root, count};
 }
-
-}  // namespace
 
 TEST_CASE("the root of a line is found by one secant, exactly") {
   const auto [root, count] = count_root(-1, 3, [](double x) { return 2 * x - 1; });
@@ -71,3 +67,5 @@ TEST_CASE("find_last halves down to the last accepted number, and never returns 
   CHECK(find_last(45, [](double) { return false; }) == 0);
   CHECK(find_last(3, [](double) { return true; }) == 0.875);
 }
+
+}  // namespace gvd::test_find_root

@@ -1,11 +1,10 @@
-#include <limits>
 #include <type_traits>
 
 #include "gvd/error.hpp"
 #include "gvd/ids.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_ids {
 
 static_assert(!std::is_convertible_v<int, VertexId>, "a plain number is no id");
 static_assert(!std::is_constructible_v<FaceId, VertexId>, "an id of one kind is none of another");
@@ -42,3 +41,5 @@ TEST_CASE("error: code, message and element") {
   CHECK(std::string(error.what()) == "face 3 is flat");
   CHECK(Error(ErrorCode::invalid_option, "x").element() == -1);
 }
+
+}  // namespace gvd::test_ids

@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_lazy_max_heap {
 
 TEST_CASE("lazy heap: without items it is empty") {
   CHECK(LazyMaxHeap(0, [](std::int32_t) { return 1.0; }).empty());
@@ -54,3 +54,5 @@ TEST_CASE("lazy heap: always the largest of all true keys, while they fall at ra
   }
   CHECK(heap.empty());
 }
+
+}  // namespace gvd::test_lazy_max_heap

@@ -16,9 +16,7 @@
 #include "support/catch.hpp"
 #include "support/many_threads.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_parallel_chunks {
 
 const Progress kSilent;
 
@@ -63,8 +61,6 @@ int begun_until_cancelled(int threads, int count, bool fails) {
   }
   return begun;
 }
-
-}  // namespace
 
 TEST_CASE("chunks hold every item once, in order") {
   for (const std::size_t count : {0, 1, 2, 7, 8, 9, 100}) {
@@ -198,3 +194,5 @@ TEST_CASE("within a loop of the caller's that was cancelled, all items are run n
       tbb::simple_partitioner(), context);
   CHECK(done == 100);
 }
+
+}  // namespace gvd::test_parallel_chunks

@@ -6,17 +6,13 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_plane {
 
 /// Exact sign of an orientation of integer points.
 int exact_orientation(const std::array<long long, 6>& p) {
   const long long area = (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
   return (area > 0) - (area < 0);
 }
-
-}  // namespace
 
 TEST_CASE("cross and turned_left are counter-clockwise positive") {
   CHECK(cross({1, 0}, {0, 1}) == 1);
@@ -79,3 +75,5 @@ TEST_CASE("orientation: rounding never gives the wrong sign, and leaves only nea
   }
   CHECK(open < 200);
 }
+
+}  // namespace gvd::test_plane

@@ -3,7 +3,7 @@
 #include "base/polygon_ring.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_polygon_ring {
 
 TEST_CASE("polygon ring: at first every corner is left, between its neighbours") {
   const PolygonRing ring(4);
@@ -49,3 +49,5 @@ TEST_CASE("ear candidates: the best quality comes first, of equal ones the first
     queue.pop();
   }
 }
+
+}  // namespace gvd::test_polygon_ring

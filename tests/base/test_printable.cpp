@@ -1,7 +1,9 @@
 #include "base/printable.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_printable {
+
+using namespace test;
 
 TEST_CASE("texts from files are printable and short in messages") {
   CHECK(printable("abc") == "abc");
@@ -16,4 +18,4 @@ TEST_CASE("a quotation is short and printable") {
   CHECK(gvd::quoted(std::string(100, 'x')) == "'" + std::string(kLongestQuote, 'x') + "...'");
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_printable

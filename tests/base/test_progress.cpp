@@ -5,7 +5,7 @@
 #include "gvd/progress.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_progress {
 
 TEST_CASE("progress: an empty callback is skipped") { CHECK_NOTHROW(report_progress({}, "step", 0.5)); }
 
@@ -30,3 +30,5 @@ TEST_CASE("progress: returning false interrupts, and the error names the step") 
     CHECK_THAT(error.what(), Catch::Matchers::Contains("bisectors"));
   }
 }
+
+}  // namespace gvd::test_progress

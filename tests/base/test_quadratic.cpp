@@ -5,16 +5,12 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_quadratic {
 
 std::array<double, 2> sorted(std::array<double, 2> roots) {
   std::sort(roots.begin(), roots.end());
   return roots;
 }
-
-}  // namespace
 
 TEST_CASE("degenerate quadratics: missing roots are not finite, double roots come twice") {
   const auto linear = quadratic_roots(0, 1, -3);  // 2 x - 3 = 0
@@ -48,3 +44,5 @@ TEST_CASE("the roots that a quadratic was made from come back") {
     REQUIRE(roots[1] == Approx(std::max(first, second)).epsilon(1e-10).margin(1e-12));
   }
 }
+
+}  // namespace gvd::test_quadratic

@@ -4,9 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_segment {
 
 constexpr double kTolerance = 1e-12;
 
@@ -27,8 +25,6 @@ Answers ask(const PlaneSegment& a, const PlaneSegment& b) {
   CHECK(intersect_beyond(a, b_reversed, kTolerance) == answers.beyond);
   return answers;
 }
-
-}  // namespace
 
 TEST_CASE("intersect_lines gives both parameters of the common point") {
   const Vec2 p(1, 1), d(2, 0), q(2, 0), e(0, 4);
@@ -96,3 +92,5 @@ TEST_CASE("random segments: crossing beyond rounding implies that they may cross
   }
   CHECK(crossings > 500);
 }
+
+}  // namespace gvd::test_segment

@@ -12,9 +12,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_triangulate_plane_polygon {
 
 using Triangle = std::array<std::size_t, 3>;
 
@@ -112,8 +110,6 @@ std::array<std::vector<Vec2>, 2> make_parts_at_arc(int corners, double height) {
   return {below, above};
 }
 
-}  // namespace
-
 TEST_CASE("polygons: fewer than three corners have no triangle, three one") {
   CHECK(triangulate_plane_polygon({}).empty());
   CHECK(triangulate_plane_polygon({{0, 0}}).empty());
@@ -173,3 +169,5 @@ TEST_CASE("polygons: thousands of corners, in a star, in the teeth of a comb, in
   }
   check_triangles(spiral, triangulate_plane_polygon(spiral));
 }
+
+}  // namespace gvd::test_triangulate_plane_polygon

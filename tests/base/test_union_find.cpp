@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_union_find {
 
 TEST_CASE("disjoint sets: at first each element is its own") {
   UnionFind sets(3);
@@ -50,3 +50,5 @@ TEST_CASE("disjoint sets: the same sets as by relabelling all elements") {
     for (int k = 0; k < kCount; ++k) REQUIRE(sets.find(k) == label[std::size_t(k)]);
   }
 }
+
+}  // namespace gvd::test_union_find

@@ -8,8 +8,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_comparison_scene {
+
+using namespace paper;
 
 TEST_CASE("every comparator's diagram becomes a scene of one page") {
   if (!has_viewer()) return;
@@ -51,3 +52,5 @@ TEST_CASE("scenes of one page have the same neighbours: those of any of them") {
   share_neighbours(none);
   CHECK(none.empty());
 }
+
+}  // namespace gvd::test_comparison_scene

@@ -6,8 +6,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_list_comparators {
+
+using namespace paper;
 
 TEST_CASE("every comparator has a name of its own and fills a diagram that the same E judges") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
@@ -43,3 +44,5 @@ TEST_CASE("the exact method has the least error, and windows with straight segme
   CHECK(exact < windows);
   for (const std::size_t other : {1, 2, 3, 5, 6, 7}) CHECK(windows < error[other]);
 }
+
+}  // namespace gvd::test_list_comparators

@@ -5,8 +5,9 @@
 #include "gvd/surface_area.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::bench;
+namespace gvd::test_flat_square {
+
+using namespace bench;
 
 TEST_CASE("a flat square has the area n x n and one boundary") {
   const Mesh mesh = make_flat_square(5);
@@ -30,3 +31,5 @@ TEST_CASE("the interior of a square of square cells has the energy of squares, 1
   CHECK(inner.energy == Approx(1.0 / 6).epsilon(1e-9));
   CHECK(interior_energy(mesh, n, diagram, n).cells == 0);
 }
+
+}  // namespace gvd::test_flat_square

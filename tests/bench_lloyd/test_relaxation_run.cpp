@@ -3,10 +3,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::bench;
+namespace gvd::test_relaxation_run {
 
-namespace {
+using namespace bench;
 
 const Mesh& sphere() {
   static const Mesh mesh = test::make_bumpy_sphere(3, 2);
@@ -18,8 +17,6 @@ std::vector<SurfacePoint> start() {
   options.count = 12;
   return sample_generators(sphere(), options);
 }
-
-}  // namespace
 
 TEST_CASE("E of a diagram does not depend on the size of the mesh, and is that of its relaxation") {
   LloydOptions options;
@@ -72,3 +69,5 @@ TEST_CASE("an energy that no run reaches has no shortest run") {
   CHECK_FALSE(shortest_run_to(0.1, sphere(), start(), run.trace, 1));
   CHECK_FALSE(shortest_run_to(run.energy - 1e-6, sphere(), start(), run.trace, 1));
 }
+
+}  // namespace gvd::test_relaxation_run

@@ -1,10 +1,9 @@
 #include "kept_creases.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::bench;
+namespace gvd::test_kept_creases {
 
-namespace {
+using namespace bench;
 
 /// Eight corners of a cube, whose upper four are turned by `turn` (of the edge's length) along the edges.
 Mesh make_cube(double turn = 0) {
@@ -16,8 +15,6 @@ Mesh make_cube(double turn = 0) {
   for (const auto& f : faces) ids.push_back({VertexId(f[0]), VertexId(f[1]), VertexId(f[2])});
   return Mesh(std::move(p), std::move(ids));
 }
-
-}  // namespace
 
 TEST_CASE("a cube keeps all creases of itself") { CHECK(percent_of_creases_kept(make_cube(), make_cube()) == 100); }
 
@@ -39,3 +36,5 @@ TEST_CASE("a mesh without creases keeps them all, and one without is none of ano
   const Mesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   CHECK(percent_of_creases_kept(make_cube(), triangle) == 0);
 }
+
+}  // namespace gvd::test_kept_creases

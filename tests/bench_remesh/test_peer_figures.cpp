@@ -1,7 +1,9 @@
 #include "peer_figures.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::bench;
+namespace gvd::test_peer_figures {
+
+using namespace bench;
 
 TEST_CASE("a figure is compared with the best of the peers") {
   const PeerRow distance{"distance", true, {3, 2, std::nullopt}}, quality{"quality", false, {0.5, 0.25, 0.75}};
@@ -29,3 +31,5 @@ TEST_CASE("the figures of the peers have the same rows for each number of vertic
     }
   }
 }
+
+}  // namespace gvd::test_peer_figures

@@ -2,15 +2,12 @@
 #include "remesh_run.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::bench;
+namespace gvd::test_remesh_run {
 
-namespace {
+using namespace bench;
 
 const std::string kTorus = GVD_SOURCE_DIR "/data/torus.ply";
 const std::string kPlate = GVD_SOURCE_DIR "/data/plate.stl";
-
-}  // namespace
 
 TEST_CASE("a run of the command has figures of its mesh and its costs") {
   const auto figures = run_remesh(read_named_mesh(kTorus).mesh, {kTorus, 100, std::nullopt});
@@ -42,3 +39,5 @@ TEST_CASE("a run that fails has no figures") {
   const Mesh torus = read_named_mesh(kTorus).mesh;
   CHECK_FALSE(run_remesh(torus, {"no file's.obj", 100, std::nullopt}));
 }
+
+}  // namespace gvd::test_remesh_run

@@ -22,10 +22,9 @@
 #include "support/generators.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-using test::corpus;
+namespace gvd::test_corpus {
 
-namespace {
+using test::corpus;
 
 /// The mesh of a file; none where it is refused, which has a test of its own.
 std::optional<Mesh> read_mesh(const std::filesystem::path& file) {
@@ -107,8 +106,6 @@ void run_symmetric(const Mesh& mesh, int step) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("every mesh of the corpus is read, or refused with one line that names the line") {
   for (const auto& file : corpus()) {
     INFO(file);
@@ -166,3 +163,5 @@ TEST_CASE("the Euler count holds over thousands of seeded runs", "[.by-hand]") {
   run_corpus(test::number_from_environment("GVD_RUNS_FIRST", 1), test::number_from_environment("GVD_RUNS_COUNT", 20),
              1 << 30);
 }
+
+}  // namespace gvd::test_corpus

@@ -8,9 +8,9 @@
 #include "corpus/corpus.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_corpus_commands {
 
-namespace {
+using namespace test;
 
 struct Call {
   std::string command;
@@ -26,8 +26,6 @@ std::vector<Call> calls() {
           {"gvd-lloyd", "-n 12 --iterations 5", "relaxed.txt", {3, 4}},
           {"gvd-remesh", "-n 60", "coarse.ply", {3, 4, 5}}};
 }
-
-}  // namespace
 
 TEST_CASE("the commands succeed on every mesh of the corpus, or refuse it with one line") {
   int runs = 0, refused = 0;
@@ -54,3 +52,5 @@ TEST_CASE("the commands succeed on every mesh of the corpus, or refuse it with o
   CHECK(5 * refused <= runs);
   std::cout << runs << " runs, " << refused << " refused\n";
 }
+
+}  // namespace gvd::test_corpus_commands

@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_cell_shares {
 
 TEST_CASE("no cell asked for: no share") { CHECK(CellShares().take().empty()); }
 
@@ -44,3 +44,5 @@ TEST_CASE("many cells, in any order, sum up as in an ordered map, and come out i
     }
   }
 }
+
+}  // namespace gvd::test_cell_shares

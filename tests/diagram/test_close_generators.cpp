@@ -14,9 +14,7 @@
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_close_generators {
 
 /// Far above rounding, and far below the error of any of these bugs.
 constexpr double kOff = 1e-9;
@@ -64,8 +62,6 @@ void check_distances(const Mesh& mesh, const Diagram& diagram) {
     CHECK(std::abs(diagram.vertex_distance[VertexId(v)] - least) <= 1e-13 * mesh.bbox_diagonal());
   }
 }
-
-}  // namespace
 
 TEST_CASE("two generators down to 3e-11 apart: distances of vertices are right, and no bisector is straightened") {
   const Mesh mesh = test::make_tetrahedron();
@@ -204,3 +200,5 @@ TEST_CASE("in a face without width the points of bisectors lie inside") {
                                              {FaceId(3), {0, 0.9997409794867326, 0.00025902051326747187}}};
   check_outlines(compute_sound(mesh, generators, 1.3e-4));
 }
+
+}  // namespace gvd::test_close_generators

@@ -13,9 +13,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_collect_cells {
 
 Diagram collect(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
   const Progress silent;
@@ -30,8 +28,6 @@ Diagram collect(const Mesh& mesh, const std::vector<SurfacePoint>& generators, i
 }
 
 const Cell& cell(const Diagram& diagram, int g) { return diagram.cells[GeneratorId(g)]; }
-
-}  // namespace
 
 TEST_CASE("one face, one generator at a corner: the face is labelled, and there is no piece") {
   const Mesh mesh = test::make_triangle();
@@ -122,3 +118,5 @@ TEST_CASE("cells are the same on one thread and on three, to the last bit") {
   const auto generators = test::random_generators(mesh, 500, 33);
   CHECK(test::same_diagram(collect(mesh, generators, 1), collect(mesh, generators, 3)));
 }
+
+}  // namespace gvd::test_collect_cells

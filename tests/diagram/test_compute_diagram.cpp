@@ -13,11 +13,10 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_compute_diagram {
+
 using test::compute_sound;
 using test::kFronts;
-
-namespace {
 
 double area_sum(const Diagram& diagram) {
   double sum = 0;
@@ -35,8 +34,6 @@ Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   FAIL("was not refused");
   throw;
 }
-
-}  // namespace
 
 TEST_CASE("a single triangle: one, two and three generators, at corners, on edges and inside") {
   const Mesh mesh = test::make_triangle();
@@ -165,7 +162,7 @@ TEST_CASE("all generators on one edge: parallel bisectors across the faces besid
         const auto generators = test::along_edge(Mesh::halfedge(FaceId(0), 1), count);
         const Diagram diagram = compute_sound(mesh, generators, front);
         for (std::size_t i = 0; i + 1 < generators.size(); ++i) {
-          const auto& neighbours = diagram.cells[GeneratorId(static_cast<std::int64_t>(i))].neighbours;
+          const auto& neighbours = diagram.cells[GeneratorId(i)].neighbours;
           CHECK(std::count(neighbours.begin(), neighbours.end(), GeneratorId(static_cast<std::int64_t>(i) + 1)) == 1);
         }
       }
@@ -280,7 +277,7 @@ TEST_CASE("a generator's vertex has its label and distance zero, and no distance
     const Diagram diagram = compute_sound(mesh, generators);
     for (std::size_t i = 0; i < generators.size(); ++i) {
       if (generators[i].kind() != SurfacePoint::Kind::vertex) continue;
-      REQUIRE(diagram.vertex_label[vertex(mesh, generators[i])] == GeneratorId(static_cast<std::int64_t>(i)));
+      REQUIRE(diagram.vertex_label[vertex(mesh, generators[i])] == GeneratorId(i));
       REQUIRE(diagram.vertex_distance[vertex(mesh, generators[i])] == 0);
     }
     for (const double d : diagram.vertex_distance) REQUIRE(d >= 0);
@@ -323,3 +320,5 @@ TEST_CASE("no generator, a face that does not exist and coincident generators ar
     CHECK_THAT(error.what(), Catch::Contains("1 and 3 coincide"));
   }
 }
+
+}  // namespace gvd::test_compute_diagram

@@ -19,11 +19,10 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_compute_diagram_runs {
+
 using test::compute_sound;
 using test::kFronts;
-
-namespace {
 
 /// Requires that the callback of `options` cancels the run.
 void require_cancelled(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
@@ -51,8 +50,6 @@ void check_scaled(const Mesh& mesh, Method method, int exponent, double epsilon)
     CHECK(other.length / scale == Approx(diagram.length).epsilon(epsilon));
   }
 }
-
-}  // namespace
 
 TEST_CASE("very small and very large coordinates give the same diagram") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -181,3 +178,5 @@ TEST_CASE("the comparison of diagrams can tell them apart") {
   CHECK_FALSE(test::same_diagram(diagram, moved));
   CHECK(test::same_topology(diagram, moved));
 }
+
+}  // namespace gvd::test_compute_diagram_runs

@@ -15,9 +15,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_connected_tracer {
 
 using Edges = std::vector<EdgeId>;
 
@@ -105,8 +103,6 @@ struct TwoCells {
 bool contains(const Edges& edges, EdgeId e) { return std::binary_search(edges.begin(), edges.end(), e); }
 
 std::vector<std::int32_t> ones(std::size_t count) { return std::vector<std::int32_t>(count, 1); }
-
-}  // namespace
 
 TEST_CASE("one generator: one round, and nothing to connect") {
   const Mesh mesh = test::make_grid(3, 3);
@@ -238,3 +234,5 @@ TEST_CASE("a tracer without growth has nothing to disable") {
   CHECK_NOTHROW(steps.disable_growth({EdgeId(0)}));
   CHECK(steps.cross_edges(NearestLabels()).size() == 0);
 }
+
+}  // namespace gvd::test_connected_tracer

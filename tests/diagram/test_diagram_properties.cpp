@@ -7,7 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_diagram_properties {
 
 TEST_CASE("the diagram is complete and sound on every family, for few and for many generators") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -29,3 +29,5 @@ TEST_CASE("the diagram is complete and sound on every family, for few and for ma
     }
   }
 }
+
+}  // namespace gvd::test_diagram_properties

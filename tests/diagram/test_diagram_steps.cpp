@@ -12,9 +12,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_diagram_steps {
 
 /// The steps of a run in the order in which they are first named.
 std::vector<std::string> steps_in_order(const Method& method) {
@@ -29,8 +27,6 @@ std::vector<std::string> steps_in_order(const Method& method) {
   compute_diagram(mesh, test::random_generators(mesh, 30, 4), options);
   return steps;
 }
-
-}  // namespace
 
 TEST_CASE("each method names its steps in the order of the schedule") {
   using Steps = std::vector<std::string>;
@@ -70,3 +66,5 @@ TEST_CASE("a part of a step reports fractions between its ends") {
   const Progress cancel = [](std::string_view, double) { return false; };
   CHECK_THROWS_AS(report_progress(cancel, StepPart{"some step"}, 0.5), Error);
 }
+
+}  // namespace gvd::test_diagram_steps

@@ -9,9 +9,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_methods {
 
 const std::vector<Method> kMethods{{Solver::windows, Tracer::envelope},
                                    {Solver::windows, Tracer::growth},
@@ -23,8 +21,6 @@ Diagram diagram_by(const Mesh& mesh, const std::vector<SurfacePoint>& generators
   options.method = method;
   return compute_diagram(mesh, generators, options);
 }
-
-}  // namespace
 
 TEST_CASE("every solver works with every tracer, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -97,3 +93,5 @@ TEST_CASE("the least chord tolerance ends after a bounded number of segments") {
   CHECK(points > 10'000);
   CHECK(points < 10'000'000);
 }
+
+}  // namespace gvd::test_methods

@@ -6,9 +6,7 @@
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_thin_faces {
 
 Mesh make_sheet(const std::vector<double>& xs, const std::vector<double>& ys) {
   std::vector<Vec3> positions;
@@ -41,7 +39,7 @@ double largest_error(const Mesh& mesh, const std::vector<int>& vertices) {
       const Vec3 p = position(mesh, point);
       double least = std::min(distance(bisector.left, p), distance(bisector.right, p));
       for (std::size_t g = 0; g < generators.size(); ++g) {
-        least = std::min(least, distance(GeneratorId(static_cast<std::int64_t>(g)), p));
+        least = std::min(least, distance(GeneratorId(g), p));
       }
       largest = std::max({largest, distance(bisector.left, p) - least, distance(bisector.right, p) - least});
     }
@@ -51,8 +49,6 @@ double largest_error(const Mesh& mesh, const std::vector<int>& vertices) {
 
 /// Twice the chord tolerance.
 constexpr double kAllowed = 2e-4;
-
-}  // namespace
 
 TEST_CASE("branch points on edges of thin faces are where the generators are equally far") {
   const Mesh strip = make_sheet({0, 0.25, 0.5, 1}, {0, 0.001});
@@ -67,3 +63,5 @@ TEST_CASE("two branch points in one place of a thin face are both there") {
   const Mesh sheet = make_sheet({0, 0.25, 0.5, 1}, {0, 0.0001, 0.0002, 0.0003});
   CHECK(largest_error(sheet, {12, 13, 1, 6, 14, 0, 4, 5, 3, 8, 10, 15, 7, 2, 11, 9}) < kAllowed);
 }
+
+}  // namespace gvd::test_thin_faces

@@ -1,5 +1,4 @@
 // The result does not depend on the number of threads.
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +15,7 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_threads {
 
 const std::vector<Method> kMethods{Method::exact, Method::gbgvd, Method{Solver::fast_marching, Tracer::envelope},
                                    Method{Solver::windows, Tracer::growth}};
@@ -48,8 +45,6 @@ class FailingField final : public DistanceField {
   const DistanceField& field_;
   FaceId from_;
 };
-
-}  // namespace
 
 TEST_CASE("every number of threads gives the same diagram, in every field") {
   test::with_many_threads([] {
@@ -146,3 +141,5 @@ TEST_CASE("a negative number of threads is refused") {
     CHECK(error.code() == ErrorCode::invalid_option);
   }
 }
+
+}  // namespace gvd::test_threads

@@ -10,9 +10,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_trace_bisectors {
 
 struct Traced {
   WorkingMesh working;
@@ -92,7 +90,7 @@ void require_bisectors(const Traced& t, const Mesh& mesh) {
   REQUIRE(t.diagram.length == Approx(bisectors).epsilon(1e-12));
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     // Counter-clockwise: a spoke with cell g on its left precedes the one with g on its right.
-    const BranchPointId id(static_cast<std::int64_t>(i));
+    const BranchPointId id(i);
     const auto& named = t.diagram.branch_points[id].generators;
     for (std::size_t k = 0; k < named.size(); ++k) {
       const std::pair<GeneratorId, GeneratorId> spoke(named[k], named[(k + 1) % named.size()]);
@@ -100,8 +98,6 @@ void require_bisectors(const Traced& t, const Mesh& mesh) {
     }
   }
 }
-
-}  // namespace
 
 TEST_CASE("traced diagrams have properties (1) to (3), and every arc belongs to one bisector, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -178,3 +174,5 @@ TEST_CASE("one generator has no bisector") {
   CHECK(t.diagram.bisectors.empty());
   CHECK(t.diagram.length == 0);
 }
+
+}  // namespace gvd::test_trace_bisectors

@@ -81,7 +81,7 @@ class Fields {
   double least(const Point& point) const {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t g = 0; g < fields_.size(); ++g) {
-      best = std::min(best, distance(GeneratorId(static_cast<std::int64_t>(g)), point));
+      best = std::min(best, distance(GeneratorId(g), point));
     }
     return best;
   }
@@ -92,7 +92,7 @@ class Fields {
 
 void examine_vertices(const Fields& fields, const Diagram& diagram, double error, Compare compare, Findings& findings) {
   for (std::size_t i = 0; i < diagram.vertex_distance.size(); ++i) {
-    const VertexId v(static_cast<std::int64_t>(i));
+    const VertexId v(i);
     const double best = fields.least(v), given = diagram.vertex_distance[v];
     if (std::isinf(best) && std::isinf(given)) continue;
     if (!(std::abs(best - given) <= error)) {
@@ -107,7 +107,7 @@ void examine_vertices(const Fields& fields, const Diagram& diagram, double error
 
 void examine_crossings(const Fields& fields, const Diagram& diagram, double error, Findings& findings) {
   for (std::size_t i = 0; i < diagram.bisectors.size(); ++i) {
-    const Bisector& bisector = diagram.bisectors[BisectorId(static_cast<std::int64_t>(i))];
+    const Bisector& bisector = diagram.bisectors[BisectorId(i)];
     for (std::size_t k = 0; k < bisector.points.size(); ++k) {
       const SurfacePoint& p = bisector.points[k];
       const bool is_branch_point =
@@ -137,7 +137,7 @@ Findings examine(const Mesh& mesh, const Diagram& diagram) {
   Findings findings = check_diagram(mesh, diagram).violations;
   if (diagram.report.unresolved_ends != 0) findings.push_back("an end of a bisector is unresolved");
   for (std::size_t i = 0; i < diagram.vertex_distance.size(); ++i) {
-    const VertexId v(static_cast<std::int64_t>(i));
+    const VertexId v(i);
     const double d = diagram.vertex_distance[v];
     if (!(d >= 0) || std::isinf(d) == diagram.vertex_label[v].valid()) {
       findings.push_back(

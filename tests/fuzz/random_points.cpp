@@ -109,7 +109,7 @@ Points round_one_vertex(const Mesh& mesh, Random& random) {
     points.push_back(edge_point(h, e));
     if (random.below(2) == 0) return;
     Bary bary{e, e, e};
-    bary[static_cast<std::size_t>(Mesh::corner(h))] = 1 - 2 * e;
+    bary[Mesh::corner(h)] = 1 - 2 * e;
     points.push_back(make_surface_point(Mesh::face(h), bary));
   });
   return points;
@@ -172,7 +172,7 @@ void drop_equal(const Mesh& mesh, Random& random, Points& points) {
 }  // namespace
 
 RandomPoints make_random_points(const Mesh& mesh, Random& random) {
-  const Kind& kind = kKinds[static_cast<std::size_t>(random.below(static_cast<int>(kKinds.size())))];
+  const Kind& kind = kKinds[random.below(static_cast<int>(kKinds.size()))];
   RandomPoints result{kind.name, kind.make(mesh, random)};
   drop_equal(mesh, random, result.points);
   return result;

@@ -52,7 +52,7 @@ RandomSoup make_octahedron(Random&) {
 RandomSoup make_doubled_triangle(Random& random) {
   const std::array<Vec3, 4> tips{Vec3(0.5, std::sqrt(0.75), 0), Vec3(random.real(0, 1), random.real(0.1, 1), 0),
                                  Vec3(0, 1, 0), Vec3(0.5, power_of_ten(random, -4, -1), 0)};
-  RandomSoup soup{"doubled triangle", {{0, 0, 0}, {1, 0, 0}, tips[static_cast<std::size_t>(random.below(4))]}, {}};
+  RandomSoup soup{"doubled triangle", {{0, 0, 0}, {1, 0, 0}, tips[random.below(4)]}, {}};
   const Vec3 middle = (soup.positions[0] + soup.positions[1] + soup.positions[2]) / 3;
   soup.positions.insert(soup.positions.end(), {middle, middle});
   soup.polygons = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
@@ -120,7 +120,7 @@ RandomSoup make_grid(Random& random) {
   const int nx = 1 + random.below(9), ny = 1 + random.below(9), pattern = random.below(3);
   const bool holes = random.below(2) == 0;
   constexpr std::array kHeights{0.0, 0.0, 1e-9, 0.3, 3.0};
-  const double height = kHeights[static_cast<std::size_t>(random.below(5))];
+  const double height = kHeights[random.below(5)];
   RandomSoup soup{fmt::format("grid{} of height {}", holes ? " with holes" : "", height), {}, {}};
   for (int i = 0; i <= nx; ++i) {
     for (int j = 0; j <= ny; ++j) soup.positions.emplace_back(i, j, height * random.real(-1, 1));
@@ -203,9 +203,7 @@ constexpr std::array kShapes{&make_tetrahedron, &make_octahedron,    &make_doubl
                              &make_torus,       &make_needles,       &make_disc,
                              &make_collinear,   &make_random_indices};
 
-RandomSoup make_shape(Random& random) {
-  return kShapes[static_cast<std::size_t>(random.below(static_cast<int>(kShapes.size())))](random);
-}
+RandomSoup make_shape(Random& random) { return kShapes[random.below(static_cast<int>(kShapes.size()))](random); }
 
 /// Adds a second shape, apart from the first or overlapping it.
 void add_another(RandomSoup& soup, Random& random) {
@@ -255,7 +253,7 @@ void transform(RandomSoup& soup, Random& random) {
   }
   constexpr std::array kNames{
       ", times 1e8", ", times 1e-8", ", times 1e60 or 1e-60", ", squashed", ", far away", ", moved", "", "", ""};
-  soup.name += kNames[static_cast<std::size_t>(kind)];
+  soup.name += kNames[kind];
 }
 
 }  // namespace

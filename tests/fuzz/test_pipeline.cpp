@@ -22,11 +22,10 @@
 #include "support/environment.hpp"
 #include "support/same_diagram.hpp"
 
-using namespace gvd;
+namespace gvd::test_pipeline {
+
 using test::Findings;
 using test::Random;
-
-namespace {
 
 /// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers.
 constexpr unsigned kFirstSeed = 401, kSeeds = 300;
@@ -269,8 +268,6 @@ int run_seeds(unsigned first, unsigned count, bool verbose) {
   return failed;
 }
 
-}  // namespace
-
 TEST_CASE("random soups with random generators end in sound results, or in an error that says why") {
   REQUIRE(run_seeds(kFirstSeed, kSeeds, false) == 0);
 }
@@ -280,3 +277,5 @@ TEST_CASE("more random soups", "[.by-hand]") {
   REQUIRE(run_seeds(test::number_from_environment("GVD_FUZZ_FIRST", 1000),
                     test::number_from_environment("GVD_FUZZ_COUNT", 10000), true) == 0);
 }
+
+}  // namespace gvd::test_pipeline

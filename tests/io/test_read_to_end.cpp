@@ -5,9 +5,7 @@
 #include "gvd/io/read_to_end.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_read_to_end {
 
 /// Gives some bytes, and then fails.
 class FailingBuffer : public std::stringbuf {
@@ -17,8 +15,6 @@ class FailingBuffer : public std::stringbuf {
  private:
   int_type underflow() override { throw std::runtime_error("the device is gone"); }
 };
-
-}  // namespace
 
 TEST_CASE("a stream is read to its end, whatever its length and its bytes") {
   for (const std::size_t length : {0, 1, 16383, 16384, 16385, 100000}) {
@@ -36,3 +32,5 @@ TEST_CASE("a stream that fails is bad afterwards") {
   read_to_end(in);
   CHECK(in.bad());
 }
+
+}  // namespace gvd::test_read_to_end

@@ -2,9 +2,7 @@
 #include "iteration_record.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_iteration_record {
 
 const Precision kWithoutDiagram{{}, true};
 
@@ -22,8 +20,6 @@ IterationRecord make_record() {
   record.add(move, 8.5, 8.4, kWithoutDiagram);
   return record;
 }
-
-}  // namespace
 
 TEST_CASE("iteration record: an iteration has what its move has") {
   const IterationRecord record = make_record();
@@ -71,3 +67,5 @@ TEST_CASE("iteration record: all iterations become one") {
   REQUIRE(record.iterations.size() == 1);
   CHECK(record.iterations[0].mean_move == 3);
 }
+
+}  // namespace gvd::test_iteration_record

@@ -13,9 +13,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_lloyd {
 
 /// The point of a grid of unit squares at a position.
 SurfacePoint grid_point(const Mesh& mesh, double x, double y) {
@@ -38,8 +36,6 @@ void require_falling(const LloydResult& result) {
   }
   REQUIRE(result.final_energy == energy);
 }
-
-}  // namespace
 
 TEST_CASE("lloyd: the moments of a rectangle about any of its points are exact") {
   const Mesh mesh = test::make_grid(6, 4);
@@ -333,3 +329,5 @@ TEST_CASE("lloyd: cancelling throws") {
   CHECK_THROWS_AS(relax_generators(mesh, test::random_generators(mesh, 5, 1), options), Error);
   CHECK(calls == 5);
 }
+
+}  // namespace gvd::test_lloyd

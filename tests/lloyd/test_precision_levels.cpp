@@ -7,17 +7,13 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_precision_levels {
 
 double energy_of(const Mesh& mesh, const Diagram& diagram) {
   double energy = 0;
   for (const CellMoments& m : compute_cell_moments(mesh, diagram)) energy += m.energy;
   return energy;
 }
-
-}  // namespace
 
 TEST_CASE("precision levels: accelerated exact runs begin without diagrams and end as asked for") {
   LloydOptions options;
@@ -78,3 +74,5 @@ TEST_CASE("precision levels: relaxed generators are not made worse by early iter
     CHECK(again.initial_energy >= again.final_energy);
   }
 }
+
+}  // namespace gvd::test_precision_levels

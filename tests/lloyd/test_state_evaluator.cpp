@@ -7,7 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_state_evaluator {
 
 TEST_CASE("state evaluator: levels follow each other, and early ones can be skipped") {
   const Mesh mesh = test::make_sphere(3);
@@ -57,3 +57,5 @@ TEST_CASE("state evaluator: diagrams are counted, and each reports the fraction 
   CHECK(early.energy != late.energy);
   CHECK(early.energy == Approx(late.energy).epsilon(0.01));
 }
+
+}  // namespace gvd::test_state_evaluator

@@ -10,7 +10,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_closest_point {
 
 TEST_CASE("closest point on a face: above its inside, beside an edge, beyond a corner") {
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
@@ -83,3 +83,5 @@ TEST_CASE("closest point: a query without a finite distance is refused") {
   CHECK_THROWS_AS(tree.query({1e200, 1e200, 0}), Error);
   CHECK_THROWS_AS(tree.query({std::numeric_limits<double>::infinity(), 0, 0}), Error);
 }
+
+}  // namespace gvd::test_closest_point

@@ -7,7 +7,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_closest_point_tree {
 
 TEST_CASE("nearest face: as a search by closest points, near the surface and far from it, from any guess") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -35,3 +35,5 @@ TEST_CASE("a face without area has the distance of its longest edge") {
   CHECK(line.nearest_face({-3, 4, 0}).distance == Approx(5));
   CHECK(line.nearest_face({7, 0, 4}).distance == Approx(5));
 }
+
+}  // namespace gvd::test_closest_point_tree

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_coincidence {
 
 TEST_CASE("coincidence is a part of the bounding box near the origin, and follows the scale") {
   const Mesh mesh = test::make_tetrahedron();
@@ -12,7 +12,9 @@ TEST_CASE("coincidence is a part of the bounding box near the origin, and follow
 
 TEST_CASE("far from the origin coincidence is the rounding of the coordinates") {
   const auto shifted = [](double x) { return test::make_mesh({{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}, {{0, 1, 2}}); };
-  CHECK(coincidence(shifted(1e6)) == kPositionRounding * (1e6 + 1));
-  CHECK(coincidence(shifted(-1e6)) == kPositionRounding * 1e6);
+  CHECK(coincidence(shifted(1e6)) == kCoordinateRounding * (1e6 + 1));
+  CHECK(coincidence(shifted(-1e6)) == kCoordinateRounding * 1e6);
   CHECK(coincidence(shifted(1)) == kCoincidence * shifted(1).bbox_diagonal());
 }
+
+}  // namespace gvd::test_coincidence

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_foot_on_edge {
 
 TEST_CASE("foot on edge: a point of the line has its own parameter, and moves across change nothing") {
   const Mesh mesh = test::make_grid(2, 2);
@@ -16,3 +16,5 @@ TEST_CASE("foot on edge: a point of the line has its own parameter, and moves ac
     }
   }
 }
+
+}  // namespace gvd::test_foot_on_edge

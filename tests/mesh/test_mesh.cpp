@@ -5,9 +5,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_mesh {
 
 std::vector<std::array<VertexId, 3>> triangles(std::initializer_list<std::array<int, 3>> list) {
   std::vector<std::array<VertexId, 3>> faces;
@@ -27,8 +25,6 @@ void require_refused(const std::vector<std::array<VertexId, 3>>& faces, std::siz
     REQUIRE_THAT(error.what(), Catch::Matchers::Contains(part));
   }
 }
-
-}  // namespace
 
 TEST_CASE("a mesh that breaks a property can't be built") {
   require_refused(triangles({{0, 1, 9}}), 4, "refers to vertex 9");
@@ -92,3 +88,5 @@ TEST_CASE("the summary counts what the families were made with") {
   CHECK(summary(test::make_half_sphere(2)).boundary_loops == 1);
   CHECK(summary(test::make_two_components()).components == 2);
 }
+
+}  // namespace gvd::test_mesh

@@ -10,9 +10,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_mesh_editor {
 
 using Face = std::array<VertexId, 3>;
 
@@ -52,8 +50,6 @@ Vec3 centre(const Mesh& mesh, FaceId f) {
 }
 
 Vec3 middle(const Mesh& mesh, HalfedgeId h) { return 0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))); }
-
-}  // namespace
 
 TEST_CASE("mesh editor: splitting a face gives the faces that are promised, in their order") {
   Mesh mesh = test::make_triangle();
@@ -169,3 +165,5 @@ TEST_CASE("mesh editor: random splits and flips keep every family valid, with it
     CHECK(after.boundary_loops == before.boundary_loops);
   }
 }
+
+}  // namespace gvd::test_mesh_editor

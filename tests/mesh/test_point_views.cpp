@@ -6,7 +6,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_point_views {
 
 TEST_CASE("views: one in each face that contains the point, ascending, all at the point's position") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -60,3 +60,5 @@ TEST_CASE("views: two points have a common one exactly where a face contains bot
     }
   }
 }
+
+}  // namespace gvd::test_point_views

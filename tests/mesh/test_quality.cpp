@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_quality {
 
 TEST_CASE("Q and the least angle of known triangles") {
   const Vec3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), apex(0.5, std::sqrt(3.0) / 2, 0);
@@ -75,3 +75,5 @@ TEST_CASE("valences of an icosahedron, its subdivision and a grid") {
   CHECK(grid.percent_regular == Approx(100.0 * 5 / 9));
   CHECK(compute_valences(Mesh()).largest == 0);
 }
+
+}  // namespace gvd::test_quality

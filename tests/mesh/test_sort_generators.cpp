@@ -5,7 +5,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_sort_generators {
 
 TEST_CASE("generators are sorted by what they lie on, and along each edge") {
   const Mesh mesh = test::make_grid(1, 1);
@@ -52,3 +52,5 @@ TEST_CASE("no generator, and one in a face that does not exist, are refused") {
   CHECK_THROWS_AS(sort_generators(mesh, {{FaceId(1), {1, 0, 0}}}), Error);
   CHECK_THROWS_AS(sort_generators(mesh, {{FaceId(), {1, 0, 0}}}), Error);
 }
+
+}  // namespace gvd::test_sort_generators

@@ -6,9 +6,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_split_faces {
 
 /// By the least barycentric coordinate, in the plane of the parent.
 PlacedInTriangle place(const std::array<Bary, 3>& corners, const Bary& point) {
@@ -20,8 +18,6 @@ PlacedInTriangle place(const std::array<Bary, 3>& corners, const Bary& point) {
                    area(corners[0], corners[1], point) / whole};
   return {local, -std::min({local[0], local[1], local[2]})};
 }
-
-}  // namespace
 
 TEST_CASE("split faces: the parts cover each split face once") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -64,3 +60,5 @@ TEST_CASE("split faces: without parts no point is found") {
   const SurfacePoint none = locate_in_parts({}, [](const auto&) { return PlacedInTriangle{}; });
   CHECK_FALSE(none.face.valid());
 }
+
+}  // namespace gvd::test_split_faces

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_surface_area {
 
 TEST_CASE("the area of a mesh is that of its summary, and 0 without faces") {
   CHECK(compute_area(Mesh()) == 0);
@@ -17,3 +17,5 @@ TEST_CASE("the area of a mesh is that of its summary, and 0 without faces") {
     CHECK(compute_area(mesh) == Approx(area));
   }
 }
+
+}  // namespace gvd::test_surface_area

@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_surface_normal {
 
 TEST_CASE("surface normal: of a flat mesh the same unit vector everywhere") {
   const Mesh grid = test::make_grid(3, 2);
@@ -49,3 +49,5 @@ TEST_CASE("the normal of a face has length 1 or 0, and the angles of its corners
   }
   CHECK(corner_angle(mesh, Mesh::halfedge(FaceId(0), 0)) == Approx(1.570796326794897));
 }
+
+}  // namespace gvd::test_surface_normal

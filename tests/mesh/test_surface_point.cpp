@@ -8,7 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_surface_point {
 
 TEST_CASE("the faces around a point are those that contain all corners it depends on, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -58,3 +58,5 @@ TEST_CASE("a value at a point is linear between its face's vertices, of which it
   values[c] = 7;
   CHECK(interpolate_at(mesh, values, make_surface_point(FaceId(0), {0.25, 0.5, 0.25})) == 3.5);
 }
+
+}  // namespace gvd::test_surface_point

@@ -7,9 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_vertex_ring {
 
 std::vector<HalfedgeId> outgoing(const Mesh& mesh, VertexId v) {
   std::vector<HalfedgeId> result;
@@ -24,8 +22,6 @@ std::vector<HalfedgeId> outgoing_by_scan(const Mesh& mesh, VertexId v) {
   }
   return result;
 }
-
-}  // namespace
 
 TEST_CASE("vertex ring: every outgoing halfedge once, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -114,3 +110,5 @@ TEST_CASE("vertex ring: a single triangle, and a pillow of two") {
     CHECK(neighbours.size() == 2);
   }
 }
+
+}  // namespace gvd::test_vertex_ring

@@ -7,9 +7,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_visit_edges {
 
 using Triangles = std::vector<std::array<int, 3>>;
 using Edge = std::pair<int, int>;
@@ -28,8 +26,6 @@ std::vector<std::pair<Edge, std::vector<int>>> visited(const Triangles& faces, s
       });
   return result;
 }
-
-}  // namespace
 
 TEST_CASE("visit_edges: no face, and one") {
   CHECK(visited({}, 0).empty());
@@ -67,3 +63,5 @@ TEST_CASE("visit_edges: random triangles, as a sorted map of edges") {
                        [](const auto& a, const auto& b) { return a.first == b.first && a.second == b.second; }));
   }
 }
+
+}  // namespace gvd::test_visit_edges

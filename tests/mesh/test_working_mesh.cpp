@@ -7,9 +7,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_working_mesh {
 
 /// Rebuilds the connectivity from scratch: the Mesh constructor refuses whatever is not a manifold.
 void require_sound(const WorkingMesh& working) {
@@ -61,8 +59,6 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
   return points;
 }
 
-}  // namespace
-
 TEST_CASE("every generator becomes a vertex, and the surface stays") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -74,8 +70,7 @@ TEST_CASE("every generator becomes a vertex, and the surface stays") {
         require_same_surface(working);
         for (int i = 0; i < count; ++i) {
           const VertexId v = working.vertex(GeneratorId(i));
-          REQUIRE((working.mesh().position(v) - position(mesh, generators[static_cast<std::size_t>(i)])).norm() <
-                  1e-12 * mesh.bbox_diagonal());
+          REQUIRE((working.mesh().position(v) - position(mesh, generators[i])).norm() < 1e-12 * mesh.bbox_diagonal());
           REQUIRE(working.generator(v) == GeneratorId(i));
         }
       }
@@ -197,3 +192,5 @@ TEST_CASE("generators at one position on the two faces of a pillow do not coinci
     }
   }
 }
+
+}  // namespace gvd::test_working_mesh

@@ -8,7 +8,7 @@
 #include "support/reference.hpp"
 #include "support/shared_data.hpp"
 
-using namespace gvd;
+namespace gvd::test_brute_force {
 
 TEST_CASE("the nearest wins, the least id among equals, and nothing where nothing reaches") {
   const double inf = std::numeric_limits<double>::infinity();
@@ -43,3 +43,5 @@ TEST_CASE("a component without a generator has no label") {
   CHECK(nearest.label[VertexId(0)] == GeneratorId(0));
   CHECK_FALSE(nearest.label[VertexId(mesh.vertex_count() - 1)].valid());
 }
+
+}  // namespace gvd::test_brute_force

@@ -10,7 +10,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_collect_sources {
 
 TEST_CASE("what reaches a point of an edge is a path, and the shortest one is among it") {
   constexpr double kExact = 1e-12;
@@ -47,3 +47,5 @@ TEST_CASE("what reaches a point of an edge is a path, and the shortest one is am
     CHECK(worst <= tolerance);
   }
 }
+
+}  // namespace gvd::test_collect_sources

@@ -19,10 +19,9 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using test::compute_sound;
+namespace gvd::test_diagram_oracle {
 
-namespace {
+using test::compute_sound;
 
 constexpr int kWidth = 24, kHeight = 18;
 
@@ -43,8 +42,6 @@ double distance_to_branch(const Diagram& diagram, const Vec2& p, const std::vect
 double wrong_share(const test::DistanceFields& fields, const Diagram& diagram) {
   return double(test::find_wrong_labels(fields, diagram.vertex_label).size()) / double(diagram.vertex_label.size());
 }
-
-}  // namespace
 
 /// Largest differences between a diagram of a flat mesh and the planar Voronoi diagram, in edges. With circular fronts
 /// the distances of a generator are exact in its cell. The domination test stops it a little beyond, where its last
@@ -133,7 +130,7 @@ TEST_CASE("on a sphere the cells are those of great-circle distances") {
       const double z = random.real(-1, 1), angle = random.real(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
       const Vec3 p(r * std::cos(angle), r * std::sin(angle), z);
       const auto nearer = [&](const Vec3& a, const Vec3& b) { return a.dot(p) > b.dot(p); };
-      ++hits[static_cast<std::size_t>(std::min_element(poles.begin(), poles.end(), nearer) - poles.begin())];
+      ++hits[std::min_element(poles.begin(), poles.end(), nearer) - poles.begin()];
     }
     for (const Cell& cell : diagram.cells) {
       const double share = double(hits[cell.generator.index()]) / kSamples;
@@ -157,7 +154,7 @@ TEST_CASE("few labels differ from the brute force by exact distances, and by lit
         const GeneratorId label = diagram.vertex_label[VertexId(v)];
         REQUIRE(label.valid() == nearest.label[VertexId(v)].valid());
         if (!label.valid()) continue;
-        const double excess = fields[label.index()][static_cast<std::size_t>(v)] - nearest.distance[VertexId(v)];
+        const double excess = fields[label.index()][v] - nearest.distance[VertexId(v)];
         REQUIRE(excess <= (front == Front::circle ? 0.5 : 2.5) * mesh.mean_edge_length());
       }
     }
@@ -190,3 +187,5 @@ TEST_CASE("E on spot with 30 generators: the paper's figure with planar fronts, 
   CHECK(planar <= 0.205);
   CHECK(circle < planar);
 }
+
+}  // namespace gvd::test_diagram_oracle

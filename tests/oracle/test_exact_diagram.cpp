@@ -17,9 +17,7 @@
 #include "support/reference.hpp"
 #include "support/shared_data.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_exact_diagram {
 
 constexpr double kRelative = 1e-12;
 
@@ -43,8 +41,6 @@ double worst_of(const std::vector<double>& actual, const std::vector<double>& ex
   }
   return worst;
 }
-
-}  // namespace
 
 TEST_CASE("an exact field of one generator has the reference's distances at every vertex") {
   const auto shared = test::shared_folder();
@@ -126,3 +122,5 @@ TEST_CASE("E of exact diagrams falls with the chord tolerance") {
     before = error;
   }
 }
+
+}  // namespace gvd::test_exact_diagram

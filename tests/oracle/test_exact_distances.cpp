@@ -11,9 +11,7 @@
 #include "support/shared_data.hpp"
 #include "support/simple_obj.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_exact_distances {
 
 /// A seeded surface point: inside a face, on an edge or on a vertex, in turn.
 SurfacePoint random_point(const Mesh& mesh, std::mt19937& random, int turn) {
@@ -31,8 +29,6 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
   for (int i = 0; i < count; ++i) points.push_back(random_point(mesh, random, i));
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("exact distances agree with the reference's") {
   const auto shared = test::shared_folder();
@@ -192,3 +188,5 @@ TEST_CASE("exact distances can be cancelled, and refuse what they can't do") {
   const auto points = random_points(mesh, 8, 9);
   CHECK(code_of(std::vector<DistanceQuery>(16, {good, points}), options) == ErrorCode::interrupted);
 }
+
+}  // namespace gvd::test_exact_distances

@@ -10,15 +10,11 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_path_submesh {
 
 PathSubmesh extract(const Mesh& mesh, const SurfacePoint& generator, const std::vector<SurfacePoint>& points) {
   return extract_path_submesh(mesh, {generator, points});
 }
-
-}  // namespace
 
 TEST_CASE(
     "path submesh: without points, and where every point is in a face of the generator, there is nothing to solve") {
@@ -90,13 +86,13 @@ TEST_CASE("path submesh: on every family it is an oriented manifold, and its tar
       }
       for (const PathSubmesh::Target& t : submesh.targets) {
         Vec3 at = Vec3::Zero();
-        const auto& corners = submesh.faces[static_cast<std::size_t>(t.face)];
-        for (std::size_t i = 0; i < 3; ++i) at += t.bary[i] * submesh.positions[static_cast<std::size_t>(corners[i])];
+        const auto& corners = submesh.faces[t.face];
+        for (std::size_t i = 0; i < 3; ++i) at += t.bary[i] * submesh.positions[corners[i]];
         CHECK((at - position(mesh, points[t.point])).norm() < 1e-12);
         CHECK(std::isnan(submesh.distances[t.point]));
       }
       if (submesh.source >= 0) {
-        const Vec3& source = submesh.positions[static_cast<std::size_t>(submesh.source)];
+        const Vec3& source = submesh.positions[submesh.source];
         CHECK((source - position(mesh, generator)).norm() < 1e-15);
       }
     }
@@ -113,3 +109,5 @@ TEST_CASE("path submesh: distances through it are symmetric") {
     for (std::size_t k = 0; k < i; ++k) CHECK(distance[i][k] == Approx(distance[k][i]).epsilon(1e-9));
   }
 }
+
+}  // namespace gvd::test_path_submesh

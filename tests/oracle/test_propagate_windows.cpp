@@ -12,16 +12,12 @@
 #include "support/reference.hpp"
 #include "support/shared_data.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_propagate_windows {
 
 double relative_difference(double actual, double expected) {
   if (actual == expected) return 0;  // infinity, too
   return std::abs(actual - expected) / std::max(expected, std::numeric_limits<double>::min());
 }
-
-}  // namespace
 
 TEST_CASE("windows give the reference's distances, one run a generator") {
   const auto shared = test::shared_folder();
@@ -98,3 +94,5 @@ TEST_CASE("distances at any points, and paths of that length, on every family an
     }
   }
 }
+
+}  // namespace gvd::test_propagate_windows

@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_symmetric_ties {
 
 Mesh make_octahedron() {
   return test::make_mesh({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
@@ -107,8 +105,6 @@ void require_equidistant_but_for_ties(const Mesh& mesh, const Diagram& diagram) 
   test::require_equidistant(mesh, diagram, {crossings, branch_points, branch_points});
 }
 
-}  // namespace
-
 TEST_CASE("where all is a tie, branch points and crossings are equally far by CGAL's shortest paths") {
   for (const auto& [name, mesh] : symmetric_meshes()) {
     for (const auto& [kind, generators] : std::map<std::string, std::vector<SurfacePoint>>{
@@ -163,3 +159,5 @@ TEST_CASE("cells that are the faces of a solid, the squares of a cube and of a g
     for (const auto& [vertex, branch_points] : count) CHECK(branch_points == c.degree - 2);
   }
 }
+
+}  // namespace gvd::test_symmetric_ties

@@ -6,9 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/section.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_verify {
 
 const GeneratorId kLeft(0), kRight(1);
 
@@ -19,8 +17,6 @@ Diagram section_diagram(const Mesh& mesh, VertexId left, VertexId right, const V
   diagram.bisectors.push_back(*test::make_section(mesh, normal, offset, kLeft, kRight));
   return diagram;
 }
-
-}  // namespace
 
 TEST_CASE("E on a flat grid: 0 on the perpendicular bisector, the known integral beside it") {
   const Mesh mesh = test::make_grid(8, 6);
@@ -71,3 +67,5 @@ TEST_CASE("a bisector across components that one generator can't reach has an in
   const Diagram diagram = section_diagram(mesh, VertexId(0), VertexId(mesh.vertex_count() - 1), Vec3(0, 0, 1), 0.01);
   CHECK(std::isinf(verify_diagram(mesh, diagram).error_integral));
 }
+
+}  // namespace gvd::test_verify

@@ -7,8 +7,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_cgal_remesh {
+
+using namespace paper;
 
 TEST_CASE("CGAL's remeshing gives the number of faces asked for, good ones, and the same topology") {
   const Mesh torus = test::make_torus(40, 12);
@@ -30,3 +31,5 @@ TEST_CASE("CGAL's remeshing gives the number of faces asked for, good ones, and 
 TEST_CASE("CGAL remeshes no mesh with a boundary") {
   CHECK_THROWS_AS(remesh_with_cgal(test::make_grid(3, 3), 100), Error);
 }
+
+}  // namespace gvd::test_cgal_remesh

@@ -5,8 +5,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_decimate {
+
+using namespace paper;
 
 TEST_CASE("a decimated mesh has the faces asked for, the topology and the surface, and worse triangles") {
   const Mesh torus = test::make_torus(60, 40);
@@ -28,3 +29,5 @@ TEST_CASE("vertices of a decimated mesh are vertices of the mesh") {
 TEST_CASE("a mesh with fewer faces than asked for stays as it is") {
   CHECK(decimate(test::make_sphere(1), 1000).face_count() == test::make_sphere(1).face_count());
 }
+
+}  // namespace gvd::test_decimate

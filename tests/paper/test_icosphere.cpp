@@ -1,8 +1,9 @@
 #include "icosphere.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_icosphere {
+
+using namespace paper;
 
 TEST_CASE("the icosphere is closed, of radius 1 and faces outwards") {
   for (const int subdivisions : {0, 3}) {
@@ -15,3 +16,5 @@ TEST_CASE("the icosphere is closed, of radius 1 and faces outwards") {
     CHECK((pb - pa).cross(pc - pa).dot(pa) > 0);
   }
 }
+
+}  // namespace gvd::test_icosphere

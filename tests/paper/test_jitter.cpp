@@ -5,10 +5,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_jitter {
 
-namespace {
+using namespace paper;
 
 bool has_same_faces(const Mesh& a, const Mesh& b) {
   if (a.face_count() != b.face_count()) return false;
@@ -17,8 +16,6 @@ bool has_same_faces(const Mesh& a, const Mesh& b) {
   }
   return true;
 }
-
-}  // namespace
 
 TEST_CASE("a jitter makes small angles, and leaves the faces and the surface") {
   const Mesh sphere = test::make_sphere(3);
@@ -39,3 +36,5 @@ TEST_CASE("a mesh that is bad enough is not jittered") {
   const Mesh sphere = test::make_sphere(2);
   CHECK(jitter(sphere, 0, 1).positions() == sphere.positions());
 }
+
+}  // namespace gvd::test_jitter

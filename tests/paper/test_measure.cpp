@@ -5,8 +5,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_measure {
+
+using namespace paper;
 
 TEST_CASE("a statistic has mean, deviation of the sample, least and most") {
   const Statistic found = summarize({1, 2, 6});
@@ -63,3 +64,5 @@ TEST_CASE("what else could be taken for E is the mean of all runs, with the same
     CHECK(others[i].others.distance > others[i].error);
   }
 }
+
+}  // namespace gvd::test_measure

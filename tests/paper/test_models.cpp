@@ -3,14 +3,11 @@
 #include "models.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_models {
 
-namespace {
+using namespace paper;
 
 const std::string kData = GVD_SOURCE_DIR "/data";
-
-}  // namespace
 
 TEST_CASE("the first file at hand stands for a model, as it is where its size fits") {
   const FoundMesh found = Models({kData}, 1).find({"Ring", 1570, {"ring", "torus", "plate"}});
@@ -38,3 +35,5 @@ TEST_CASE("the figure stands for a model that is not at hand") {
 TEST_CASE("a mesh with a boundary is taken as it is") {
   CHECK(Models({kData}, 1).find({"Bowl", 5000, {"half_sphere"}}).name == "half_sphere.off");
 }
+
+}  // namespace gvd::test_models

@@ -8,14 +8,11 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_resample {
 
-namespace {
+using namespace paper;
 
 bool is_within_tolerance(int faces, int wanted) { return std::abs(faces - wanted) <= kFacesTolerance * wanted; }
-
-}  // namespace
 
 TEST_CASE("a resampled torus has the number of faces asked for, good ones, and the same topology") {
   const Mesh torus = test::make_torus(40, 20);
@@ -43,3 +40,5 @@ TEST_CASE("the search for an edge length ends, and gives the nearest mesh where 
 }
 
 TEST_CASE("a mesh with a boundary is not resampled") { CHECK_THROWS_AS(resample(test::make_grid(3, 3), 100), Error); }
+
+}  // namespace gvd::test_resample

@@ -3,10 +3,9 @@
 #include "support/catch.hpp"
 #include "tables.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_tables {
 
-namespace {
+using namespace paper;
 
 nlohmann::json measure_table(const std::string& key, double scale, int* reported = nullptr) {
   const auto count = [&](const std::string&) {
@@ -18,8 +17,6 @@ nlohmann::json measure_table(const std::string& key, double scale, int* reported
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("there are tables 1 to 5, E at ten sets, and figure 10") {
   std::vector<std::string> keys;
@@ -81,3 +78,5 @@ TEST_CASE("table 2 has more and more generators on one mesh") {
     CHECK(rows[i]["methods"][0]["memory_kb"].get<double>() > 0);
   }
 }
+
+}  // namespace gvd::test_tables

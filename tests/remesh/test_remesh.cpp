@@ -18,9 +18,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_remesh {
 
 /// Counts what the certificate promises once more, from the triangles alone.
 void require_same_topology(const Mesh& input, const Mesh& output) {
@@ -58,8 +56,6 @@ Error refusal(const Mesh& mesh, const Given& given, const RemeshOptions& options
   FAIL("no error");
   return {ErrorCode::precondition, ""};
 }
-
-}  // namespace
 
 TEST_CASE("remesh: a certified mesh on every family, from one generator to a hundred") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -392,3 +388,5 @@ TEST_CASE("remesh: placed vertices bring the mesh nearer to the surface, and it 
   CHECK(rms[1] < 0.75 * rms[0]);
   CHECK(rms[2] < 0.75 * rms[1]);
 }
+
+}  // namespace gvd::test_remesh

@@ -3,7 +3,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_remesh_stages {
 
 TEST_CASE(
     "a remesh announces its stages in turn, a diagram and its dual in every round, then placement, search and "
@@ -22,3 +22,5 @@ TEST_CASE(
     CHECK(stages[i] == (i % 2 == 0 ? RemeshStage::diagram : RemeshStage::dual));
   }
 }
+
+}  // namespace gvd::test_remesh_stages

@@ -47,7 +47,7 @@ std::vector<FacePiece> cut(const Mesh& mesh, FaceId f, const std::vector<Vec3>& 
       polygon = clip(polygon, value);
     }
     if (polygon.size() >= 3 && twice_area(polygon) > 1e-14) {
-      pieces.push_back({f, GeneratorId(static_cast<std::int64_t>(g)), polygon});
+      pieces.push_back({f, GeneratorId(g), polygon});
     }
   }
   return pieces;
@@ -65,7 +65,7 @@ Diagram make_restricted_voronoi(const Mesh& mesh, const std::vector<SurfacePoint
     for (std::size_t g = 1; g < positions.size(); ++g) {
       if ((p - positions[g]).norm() < (p - positions[best]).norm()) best = g;
     }
-    diagram.vertex_label.push_back(GeneratorId(static_cast<std::int64_t>(best)));
+    diagram.vertex_label.push_back(GeneratorId(best));
     diagram.vertex_distance.push_back((p - positions[best]).norm());
   }
   for (int f = 0; f < mesh.face_count(); ++f) {

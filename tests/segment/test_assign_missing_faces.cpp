@@ -3,9 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_assign_missing_faces {
 
 /// A diagram without pieces, and a segmentation that gives every face to `label`.
 struct Case {
@@ -20,8 +18,6 @@ struct Case {
   }
   void run() { assign_missing_faces(mesh, diagram, FaceShares(diagram), result); }
 };
-
-}  // namespace
 
 TEST_CASE("missing faces: nothing changes where every generator owns a face") {
   const Mesh grid = test::make_grid(1, 1);
@@ -87,3 +83,5 @@ TEST_CASE("missing faces: without its own face a generator gets that of its larg
   CHECK(c.result.face_label[FaceId(2)] == GeneratorId(1));
   CHECK(c.result.face_label[FaceId(1)] == GeneratorId(0));
 }
+
+}  // namespace gvd::test_assign_missing_faces

@@ -8,10 +8,9 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using Labels = IdVector<FaceId, GeneratorId>;
+namespace gvd::test_border_forest {
 
-namespace {
+using Labels = IdVector<FaceId, GeneratorId>;
 
 /// A mesh whose faces, all but the first one, are cut between two of three generators at random.
 struct RandomCuts {
@@ -54,8 +53,6 @@ double least_cost(const Mesh& mesh, const FreeFaces& free, const BorderCosts& co
   }
   return least;
 }
-
-}  // namespace
 
 TEST_CASE("border forest: nothing to choose") {
   const Mesh mesh = test::make_triangle();
@@ -105,3 +102,5 @@ TEST_CASE("border forest: with cycles the cost is between the least and the pres
     }
   }
 }
+
+}  // namespace gvd::test_border_forest

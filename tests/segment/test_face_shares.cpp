@@ -6,17 +6,13 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_shares {
 
 constexpr std::array<double, 3> kA{1, 0, 0}, kB{0, 1, 0}, kC{0, 0, 1}, kAB{0.5, 0.5, 0}, kAC{0.5, 0, 0.5};
 
 FacePiece make_piece(int face, int generator, std::vector<std::array<double, 3>> corners) {
   return {FaceId(face), GeneratorId(generator), std::move(corners)};
 }
-
-}  // namespace
 
 TEST_CASE("face shares: the fraction of a piece without area is 0, of a whole face 1") {
   CHECK(compute_area_fraction(make_piece(0, 0, {})) == 0);
@@ -86,3 +82,5 @@ TEST_CASE("face shares: a diagram with sizes or ids of another mesh is refused")
   refused([](Diagram& d) { d.pieces.push_back(make_piece(2, 0, {kA, kB, kC})); });
   refused([](Diagram& d) { d.pieces.push_back(make_piece(0, -1, {kA, kB, kC})); });
 }
+
+}  // namespace gvd::test_face_shares

@@ -4,9 +4,7 @@
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_tiling {
 
 constexpr double kTolerance = 1e-14;
 
@@ -33,8 +31,6 @@ class Face {
  private:
   std::optional<FaceTiling> tiling_;
 };
-
-}  // namespace
 
 TEST_CASE("face tiling: a vertex of the border is found by its id, wherever it claims to be") {
   Face face({0.5});
@@ -110,3 +106,5 @@ TEST_CASE("face tiling: the tolerance of positions grows with the coordinates") 
   CHECK(coincide(Vec3(1, 2, 3), Vec3(1, 2, 3), 0));
   CHECK_FALSE(coincide(Vec3(1, 2, 3), Vec3(1, 2, 3.5), 0.25));
 }
+
+}  // namespace gvd::test_face_tiling

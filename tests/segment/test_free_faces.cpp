@@ -3,9 +3,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_free_faces {
 
 constexpr GeneratorId kA(0), kB(1);
 
@@ -21,8 +19,6 @@ struct Square {
     test::cut_in_two(diagram, FaceId(1), 0.5, kA, kB);
   }
 };
-
-}  // namespace
 
 TEST_CASE("free faces: without cut faces there are none") {
   const Mesh mesh = test::make_grid(1, 1);
@@ -78,3 +74,5 @@ TEST_CASE("free faces: a label without a share has the first fraction 0") {
   REQUIRE(free.count() == 1);  // one of the two holds generator 2
   CHECK(free.first_fraction(FreeFaceId(0)) == 0);
 }
+
+}  // namespace gvd::test_free_faces

@@ -9,10 +9,9 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using Labels = IdVector<FaceId, GeneratorId>;
+namespace gvd::test_keeps_topology {
 
-namespace {
+using Labels = IdVector<FaceId, GeneratorId>;
 
 constexpr GeneratorId kA(0), kB(1), kC(2);
 
@@ -51,7 +50,7 @@ Labels grow_labels(const Mesh& mesh, int regions, unsigned seed) {
       front.erase(front.begin() + static_cast<std::ptrdiff_t>(pick));
       continue;
     }
-    const FaceId f = next[static_cast<std::size_t>(random.below(static_cast<int>(next.size())))];
+    const FaceId f = next[random.below(static_cast<int>(next.size()))];
     label[f] = label[front[pick]];
     front.push_back(f);
   }
@@ -59,8 +58,6 @@ Labels grow_labels(const Mesh& mesh, int regions, unsigned seed) {
 }
 
 Labels of(const std::vector<GeneratorId>& labels) { return Labels(labels); }
-
-}  // namespace
 
 TEST_CASE("keeps topology: the smallest cases") {
   const Mesh triangle = test::make_triangle();
@@ -140,3 +137,5 @@ TEST_CASE("keeps topology: whatever it allows changes the topology of no region"
   }
   CHECK(allowed > 300);
 }
+
+}  // namespace gvd::test_keeps_topology

@@ -4,17 +4,13 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_label_components {
 
 IdVector<FaceId, GeneratorId> make_labels(const std::vector<int>& labels) {
   IdVector<FaceId, GeneratorId> result;
   for (const int label : labels) result.push_back(GeneratorId(label));
   return result;
 }
-
-}  // namespace
 
 TEST_CASE("label components: faces without a label belong to none") {
   const Mesh mesh = test::make_triangle();
@@ -52,7 +48,7 @@ TEST_CASE("label components: on every family, areas sum up and adjacent faces of
       REQUIRE((c >= 0) == label[FaceId(f)].valid());
       if (c < 0) continue;
       labelled += mesh.area(FaceId(f));
-      CHECK(found.components[static_cast<std::size_t>(c)].label == label[FaceId(f)]);
+      CHECK(found.components[c].label == label[FaceId(f)]);
       CHECK(c <= seen + 1);  // numbered in the order of their first face
       seen = std::max(seen, c);
       for (int corner = 0; corner < 3; ++corner) {
@@ -64,3 +60,5 @@ TEST_CASE("label components: on every family, areas sum up and adjacent faces of
     CHECK(area == Approx(labelled));
   }
 }
+
+}  // namespace gvd::test_label_components

@@ -3,7 +3,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_measure_regions {
 
 TEST_CASE("the sizes of regions count faces and add areas, unlabelled faces left out") {
   const Mesh mesh = test::make_grid(2, 2);  // eight faces of area 1/2
@@ -27,3 +27,5 @@ TEST_CASE("labels that do not fit the mesh or the number of regions are refused"
   CHECK_THROWS_AS(measure_regions(mesh, labels, 3), Error);
   CHECK_NOTHROW(measure_regions(mesh, labels, 4));
 }
+
+}  // namespace gvd::test_measure_regions

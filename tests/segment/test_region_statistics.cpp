@@ -10,9 +10,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_region_statistics {
 
 constexpr GeneratorId kA(0), kB(1);
 
@@ -29,8 +27,6 @@ double longest_edge(const Mesh& mesh) {
   for (int e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
   return longest;
 }
-
-}  // namespace
 
 TEST_CASE("region statistics: one cell that is the whole surface") {
   const Mesh mesh = test::make_tetrahedron();
@@ -122,3 +118,5 @@ TEST_CASE("region statistics: a diagram of another mesh is refused") {
   CHECK_THROWS_AS(
       compute_region_statistics(test::make_sphere(1), compute_diagram(mesh, {vertex_point(mesh, VertexId(0))})), Error);
 }
+
+}  // namespace gvd::test_region_statistics

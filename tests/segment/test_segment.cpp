@@ -9,9 +9,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_segment {
 
 double uniform(std::mt19937& random) { return double(random()) / double(std::mt19937::max()); }
 
@@ -19,7 +17,7 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
   std::mt19937 random(seed);
   std::vector<SurfacePoint> points;
   for (int i = 0; i < count; ++i) {
-    const FaceId face(static_cast<std::int64_t>(random() % static_cast<unsigned>(mesh.face_count())));
+    const FaceId face(random() % static_cast<unsigned>(mesh.face_count()));
     const double u = uniform(random), v = uniform(random) * (1 - u);
     points.push_back(make_surface_point(face, {u, v, 1 - u - v}));
   }
@@ -40,8 +38,6 @@ void require_guarantees(const Mesh& mesh, const Diagram& diagram, const Segmenta
 
 /// A square of two faces, (0,0) (1,0) (1,1) and (0,0) (1,1) (0,1).
 Mesh make_square() { return test::make_grid(1, 1); }
-
-}  // namespace
 
 TEST_CASE("segments: labels are connected and every generator is accounted for") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -296,3 +292,5 @@ TEST_CASE("cut: only edges inside coincident faces get a vertex at their midpoin
   CHECK(area[0] == Approx(8));
   CHECK(area[1] == Approx(8));
 }
+
+}  // namespace gvd::test_segment

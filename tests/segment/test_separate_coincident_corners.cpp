@@ -1,9 +1,7 @@
 #include "separate_coincident_corners.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_separate_coincident_corners {
 
 /// One parent, cut in two triangles at vertices 2 and 3; vertices 0 and 1 are the input's.
 CutTriangles make_cut(std::vector<Vec3> positions) {
@@ -13,8 +11,6 @@ CutTriangles make_cut(std::vector<Vec3> positions) {
   cut.parent = IdVector<FaceId, FaceId>(2, FaceId(0));
   return cut;
 }
-
-}  // namespace
 
 TEST_CASE("coincident corners: different corners do not move") {
   CutTriangles cut = make_cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
@@ -43,3 +39,5 @@ TEST_CASE("coincident corners: a parent whose corners all coincide is left as it
   CHECK(separate_coincident_corners(cut, 2, 1e-3) == 0);
   CHECK(cut.positions == std::vector<Vec3>(4, Vec3(1, 2, 3)));
 }
+
+}  // namespace gvd::test_separate_coincident_corners

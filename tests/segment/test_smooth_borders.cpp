@@ -11,10 +11,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using Labels = IdVector<FaceId, GeneratorId>;
+namespace gvd::test_smooth_borders {
 
-namespace {
+using Labels = IdVector<FaceId, GeneratorId>;
 
 Segmentation segment(const Mesh& mesh, const Diagram& diagram, FaceLabels labels) {
   return segment_faces(mesh, diagram, {labels});
@@ -79,8 +78,6 @@ double length(const Smoothing& s, const Segmentation& segmentation) {
   return compute_border_length(s.mesh, segmentation.face_label);
 }
 
-}  // namespace
-
 TEST_CASE("smooth borders: no longer, same topology, only labels with a share, no face to improve") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const int count : {1, 2, 7, 40, 150}) {
@@ -125,7 +122,7 @@ TEST_CASE("smooth borders: a tooth between two straight sides goes") {
   constexpr FaceId kTooth(11);
   const Mesh mesh = test::make_grid(4, 3);
   std::vector<GeneratorId> labels(24, GeneratorId(0));
-  for (int f = 16; f < 24; ++f) labels[static_cast<std::size_t>(f)] = GeneratorId(1);
+  for (int f = 16; f < 24; ++f) labels[f] = GeneratorId(1);
   Diagram diagram = test::make_whole_diagram(
       mesh, {make_surface_point(FaceId(0), {0.2, 0.3, 0.5}), make_surface_point(FaceId(23), {0.2, 0.3, 0.5})});
   diagram.face_label = Labels(labels);
@@ -145,8 +142,6 @@ TEST_CASE("border length: of edges between labels, unlabelled faces among them, 
         Approx(std::sqrt(2)));
   CHECK_THROWS(compute_border_length(mesh, Labels(1, GeneratorId(0))));
 }
-
-namespace {
 
 /// The least cost of all labels that keep the topology, tried one after the other.
 class BruteForce {
@@ -203,8 +198,6 @@ double count_choices(const FreeFaces& free) {
   return choices;
 }
 
-}  // namespace
-
 TEST_CASE("smooth borders: on tiny meshes nearly always the shortest of all") {
   int tried = 0, shortest = 0;
   for (const Mesh& mesh : {test::make_sphere(0), test::make_jittered_grid(4, 3, 0.2, 1), test::make_tetrahedron(),
@@ -227,3 +220,5 @@ TEST_CASE("smooth borders: on tiny meshes nearly always the shortest of all") {
   CHECK(tried > 50);
   CHECK(shortest >= 0.93 * tried);
 }
+
+}  // namespace gvd::test_smooth_borders

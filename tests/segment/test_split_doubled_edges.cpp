@@ -4,9 +4,7 @@
 #include "split_doubled_edges.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_split_doubled_edges {
 
 /// Triangles with their parents and polygons; vertices on a circle, so that all are different.
 CutTriangles make_cut(const std::vector<std::array<int, 3>>& faces, const std::vector<int>& parents,
@@ -31,8 +29,6 @@ int largest_edge_count(const CutTriangles& cut) {
   }
   return largest;
 }
-
-}  // namespace
 
 TEST_CASE("doubled edges: nothing changes without triangles, or where no edge has more than two faces") {
   CutTriangles none;
@@ -78,3 +74,5 @@ TEST_CASE("doubled edges: equal diagonals of two polygons of one parent are both
   std::set<std::int32_t> polygons(cut.polygon.begin(), cut.polygon.end());
   CHECK(polygons == std::set<std::int32_t>{0, 1});
 }
+
+}  // namespace gvd::test_split_doubled_edges

@@ -92,12 +92,12 @@ inline std::vector<BoundaryInterval> envelope_intervals(const std::vector<Distan
     const auto from = static_cast<std::size_t>(corner), to = static_cast<std::size_t>((corner + 1) % 3);
     int current = 0;
     for (std::size_t g = 1; g < forms.size(); ++g) {
-      if (forms[g].corner[from] < forms[static_cast<std::size_t>(current)].corner[from]) current = static_cast<int>(g);
+      if (forms[g].corner[from] < forms[current].corner[from]) current = static_cast<int>(g);
     }
     for (double t = 0;;) {
       double soonest = 1;
       int next = current;
-      const DistanceForm& own = forms[static_cast<std::size_t>(current)];
+      const DistanceForm& own = forms[current];
       for (std::size_t g = 0; g < forms.size(); ++g) {
         const double a = forms[g].corner[from] - own.corner[from], b = forms[g].corner[to] - own.corner[to];
         if (b >= 0 || a / (a - b) <= t || a / (a - b) >= soonest) continue;

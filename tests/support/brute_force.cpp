@@ -12,10 +12,10 @@ Nearest compute_nearest(const DistanceFields& fields) {
   nearest.distance.assign(count, std::numeric_limits<double>::infinity());
   for (std::size_t g = 0; g < fields.size(); ++g) {
     for (std::size_t i = 0; i < count; ++i) {
-      const VertexId v(static_cast<std::int64_t>(i));
+      const VertexId v(i);
       if (!(fields[g][i] < nearest.distance[v])) continue;
       nearest.distance[v] = fields[g][i];
-      nearest.label[v] = GeneratorId(static_cast<std::int64_t>(g));
+      nearest.label[v] = GeneratorId(g);
     }
   }
   return nearest;
@@ -31,7 +31,7 @@ bool is_right_label(const DistanceFields& fields, VertexId v, GeneratorId label)
 std::vector<VertexId> find_wrong_labels(const DistanceFields& fields, const IdVector<VertexId, GeneratorId>& labels) {
   std::vector<VertexId> wrong;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const VertexId v(static_cast<std::int64_t>(i));
+    const VertexId v(i);
     if (!is_right_label(fields, v, labels[v])) wrong.push_back(v);
   }
   return wrong;

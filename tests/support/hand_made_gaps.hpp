@@ -107,9 +107,9 @@ struct CornerAndBranch : HandMade {
   /// Barycentric coordinates at the corners a, b and c.
   std::array<double, 3> at_corners(double at_a, double at_b, double at_c) const {
     std::array<double, 3> bary{};
-    bary[static_cast<std::size_t>(first)] = at_a;
-    bary[static_cast<std::size_t>((first + 1) % 3)] = at_b;
-    bary[static_cast<std::size_t>((first + 2) % 3)] = at_c;
+    bary[first] = at_a;
+    bary[(first + 1) % 3] = at_b;
+    bary[(first + 2) % 3] = at_c;
     return bary;
   }
 };

@@ -67,7 +67,7 @@ class PlanarVoronoi {
   }
 
  private:
-  const Vec2& at(int i) const { return generators_[static_cast<std::size_t>(i)]; }
+  const Vec2& at(int i) const { return generators_[i]; }
 
   static Vec2 circumcentre(const Vec2& a, const Vec2& b, const Vec2& c) {
     const Vec2 u = b - a, v = c - a;

@@ -73,8 +73,8 @@ inline std::vector<double> edge_distances(const Mesh& mesh, const std::vector<Su
   while (!queue.empty()) {
     const auto [d, v] = queue.top();
     queue.pop();
-    if (d > distance[static_cast<std::size_t>(v)]) continue;
-    for (const HalfedgeId h : leaving[static_cast<std::size_t>(v)]) {
+    if (d > distance[v]) continue;
+    for (const HalfedgeId h : leaving[v]) {
       reach(mesh.to(h), d + mesh.length(h));
       reach(mesh.opposite(h), d + mesh.length(Mesh::previous(h)));
     }

@@ -11,9 +11,7 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_threaded_results {
 
 /// Large enough for several chunks and partitions in each step.
 Mesh make_mesh() { return test::make_bumpy_sphere(4, 3); }
@@ -23,8 +21,6 @@ DiagramOptions with_threads(int threads) {
   options.threads = threads;
   return options;
 }
-
-}  // namespace
 
 TEST_CASE("every number of threads gives the same relaxed generators") {
   test::with_many_threads([] {
@@ -74,3 +70,5 @@ TEST_CASE("every number of threads gives the same labels and pieces of faces") {
     CHECK(cut_faces(mesh, one).parent == cut_faces(mesh, other).parent);
   });
 }
+
+}  // namespace gvd::test_threaded_results

@@ -8,9 +8,7 @@
 #include "shortest_paths.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_quiet_cgal {
 
 int errors = 0, warnings = 0;  // CGAL's handlers are plain functions
 
@@ -46,8 +44,6 @@ void check_that_messages_come() {
   CHECK(errors == errors_before + 1);
   CHECK(warnings == warnings_before + 1);
 }
-
-}  // namespace
 
 TEST_CASE("a failed check throws in silence, and with a message again afterwards") {
   const CountingHandlers handlers;
@@ -88,3 +84,5 @@ TEST_CASE("the end of an inner silence does not end the outer one") {
   }
   check_that_messages_come();
 }
+
+}  // namespace gvd::test_quiet_cgal

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+[[noreturn]] void refuse_output(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
 /// Refuses, before the run starts, a target that can't be written.
 void check_target(const std::string& option, const std::string& path) {
@@ -59,7 +59,7 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   all.insert(all.end(), {options.generators.file, options.config});
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
-    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
+    refuse_output(fmt::format("{} {}: this is the file that is read; name another one", option, path));
   }
 }
 
@@ -73,7 +73,7 @@ void check_standard_output(const OutputOptions& output) {
     throw Error(ErrorCode::unwritable_output, "-o -: standard output is closed; redirect it to a file or a pipe");
   }
   if (is_binary(stdout_format(output), output) && ::isatty(STDOUT_FILENO) == 1) {
-    refuse(
+    refuse_output(
         fmt::format("-o -: .{} is binary, and standard output is a terminal; redirect it, as in > a.{}, or choose "
                     "text with --output-format",
                     stdout_format(output), stdout_format(output)));
@@ -88,10 +88,10 @@ class Targets {
   void claim(const std::string& option, const std::string& path) {
     if (path.empty()) return;
     if (!names_.insert(path == "-" ? path : one_name(path)).second) {
-      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
+      refuse_output(fmt::format("{} {}: two options name this file; name another one", option, path));
     }
     if (path == "-") {
-      if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+      if (option != "-o") refuse_output(fmt::format("{} -: only -o can write to standard output; name a file", option));
       return check_standard_output(options_.output);
     }
     check_target(option, path);
@@ -111,9 +111,9 @@ class Targets {
 };
 
 void check_format(const std::string& file, const std::vector<std::string>& formats) {
-  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file.empty()) refuse_output("-o: the file name is empty; name a file");
   if (file == "-" || std::find(formats.begin(), formats.end(), file_extension(file)) != formats.end()) return;
-  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
+  refuse_output(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(formats, ", .")));
 }
 
 /// Refuses inputs of one name before the work: the second result would replace the first.
@@ -124,10 +124,10 @@ void check_names(const std::vector<Options>& runs) {
       const auto [other, is_new] = input_of.emplace(file, run.input.path);
       if (is_new) continue;
       if (one_name(other->second) == one_name(run.input.path)) {
-        refuse(fmt::format("INPUT {}: is there twice; keep one", run.input.path));
+        refuse_output(fmt::format("INPUT {}: is there twice; keep one", run.input.path));
       }
-      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart", other->second,
-                         run.input.path, file));
+      refuse_output(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart",
+                                other->second, run.input.path, file));
     }
   }
 }

@@ -20,7 +20,7 @@ namespace {
 /// Bytes of the parser's reason that a message repeats: its own words, and a key of moderate length.
 constexpr std::size_t kReasonLength = 200;
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+[[noreturn]] void refuse_file(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
 std::string place_of(const std::string& name, const toml::source_region& region) {
   return fmt::format("{}:{}:{}", name, region.begin.line, region.begin.column);
@@ -116,18 +116,18 @@ std::vector<ConfigEntry> parse_config(const std::string& content, const std::str
   } catch (const toml::parse_error& error) {
     const std::string key = key_before(content, error.source().begin.line);
     const std::string reason = printable(std::string(error.description()), kReasonLength);
-    refuse(fmt::format("{}: {}no TOML: {}", place_of(name, error.source()), key, reason));
+    refuse_file(fmt::format("{}: {}no TOML: {}", place_of(name, error.source()), key, reason));
   }
 }
 
 std::vector<ConfigEntry> read_config_file(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse(path + ": is a directory; name a TOML file");
+  if (std::filesystem::is_directory(path, ignored)) refuse_file(path + ": is a directory; name a TOML file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(fmt::format("--config '{}': {}; name a TOML file", path, std::strerror(errno)));
+  if (!file) refuse_file(fmt::format("--config '{}': {}; name a TOML file", path, std::strerror(errno)));
   const std::string content = read_to_end(file);
-  if (file.bad()) refuse(path + ": could not be read to its end");
+  if (file.bad()) refuse_file(path + ": could not be read to its end");
   return parse_config(content, path);
 }
 

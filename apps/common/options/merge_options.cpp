@@ -59,7 +59,7 @@ bool is_overridden(const GivenOption& entry, const Layers& layers) {
          std::all_of(needs.begin(), needs.end(), [&](const std::string& wanted) { return rules_out(layers, wanted); });
 }
 
-[[noreturn]] void refuse(const GivenOption& given, const std::string& message) {
+[[noreturn]] void refuse_given(const GivenOption& given, const std::string& message) {
   throw Error(ErrorCode::invalid_option, given.place.empty() ? message : given.place + ": " + message);
 }
 
@@ -76,8 +76,8 @@ void check_exclusions(const GivenOption& given, const Given& all) {
   for (const GivenOption& other : all) {
     if (&other == &given || !exclude_each_other(given, other)) continue;
     // What comes from a file is to be named with its place, and the line overrides the file: so both do, or neither.
-    refuse(other.place.empty() ? given : other,
-           fmt::format("{} and {} exclude each other: keep one", named_in(given, other), named_in(other, given)));
+    refuse_given(other.place.empty() ? given : other,
+                 fmt::format("{} and {} exclude each other: keep one", named_in(given, other), named_in(other, given)));
   }
 }
 
@@ -87,7 +87,8 @@ void check_needs(const GivenOption& given, const Given& all) {
     return std::any_of(all.begin(), all.end(), [&](const GivenOption& other) { return is_given_as(other, wanted); });
   });
   if (met || needs.empty() || !is_on(given)) return;
-  refuse(given, fmt::format("{0} does nothing here: add {1}, or leave {0} out", given.name, fmt::join(needs, " or ")));
+  refuse_given(given,
+               fmt::format("{0} does nothing here: add {1}, or leave {0} out", given.name, fmt::join(needs, " or ")));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace gvd::app {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
+[[noreturn]] void refuse_density(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
 
 /// The value of each vertex of the mesh. The midpoint of a split edge, which the file does not know, takes the mean.
 std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {
@@ -25,7 +25,7 @@ std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<doub
   for (const double value : values) sum += value;
   const double mean = sum / static_cast<double>(values.size());
   for (const std::int32_t v : input.input_vertex) {
-    of_mesh.push_back(v < 0 ? mean : values[static_cast<std::size_t>(v)]);
+    of_mesh.push_back(v < 0 ? mean : values[v]);
   }
   return of_mesh;
 }
@@ -44,7 +44,7 @@ Density make_density(const CheckedMesh& input, const SoupProperty& property, con
   try {
     if (property.of_vertices) return make_vertex_density(input.mesh, to_vertices(input, property.values));
     std::vector<double> of_faces;
-    for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[static_cast<std::size_t>(p)]);
+    for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[p]);
     return make_face_density(input.mesh, of_faces);
   } catch (const Error& error) {
     throw Error(error.code(), name + ": " + error.what(), error.element());
@@ -54,8 +54,8 @@ Density make_density(const CheckedMesh& input, const SoupProperty& property, con
 /// Refuses a property that some polygons lack: strips of triangles have none.
 void check_count(const CheckedMesh& input, const SoupProperty& property, const std::string& name) {
   if (property.of_vertices || std::ssize(property.values) >= least_polygons(input)) return;
-  refuse(fmt::format("{}: {} for {}", name, counted(std::ssize(property.values), "number", "numbers"),
-                     counted(least_polygons(input), "polygon", "polygons")));
+  refuse_density(fmt::format("{}: {} for {}", name, counted(std::ssize(property.values), "number", "numbers"),
+                             counted(least_polygons(input), "polygon", "polygons")));
 }
 
 /// Whether a list has a number for each vertex of the input or for each of its polygons.
@@ -64,8 +64,8 @@ SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const 
   if (count == std::ssize(input.mesh_vertex)) return {true, std::move(values)};
   const std::int64_t polygons = least_polygons(input);
   if (count == polygons || (count > polygons && lost_polygons(input))) return {false, std::move(values)};
-  refuse(fmt::format("{}: {}; give one for each vertex ({}) or each face ({})", name,
-                     counted(count, "number", "numbers"), input.mesh_vertex.size(), polygons));
+  refuse_density(fmt::format("{}: {}; give one for each vertex ({}) or each face ({})", name,
+                             counted(count, "number", "numbers"), input.mesh_vertex.size(), polygons));
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ Density read_density(Run& run, const CheckedMesh& input, const ConstraintOptions
     check_count(input, *property, title);
     return make_density(input, *property, title);
   }
-  refuse(fmt::format("--density {}: there is no such file, and {} has no such property", name,
-                     path == "-" ? "standard input" : path));
+  refuse_density(fmt::format("--density {}: there is no such file, and {} has no such property", name,
+                             path == "-" ? "standard input" : path));
 }
 
 }  // namespace gvd::app

@@ -15,7 +15,7 @@
 namespace gvd::app {
 namespace {
 
-using Json = nlohmann::json;
+using nlohmann::json;
 
 /// Errors of the input begin with its name already.
 void print_error(const std::string& command, const std::string& input, const std::string& message) {
@@ -27,7 +27,7 @@ void print_error(const std::string& command, const std::string& input, const std
 
 /// What the child sends back.
 std::string pack(const RunFigures& figures, const std::string& summary) {
-  Json packed{{"summary", summary}};
+  json packed{{"summary", summary}};
   if (figures.regions) packed["regions"] = *figures.regions;
   if (figures.error_integral) packed["error_integral"] = *figures.error_integral;
   if (figures.energy) packed["energy"] = *figures.energy;
@@ -36,13 +36,13 @@ std::string pack(const RunFigures& figures, const std::string& summary) {
 
 /// Nothing where the run had no such figure, or one that is not finite.
 template <class T>
-std::optional<T> number_in(const Json& packed, const char* name) {
+std::optional<T> number_in(const json& packed, const char* name) {
   const auto found = packed.find(name);
   return found != packed.end() && found->is_number() ? std::optional(found->get<T>()) : std::nullopt;
 }
 
 RunEnd unpack(const ChildEnd& child) {
-  const Json packed = Json::parse(child.answer, nullptr, false);
+  const json packed = json::parse(child.answer, nullptr, false);
   // std::terminate leaves no answer, but a message: see report_termination.
   if (packed.is_discarded()) return {child.exit_code, "ended early", {}};
   return {child.exit_code,

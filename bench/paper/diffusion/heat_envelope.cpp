@@ -15,7 +15,7 @@ HeatEnvelope::HeatEnvelope(const Mesh& mesh, const HeatField& field, int most_sp
     for (std::size_t v = 0; v < most.size(); ++v) {
       if (!(field.heat[g][v] > most[v])) continue;
       most[v] = field.heat[g][v];
-      label_.raw()[v] = GeneratorId(static_cast<std::int64_t>(g));
+      label_.raw()[v] = GeneratorId(g);
     }
   }
 }
@@ -58,7 +58,7 @@ void HeatEnvelope::find_candidates(FaceId f) {
 LinearForm HeatEnvelope::heat(GeneratorId g) const {
   const auto it = std::find(candidates_.begin(), candidates_.end(), g);
   if (it == candidates_.end()) return {HeatField::kFloor, HeatField::kFloor, HeatField::kFloor};
-  return forms_[static_cast<std::size_t>(it - candidates_.begin())];
+  return forms_[it - candidates_.begin()];
 }
 
 GeneratorId HeatEnvelope::warmest(const Bary& bary) const {

@@ -19,13 +19,13 @@ Mesh build_submesh(const PathSubmesh& part, VertexId& source) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(face[i]);
       if (!number[v].valid()) {
-        number[v] = VertexId(static_cast<std::int64_t>(positions.size()));
+        number[v] = VertexId(positions.size());
         positions.push_back(part.positions[v]);
       }
       numbered[i] = number[v];
     }
   }
-  source = number[static_cast<std::size_t>(part.source)];
+  source = number[part.source];
   return Mesh(std::move(positions), std::move(faces));
 }
 

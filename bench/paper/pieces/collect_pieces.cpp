@@ -42,8 +42,8 @@ void trace_contacts(const Mesh& mesh, const Pieces& pieces, const std::vector<Co
                     Comparison& comparison) {
   std::vector<Segment> segments;
   for (const Contact& c : contacts) {
-    const GeneratorId left = pieces[static_cast<std::size_t>(c.left)].generator;
-    const GeneratorId right = pieces[static_cast<std::size_t>(c.right)].generator;
+    const GeneratorId left = pieces[c.left].generator;
+    const GeneratorId right = pieces[c.right].generator;
     if (left == right || !left.valid() || !right.valid()) continue;
     Segment segment{left, right, {c.face, c.begin}, {c.face, c.end}};
     if (right < left) segment = {right, left, {c.face, c.end}, {c.face, c.begin}};
@@ -71,7 +71,7 @@ void count_faults(const CellParts& parts, std::size_t generators, Comparison& co
 void fill_cells(const CellParts& parts, Diagram& diagram) {
   diagram.cells.resize(diagram.generators.size());
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     diagram.cells[g].generator = g;
   }
   for (std::size_t i = 0; i < parts.area.size(); ++i) {

@@ -50,7 +50,7 @@ CellParts number_parts(const Mesh& mesh, const Pieces& pieces, UnionFind& sets) 
     }
     parts.part_of[i] = parts.part_of[root];
     const double area = mesh.area(pieces[i].face) * area_share(pieces[i].corners);
-    parts.area[static_cast<std::size_t>(parts.part_of[i])] += area;
+    parts.area[parts.part_of[i]] += area;
     parts.total_area += area;
   }
   parts.has_generator.resize(parts.area.size(), 0);
@@ -62,16 +62,15 @@ CellParts number_parts(const Mesh& mesh, const Pieces& pieces, UnionFind& sets) 
 CellParts find_cell_parts(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const Pieces& pieces,
                           const std::vector<Contact>& contacts) {
   UnionFind sets(pieces.size());
-  const auto label = [&](std::int32_t i) { return pieces[static_cast<std::size_t>(i)].generator; };
+  const auto label = [&](std::int32_t i) { return pieces[i].generator; };
   for (const Contact& c : contacts) {
     if (label(c.left) == label(c.right)) sets.unite(c.left, c.right);
   }
   CellParts parts = number_parts(mesh, pieces, sets);
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
-    for_each_own_piece(mesh, pieces, g, generators[i], [&](std::size_t piece) {
-      parts.has_generator[static_cast<std::size_t>(parts.part_of[piece])] = 1;
-    });
+    const GeneratorId g(i);
+    for_each_own_piece(mesh, pieces, g, generators[i],
+                       [&](std::size_t piece) { parts.has_generator[parts.part_of[piece]] = 1; });
   }
   return parts;
 }

@@ -58,7 +58,7 @@ class ContactFinder {
 
  private:
   void add_sides(std::int32_t index) {
-    const FacePiece& piece = pieces_[static_cast<std::size_t>(index)];
+    const FacePiece& piece = pieces_[index];
     for (std::size_t i = 0; i < piece.corners.size(); ++i) {
       const Side side{index, piece.corners[i], piece.corners[(i + 1) % piece.corners.size()]};
       const int corner = carrying_corner(side);

@@ -46,7 +46,7 @@ class IslandSweeper {
     const auto add = [&](std::int32_t from, std::int32_t to) {
       const std::size_t island = part(static_cast<std::size_t>(from)), cell = part(static_cast<std::size_t>(to));
       if (!parts_.is_island(static_cast<std::int32_t>(island)) || parts_.has_generator[cell] == 0) return;
-      touching[island].insert(pieces[static_cast<std::size_t>(to)].generator);
+      touching[island].insert(pieces[to].generator);
     };
     for (const Contact& c : contacts) {
       add(c.left, c.right);

@@ -48,7 +48,7 @@ void SeparateWindows::take_nearest() {
       const VertexId v(i);
       if (!(fields_[g].distance[v] < distance_[v] * (1 - kEqual))) continue;
       distance_[v] = fields_[g].distance[v];
-      label_[v] = GeneratorId(static_cast<std::int64_t>(g));
+      label_[v] = GeneratorId(g);
     }
   }
 }
@@ -84,7 +84,7 @@ void SeparateWindows::collect(EdgeId e, std::vector<EdgeSource>& sources) const 
   for (std::size_t g = 0; g < fields_.size(); ++g) {
     if (!can_win(fields_[g], e)) continue;
     collect_edge_sources(mesh_, fields_[g], mesh_.halfedge(e), own);
-    for (EdgeSource& source : own) source.generator = GeneratorId(static_cast<std::int64_t>(g));
+    for (EdgeSource& source : own) source.generator = GeneratorId(g);
     sources.insert(sources.end(), own.begin(), own.end());
   }
 }
@@ -95,7 +95,7 @@ void SeparateWindows::collect(FaceId f, const FaceLayout& layout, std::vector<Fa
   for (std::size_t g = 0; g < fields_.size(); ++g) {
     if (!can_win(fields_[g], f)) continue;
     collect_face_sources(mesh_, fields_[g], f, layout, own);
-    for (FaceSource& source : own) source.generator = GeneratorId(static_cast<std::int64_t>(g));
+    for (FaceSource& source : own) source.generator = GeneratorId(g);
     sources.insert(sources.end(), own.begin(), own.end());
   }
 }

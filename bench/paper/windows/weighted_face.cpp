@@ -191,7 +191,7 @@ std::vector<BoundaryRun> make_runs(const std::vector<BoundaryCrossing>& crossing
     const int corners = i + 1 < n ? to.corner - from.corner : to.corner + 3 - from.corner;
     for (int k = 1; k <= corners; ++k) {
       Bary corner{0, 0, 0};
-      corner[static_cast<std::size_t>((from.corner + k) % 3)] = 1;
+      corner[(from.corner + k) % 3] = 1;
       run.points.push_back(corner);
     }
     run.points.push_back(to.bary());

@@ -57,7 +57,7 @@ class ClosestPointTree {
   };
 
   static double square_distance(const Triangle& triangle, const Vec3& query);
-  const Triangle& triangle(FaceId f) const { return triangles_[static_cast<std::size_t>(place_[f])]; }
+  const Triangle& triangle(FaceId f) const { return triangles_[place_[f]]; }
   Triangle make_triangle(FaceId f) const;
   void build(std::int32_t first, std::int32_t count, const std::vector<Vec3>& centres);
   std::array<std::pair<double, std::int32_t>, 2> children(std::int32_t index, const Vec3& query) const;

@@ -34,10 +34,16 @@ class Mesh {
   /// Cost: O(n) time and memory.
   Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces);
 
-  std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
-  std::int32_t face_count() const { return static_cast<std::int32_t>(faces_.size()); }
-  std::int32_t edge_count() const { return static_cast<std::int32_t>(edge_halfedge_.size()); }
+  std::int32_t vertex_count() const { return positions_.count(); }
+  std::int32_t face_count() const { return faces_.count(); }
+  std::int32_t edge_count() const { return edge_halfedge_.count(); }
   std::int32_t halfedge_count() const { return 3 * face_count(); }
+
+  /// All ids, for loops.
+  IdRange<VertexId> vertices() const { return positions_.ids(); }
+  IdRange<FaceId> faces() const { return faces_.ids(); }
+  IdRange<EdgeId> edges() const { return edge_halfedge_.ids(); }
+  IdRange<HalfedgeId> halfedges() const { return IdRange<HalfedgeId>(halfedge_count()); }
 
   const Vec3& position(VertexId v) const { return positions_[v]; }
   const std::vector<Vec3>& positions() const { return positions_.raw(); }
@@ -52,7 +58,7 @@ class Mesh {
   /// The opposite halfedge in the neighbouring face; invalid on the boundary.
   HalfedgeId twin(HalfedgeId h) const { return twin_[h]; }
   EdgeId edge(HalfedgeId h) const { return halfedge_edge_[h]; }
-  VertexId from(HalfedgeId h) const { return faces_[face(h)][static_cast<std::size_t>(corner(h))]; }
+  VertexId from(HalfedgeId h) const { return faces_[face(h)][corner(h)]; }
   VertexId to(HalfedgeId h) const { return from(next(h)); }
   /// The corner of h's face that h does not touch.
   VertexId opposite(HalfedgeId h) const { return from(previous(h)); }
@@ -68,7 +74,7 @@ class Mesh {
 
   /// Edge length in mesh units, > 0.
   double length(EdgeId e) const { return length(halfedge(e)); }
-  double length(HalfedgeId h) const { return shape_[face(h)].length[static_cast<std::size_t>(corner(h))]; }
+  double length(HalfedgeId h) const { return shape_[face(h)].length[corner(h)]; }
   /// Area in square mesh units, >= 0.
   double area(FaceId f) const { return 0.5 * shape_[f].twice_area; }
   const FaceShape& shape(FaceId f) const { return shape_[f]; }

@@ -53,7 +53,7 @@ Mesh from_openmesh(const TriMesh& source) {
   for (const auto v : source.vertices()) {  // the range skips what is deleted
     const OpenMesh::VertexHandle handle = v;
     if (source.is_isolated(handle)) continue;
-    renamed[static_cast<std::size_t>(handle.idx())] = VertexId(static_cast<std::int64_t>(positions.size()));
+    renamed[handle.idx()] = VertexId(positions.size());
     const auto& p = source.point(handle);
     positions.emplace_back(p[0], p[1], p[2]);
   }
@@ -62,7 +62,7 @@ Mesh from_openmesh(const TriMesh& source) {
     std::array<VertexId, 3> corners;
     std::size_t i = 0;
     for (auto v = source.cfv_ccwbegin(handle); v != source.cfv_ccwend(handle) && i < 3; ++v) {
-      corners[i++] = renamed[static_cast<std::size_t>(v->idx())];
+      corners[i++] = renamed[v->idx()];
     }
     faces.push_back(corners);
   }

@@ -23,7 +23,7 @@ class FaceAssigner {
   void run() {
     const auto candidates = collect_candidates();
     for (std::size_t i = 0; i < count_.size(); ++i) {
-      const GeneratorId generator(static_cast<std::int64_t>(i));
+      const GeneratorId generator(i);
       if (count_[generator] > 0) continue;
       const FaceId face = find_face(candidates[generator]);
       if (!face.valid()) {
@@ -48,7 +48,7 @@ class FaceAssigner {
       if (count_[share.generator] == 0) candidates[share.generator].push_back(share);
     }
     for (std::size_t i = 0; i < count_.size(); ++i) {
-      const GeneratorId generator(static_cast<std::int64_t>(i));
+      const GeneratorId generator(i);
       if (count_[generator] == 0) sort_own_faces_first(diagram_.generators[i], candidates[generator]);
     }
     return candidates;

@@ -1,14 +1,11 @@
 #include "border_forest.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "gvd/vec.hpp"
 
 namespace gvd {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 BorderForest::BorderForest(const FreeFaces& free, const BorderCosts& costs, const IdVector<FaceId, GeneratorId>& label,
                            std::size_t generators)
@@ -104,7 +101,7 @@ GeneratorId BorderForest::best_label(FreeFaceId i) const {
   for (std::size_t k = 0; parent.valid() && k < sum.size(); ++k) {
     if (candidates[k].generator == chosen_[parent] && sum[k] <= *least + nodes_[i].side) return chosen_[parent];
   }
-  return candidates[static_cast<std::size_t>(least - sum.begin())].generator;
+  return candidates[least - sum.begin()].generator;
 }
 
 }  // namespace gvd

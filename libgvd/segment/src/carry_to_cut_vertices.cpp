@@ -29,7 +29,7 @@ CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, cons
     }
   }
   for (std::size_t i = given; i < count; ++i) {
-    const VertexId v(static_cast<std::int64_t>(i));
+    const VertexId v(i);
     const FaceId parent = cut.parent[Mesh::face(cut.mesh.halfedge(v))];
     const SurfacePoint point = closest_point_on_face(mesh, parent, cut.mesh.position(v)).point;
     result.distance[v] = interpolate_at(mesh, diagram.vertex_distance, point);

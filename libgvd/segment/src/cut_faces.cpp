@@ -50,7 +50,7 @@ class Cutter {
   double parameter(EdgeId e, FaceId f, const std::array<double, 3>& bary) const {
     const VertexId end = mesh_.to(mesh_.halfedge(e));
     const auto& corners = mesh_.vertices(f);
-    return bary[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), end) - corners.begin())];
+    return bary[std::find(corners.begin(), corners.end(), end) - corners.begin()];
   }
 
   void collect_edge_points() {

@@ -22,7 +22,7 @@ struct CutTriangles {
 
 /// The end of the range of triangles that begins at `first` and has one parent. Cost: O(triangles of the parent).
 inline std::size_t end_of_parent(const CutTriangles& cut, std::size_t first) {
-  const auto parent = [&cut](std::size_t t) { return cut.parent[FaceId(static_cast<std::int64_t>(t))]; };
+  const auto parent = [&cut](std::size_t t) { return cut.parent[FaceId(t)]; };
   std::size_t last = first;
   while (last < cut.faces.size() && parent(last) == parent(first)) ++last;
   return last;

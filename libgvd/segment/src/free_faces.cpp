@@ -20,7 +20,7 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
                                        const IdVector<FaceId, GeneratorId>& label) {
   IdVector<FaceId, char> held(label.size(), 0);
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     FaceId best;
     double largest = 0;
     for (const FaceId f : faces_around(mesh, diagram.generators[i])) {

@@ -108,7 +108,7 @@ class RegionMeter {
     }
     std::vector<std::pair<FaceId, GeneratorId>> own;
     for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) own.emplace_back(f, g);
     }
     std::sort(own.begin(), own.end());

@@ -61,8 +61,8 @@ class Segmenter {
     std::vector<char> marked(found.components.size(), 0);
     for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
       for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) {
-        if (label(f) == GeneratorId(static_cast<std::int64_t>(i))) {
-          marked[static_cast<std::size_t>(found.component[f])] = 1;
+        if (label(f) == GeneratorId(i)) {
+          marked[found.component[f]] = 1;
         }
       }
     }

@@ -103,7 +103,7 @@ class Splitter {
 
   /// Halves the triangles from `begin` on that have the edge as a side; only those of its polygon if it is a diagonal.
   void split(const Side& edge, std::size_t begin) {
-    const VertexId middle(static_cast<std::int64_t>(cut_.positions.size()));
+    const VertexId middle(cut_.positions.size());
     cut_.positions.push_back(0.5 * (cut_.positions[edge.low.index()] + cut_.positions[edge.high.index()]));
     const std::size_t end = faces_.size();
     for (std::size_t t = begin; t < end; ++t) {

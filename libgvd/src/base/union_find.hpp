@@ -33,7 +33,7 @@ class UnionFind {
   std::size_t size() const { return parent_.size(); }
 
  private:
-  std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::int32_t& parent(std::int32_t i) { return parent_[i]; }
   std::vector<std::int32_t> parent_;
 };
 

@@ -25,7 +25,7 @@ class FaceCollector {
 
   void collect(const Chunk& faces) {
     const std::vector<FaceArc>& arcs = traced_.faces.arcs;
-    const FaceId first(static_cast<std::int64_t>(faces.begin)), last(static_cast<std::int64_t>(faces.end));
+    const FaceId first(faces.begin), last(static_cast<std::int64_t>(faces.end));
     auto arc = std::partition_point(arcs.begin(), arcs.end(), [&](const FaceArc& a) { return a.face < first; });
     for (FaceId f = first; f < last; f = FaceId(f.value() + 1)) {
       const auto begin = arc;
@@ -95,7 +95,7 @@ class CellCollector {
     const auto n = working_.generator_vertices().size();
     diagram_.cells.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       diagram_.cells[g].generator = g;
     }
     diagram_.face_label.resize(static_cast<std::size_t>(working_.input().face_count()));
@@ -116,14 +116,14 @@ class CellCollector {
   // edges cancel. So neither bisectors nor the mesh's boundary are counted.
   void count_vertices() {
     count(mesh_.vertex_count(), 1, [&](std::size_t i) {
-      const VertexId v(static_cast<std::int64_t>(i));
+      const VertexId v(i);
       return mesh_.is_boundary(v) ? GeneratorId() : traced_.labels.label[v];
     });
   }
 
   void count_edges() {
     count(mesh_.edge_count(), -1, [&](std::size_t i) {
-      const HalfedgeId h = mesh_.halfedge(EdgeId(static_cast<std::int64_t>(i)));
+      const HalfedgeId h = mesh_.halfedge(EdgeId(i));
       return mesh_.twin(h).valid() ? traced_.labels.label[mesh_.from(h)] : GeneratorId();
     });
     for (const Crossing& c : traced_.crossings.items()) {

@@ -7,7 +7,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::int32_t kNone = -1;
+constexpr std::int32_t kNoMember = -1;
 
 /// Arcs of the bisectors in a chunk.
 constexpr std::size_t kChunkArcs = 512;
@@ -43,28 +43,28 @@ class BisectorTracer {
 
  private:
   void link_arcs() {
-    crossing_arcs_.assign(traced_.crossings.size(), {kNone, kNone});
+    crossing_arcs_.assign(traced_.crossings.size(), {kNoMember, kNoMember});
     branch_arcs_.resize(traced_.faces.branches.size());
     for (std::size_t a = 0; a < arcs_.size(); ++a) {
       for (const ArcEnd& end : {arcs_[a].begin, arcs_[a].end}) {
         const auto arc = static_cast<std::int32_t>(a);
         if (end.crossing.valid()) {
           auto& slots = crossing_arcs_[end.crossing];
-          slots[slots[0] == kNone ? 0 : 1] = arc;
+          slots[slots[0] == kNoMember ? 0 : 1] = arc;
         } else {
           branch_arcs_[end.branch].push_back(arc);
         }
       }
     }
-    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) order_ring(BranchPointId(static_cast<std::int64_t>(b)));
+    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) order_ring(BranchPointId(b));
   }
 
   GeneratorId left_when_leaving(std::int32_t arc, const ArcEnd& from) const {
-    const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
+    const FaceArc& a = arcs_[arc];
     return a.begin == from ? a.left : a.right;
   }
   GeneratorId right_when_leaving(std::int32_t arc, const ArcEnd& from) const {
-    const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
+    const FaceArc& a = arcs_[arc];
     return a.begin == from ? a.right : a.left;
   }
 
@@ -81,7 +81,7 @@ class BisectorTracer {
 
   void add_branch_points() {
     for (std::size_t i = 0; i < traced_.faces.branches.size(); ++i) {
-      const BranchPointId b(static_cast<std::int64_t>(i));
+      const BranchPointId b(i);
       const FaceBranch& branch = traced_.faces.branches[b];
       BranchPoint out;
       out.point = input_point(branch.face, branch.bary);
@@ -103,13 +103,13 @@ class BisectorTracer {
 
   void find_chains() {
     for (std::size_t b = 0; b < branch_arcs_.size(); ++b) {
-      const BranchPointId branch(static_cast<std::int64_t>(b));
+      const BranchPointId branch(b);
       for (const std::int32_t arc : branch_arcs_[branch]) follow(arc, at(branch), false);
     }
     for (std::size_t c = 0; c < traced_.crossings.size(); ++c) {
       const CrossingId crossing(static_cast<std::int64_t>(c));
       const auto [arc, other] = crossing_arcs_[crossing];
-      if (arc != kNone && other == kNone) follow(arc, at(crossing), false);
+      if (arc != kNoMember && other == kNoMember) follow(arc, at(crossing), false);
     }
     // The remaining arcs have no end: their bisectors are closed.
     for (std::size_t a = 0; a < arcs_.size(); ++a) follow(static_cast<std::int32_t>(a), arcs_[a].begin, true);
@@ -118,7 +118,7 @@ class BisectorTracer {
   /// Adds the bisector that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at the mesh's
   /// boundary, or where it began. An end at a crossing where no further arc begins is unresolved.
   void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
-    if (visited_[static_cast<std::size_t>(arc)]) return;
+    if (visited_[arc]) return;
     Bisector bisector;
     bisector.left = left_when_leaving(arc, from);
     bisector.right = right_when_leaving(arc, from);
@@ -126,9 +126,9 @@ class BisectorTracer {
     if (!closed) bisector.ends[0] = from.branch;
     ArcChain& chain = chains_.emplace_back(ArcChain{from, {}});
     ArcEnd here = from;
-    while (arc != kNone && !visited_[static_cast<std::size_t>(arc)]) {
-      visited_[static_cast<std::size_t>(arc)] = true;
-      const FaceArc& a = arcs_[static_cast<std::size_t>(arc)];
+    while (arc != kNoMember && !visited_[arc]) {
+      visited_[arc] = true;
+      const FaceArc& a = arcs_[arc];
       const bool forwards = a.begin == here;
       chain.steps.push_back({arc, forwards});
       here = forwards ? a.end : a.begin;
@@ -147,10 +147,10 @@ class BisectorTracer {
 
   /// Sets the points of bisector i; returns its length.
   double build_polyline(std::size_t i) {
-    Bisector& bisector = diagram_.bisectors[BisectorId(static_cast<std::int64_t>(i))];
+    Bisector& bisector = diagram_.bisectors[BisectorId(i)];
     if (!bisector.closed) bisector.points.push_back(point(chains_[i].from));
     for (const ArcChain::Step& step : chains_[i].steps) {
-      const FaceArc& arc = arcs_[static_cast<std::size_t>(step.arc)];
+      const FaceArc& arc = arcs_[step.arc];
       add_inner_points(arc, step.forwards, bisector.points);
       bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
     }

@@ -102,18 +102,17 @@ double ClosestPointTree::distance(const Vec3& query, FaceId f) const {
 /// The two children of an inner node by the square distances of their boxes, the nearer first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {
-    const Node& box = nodes_[static_cast<std::size_t>(child)];
+    const Node& box = nodes_[child];
     return std::pair(square_distance_to_box(box.low, box.high, query), child);
   };
-  std::array<std::pair<double, std::int32_t>, 2> both{square(index + 1),
-                                                      square(nodes_[static_cast<std::size_t>(index)].right)};
+  std::array<std::pair<double, std::int32_t>, 2> both{square(index + 1), square(nodes_[index].right)};
   if (both[1].first < both[0].first) std::swap(both[0], both[1]);
   return both;
 }
 
 /// `best.distance` is a square here.
 void ClosestPointTree::visit(std::int32_t index, const Vec3& query, NearestFace& best) const {
-  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double square = square_distance(triangles_[at], query);
@@ -133,9 +132,9 @@ NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) cons
 }
 
 void ClosestPointTree::visit(std::int32_t index, const Vec3& query, ClosestPoint& best) const {
-  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-    const ClosestPoint found = closest_point_on_face(*mesh_, faces_[static_cast<std::size_t>(i)], query);
+    const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
     if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
   }
   if (node.count > 0) return;

@@ -24,9 +24,9 @@ std::optional<SurfacePoint> find_view_across(const Mesh& mesh, const SurfacePoin
   const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
   if (!twin.valid()) return std::nullopt;
   SurfacePoint across{Mesh::face(twin), {0, 0, 0}};
-  const auto weight = [&](HalfedgeId at) { return point.bary[static_cast<std::size_t>(Mesh::corner(at))]; };
-  across.bary[static_cast<std::size_t>(Mesh::corner(twin))] = weight(Mesh::next(h));
-  across.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(twin)))] = weight(h);
+  const auto weight = [&](HalfedgeId at) { return point.bary[Mesh::corner(at)]; };
+  across.bary[Mesh::corner(twin)] = weight(Mesh::next(h));
+  across.bary[Mesh::corner(Mesh::next(twin))] = weight(h);
   return across;
 }
 

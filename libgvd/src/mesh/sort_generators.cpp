@@ -26,7 +26,7 @@ void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generat
 EdgeGenerator on_first_halfedge(const Mesh& mesh, const SurfacePoint& generator, GeneratorId g) {
   const SurfacePoint point = canonical(mesh, generator);
   const HalfedgeId h = halfedge(point);
-  return {h, point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], g};
+  return {h, point.bary[Mesh::corner(Mesh::next(h))], g};
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoin
   check_generators(mesh, generators);
   SortedGenerators sorted;
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     switch (generators[i].kind()) {
       case SurfacePoint::Kind::vertex:
         sorted.on_vertices.emplace_back(vertex(mesh, generators[i]), g);

@@ -57,8 +57,8 @@ SurfacePoint vertex_point(const Mesh& mesh, VertexId v) {
 
 SurfacePoint edge_point(HalfedgeId h, double t) {
   std::array<double, 3> bary{0, 0, 0};
-  bary[static_cast<std::size_t>(Mesh::corner(h))] = 1 - t;
-  bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))] = t;
+  bary[Mesh::corner(h)] = 1 - t;
+  bary[Mesh::corner(Mesh::next(h))] = t;
   return {Mesh::face(h), bary};
 }
 
@@ -77,7 +77,7 @@ double interpolate_at(const Mesh& mesh, const IdVector<VertexId, double>& values
 
 VertexId vertex(const Mesh& mesh, const SurfacePoint& point) {
   const auto corner = std::max_element(point.bary.begin(), point.bary.end()) - point.bary.begin();
-  return mesh.vertices(point.face)[static_cast<std::size_t>(corner)];
+  return mesh.vertices(point.face)[corner];
 }
 
 HalfedgeId halfedge(const SurfacePoint& point) {

@@ -26,7 +26,7 @@ constexpr double kOnEdge = 1e-9;
 constexpr double kFlipGain = 1e-10;
 
 /// Number of inserted generators between two reports of progress.
-constexpr std::size_t kProgressStride = 1 << 6;
+constexpr std::size_t kInsertionStride = 1 << 6;
 
 /// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates. The largest one is left out:
 /// near a corner of the face it has lost the digits that the two others have.
@@ -65,7 +65,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
 }
 
 void WorkingMesh::report_inserted(const Progress& progress) {
-  if (++inserted_ % kProgressStride != 0) return;
+  if (++inserted_ % kInsertionStride != 0) return;
   report_progress(progress, steps::kWorkingMesh,
                   static_cast<double>(inserted_) / static_cast<double>(generator_vertex_.size()));
 }
@@ -104,7 +104,7 @@ void WorkingMesh::check_inserted() {
 }
 
 WorkingMesh::Corners WorkingMesh::corners(FaceId f) const {
-  return child_slot_[f] < 0 ? kWhole : child_corners_[static_cast<std::size_t>(child_slot_[f])];
+  return child_slot_[f] < 0 ? kWhole : child_corners_[child_slot_[f]];
 }
 
 void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
@@ -117,7 +117,7 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
     child_slot_[f] = static_cast<std::int32_t>(child_corners_.size());
     child_corners_.push_back(corners);
   } else {
-    child_corners_[static_cast<std::size_t>(child_slot_[f])] = corners;
+    child_corners_[child_slot_[f]] = corners;
   }
 }
 
@@ -245,7 +245,7 @@ bool WorkingMesh::splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) 
   const Vec3 a = copy_.position(copy_.from(side)) - p, b = copy_.position(copy_.to(side)) - p;
   const double nearer = std::min(a.stableNorm(), b.stableNorm());
   const double height = a.cross(b).stableNorm() / (b - a).stableNorm();
-  if (!(height <= std::max(kOnEdge * nearer, kPositionRounding * input_->largest_coordinate()))) return false;
+  if (!(height <= std::max(kOnEdge * nearer, kCoordinateRounding * input_->largest_coordinate()))) return false;
   const Corners here = corners(Mesh::face(side)), there = corners(Mesh::face(twin));
   const auto i = static_cast<std::size_t>(Mesh::corner(side)), k = static_cast<std::size_t>(Mesh::corner(twin));
   const Bary &from = here[i], &to = here[(i + 1) % 3], &beyond = there[(k + 2) % 3];

@@ -8,13 +8,12 @@
 
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/point_views.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Relative enlargement of the radius. The lengths compared are sums of at most 1e5 rounded terms. Their relative
 /// error is below 1e5 units in the last place.
@@ -200,7 +199,7 @@ class SubmeshExtractor {
   void write_targets() {
     for (const std::size_t i : far_) {
       const SurfacePoint& point = query_.points[i];
-      submesh_.targets.push_back({i, local_face_[static_cast<std::size_t>(slot_[point.face])], point.bary});
+      submesh_.targets.push_back({i, local_face_[slot_[point.face]], point.bary});
     }
   }
 

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "gvd/error.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {
@@ -21,8 +21,6 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
 using Vertex = SurfaceMesh::Vertex_index;
 using Face = SurfaceMesh::Face_index;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vertex vertex_of(int index) { return Vertex(static_cast<SurfaceMesh::size_type>(index)); }
 
@@ -46,13 +44,13 @@ double checked(double distance) { return distance >= 0 ? distance : kInfinity; }
 /// where a path passes very close to a corner: by rounding it can miss the windows on both sides.
 double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathSubmesh::Target& target) {
   const Face f(static_cast<SurfaceMesh::size_type>(target.face));
-  const std::array<int, 3>& corners = submesh.faces[static_cast<std::size_t>(target.face)];
+  const std::array<int, 3>& corners = submesh.faces[target.face];
   Vec3 at = Vec3::Zero();
-  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * submesh.positions[static_cast<std::size_t>(corners[i])];
+  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * submesh.positions[corners[i]];
   double best = checked(paths.shortest_distance_to_source_points(f, target.bary).first);
   for (const int corner : corners) {
     const double to_corner = checked(paths.shortest_distance_to_source_points(vertex_of(corner)).first);
-    best = std::min(best, to_corner + (submesh.positions[static_cast<std::size_t>(corner)] - at).norm());
+    best = std::min(best, to_corner + (submesh.positions[corner] - at).norm());
   }
   return best;
 }

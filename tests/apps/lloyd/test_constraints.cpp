@@ -7,10 +7,10 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
-using Catch::Matchers::Contains;
+namespace gvd::test_constraints {
 
-namespace {
+using namespace test;
+using Catch::Matchers::Contains;
 
 CommandResult lloyd(const std::string& arguments) { return run_command("gvd-lloyd", arguments); }
 
@@ -23,8 +23,6 @@ std::vector<std::string> lines_of(const std::string& path) {
   }
   return lines;
 }
-
-}  // namespace
 
 TEST_CASE("gvd-lloyd --fixed: these generators come first and stay, and -n counts them") {
   const ScratchFolder scratch;
@@ -100,3 +98,5 @@ TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and pro
   CHECK(none.exit_code == 3);
   CHECK_THAT(none.err, Contains("--density mass: there is no such file, and"));
 }
+
+}  // namespace gvd::test_constraints

@@ -10,10 +10,10 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
-using Catch::Matchers::Contains;
+namespace gvd::test_lloyd_command {
 
-namespace {
+using namespace test;
+using Catch::Matchers::Contains;
 
 const std::string kVertices = " --vertices 1,30,60,90,120,150,180,210 -q ";
 
@@ -23,8 +23,6 @@ nlohmann::json report_of(const std::string& arguments, const std::string& path) 
   REQUIRE(result.exit_code == 0);
   return nlohmann::json::parse(read_text(path));
 }
-
-}  // namespace
 
 TEST_CASE("gvd-lloyd: the report tells every iteration, and energies never rise") {
   const ScratchFolder scratch;
@@ -217,3 +215,5 @@ TEST_CASE("gvd-lloyd: options out of range are usage errors") {
     CHECK(run_command("gvd-lloyd", mesh + bad).exit_code == 2);
   }
 }
+
+}  // namespace gvd::test_lloyd_command

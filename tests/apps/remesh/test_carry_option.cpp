@@ -7,11 +7,10 @@
 #include "gvd/mesh_property.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
-using Catch::Matchers::Contains;
+namespace gvd::test_carry_option {
 
-namespace {
+using namespace test;
+using Catch::Matchers::Contains;
 
 /// A tetrahedron with colours, texture coordinates, a list and labels.
 constexpr const char* kTetrahedron =
@@ -27,8 +26,6 @@ constexpr const char* kTexturedTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
     "vt 0 0\nvt 0.25 0\nvt 0 0.25\nvt 0.25 0.25\nvt 0.5 0.5\nvt 1 0.5\nvt 0.5 1\n"
     "f 1/5 3/6 2/7\nf 1/1 2/2 4/4\nf 1/1 4/4 3/3\nf 2/2/1 3/3/1 -1/4/1\n";
-
-}  // namespace
 
 TEST_CASE("gvd-remesh --carry: generators at the vertices keep the values of the file") {
   const ScratchFolder scratch;
@@ -102,3 +99,5 @@ TEST_CASE("gvd-remesh --carry: what has no properties, or can't hold them, is na
   CHECK(off.exit_code == 2);
   CHECK_THAT(off.err, Contains("--carry: only PLY and OBJ files hold what is carried over; write one, such as -o"));
 }
+
+}  // namespace gvd::test_carry_option

@@ -5,7 +5,9 @@
 #include "apps/remesh/run_remesh.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_map_option {
+
+using namespace test;
 using Catch::Matchers::Contains;
 
 TEST_CASE("gvd-remesh --map: each vertex has a point of the other mesh, with weights that sum to 1") {
@@ -49,3 +51,5 @@ TEST_CASE("gvd-remesh --map: other extensions are refused") {
   CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Contains("--map"));
 }
+
+}  // namespace gvd::test_map_option

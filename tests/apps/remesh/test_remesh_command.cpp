@@ -9,7 +9,9 @@
 #include "apps/remesh/run_remesh.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_remesh_command {
+
+using namespace test;
 using Catch::Matchers::Contains;
 
 TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none") {
@@ -260,3 +262,5 @@ TEST_CASE("gvd-remesh: --no-curves is refused, since its files have no curves") 
   CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Contains("--no-curves: the files of gvd-remesh have no curves"));
 }
+
+}  // namespace gvd::test_remesh_command

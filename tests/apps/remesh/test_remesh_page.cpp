@@ -7,9 +7,9 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_remesh_page {
 
-namespace {
+using namespace test;
 
 struct Page {
   nlohmann::json scenes;
@@ -47,8 +47,6 @@ std::string figure(const nlohmann::json& scene, const std::string& name) {
   }
   return "";
 }
-
-}  // namespace
 
 TEST_CASE("gvd-remesh: the page has the report's distances, quality, angles and valences") {
   const Page page = page_of(data_file("torus.ply") + " -n 60");
@@ -122,3 +120,5 @@ TEST_CASE("gvd-remesh: a remesh that is the input has a page") {
   if (page.scenes.empty()) return;
   CHECK(double(page.scene("Remesh")["surface_distance"]["scale_end"]) > 0);
 }
+
+}  // namespace gvd::test_remesh_page

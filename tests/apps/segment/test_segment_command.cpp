@@ -8,10 +8,10 @@
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
-using Catch::Matchers::Contains;
+namespace gvd::test_segment_command {
 
-namespace {
+using namespace test;
+using Catch::Matchers::Contains;
 
 struct Outcome {
   nlohmann::json output, report;
@@ -41,8 +41,6 @@ void check_regions(const nlohmann::json& report, const std::vector<int>& labels)
   CHECK(report["results"]["faces"] == labels.size());
   CHECK(report["results"]["unreached_faces"] == 0);
 }
-
-}  // namespace
 
 TEST_CASE("gvd-segment: JSON carries the diagram and a label for each face") {
   const auto [output, report] = segment("");
@@ -139,8 +137,6 @@ TEST_CASE("gvd-segment: generators without a face are named in one line, all of 
   CHECK(line_count(result.err) < 8);
 }
 
-namespace {
-
 std::vector<int> decode_bytes(const std::string& base64) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<int> bytes;
@@ -174,8 +170,6 @@ std::vector<int> labels_on_page(const std::string& page) {
   return codes;
 }
 
-}  // namespace
-
 TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut") {
   for (const char* options : {"", "--labels nearest", "--cut"}) {
     const ScratchFolder scratch;
@@ -197,3 +191,5 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     CHECK(manifest["scenes"][0]["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
   }
 }
+
+}  // namespace gvd::test_segment_command

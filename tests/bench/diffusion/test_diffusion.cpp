@@ -6,8 +6,9 @@
 #include "support/meshes.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_diffusion {
+
+using namespace paper;
 
 TEST_CASE("diffusion gives most vertices of a sphere their nearest generator, and not all points") {
   const Mesh mesh = test::make_sphere(4);
@@ -73,3 +74,5 @@ TEST_CASE("options out of their range are refused") {
   CHECK(message(1, 13).find("splits") != std::string::npos);
   CHECK(message(1, 12) == "nothing was refused");
 }
+
+}  // namespace gvd::test_diffusion

@@ -4,10 +4,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_heat_field {
 
-namespace {
+using namespace paper;
 
 /// The heat of one generator, times the lumped areas of the vertices.
 double total_heat(const Mesh& mesh, const std::vector<double>& heat) {
@@ -17,8 +16,6 @@ double total_heat(const Mesh& mesh, const std::vector<double>& heat) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("no heat is lost, and every generator sends the same") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -54,3 +51,5 @@ TEST_CASE("on a flat strip heat falls by one factor from vertex to vertex") {
   CHECK(factor < 1);
   for (std::size_t v = 20; v < 50; ++v) CHECK(heat[v + 1] / heat[v] == Approx(factor).epsilon(1e-6));
 }
+
+}  // namespace gvd::test_heat_field

@@ -4,8 +4,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_judge {
+
+using namespace paper;
 
 TEST_CASE("the judge counts each wrong label, and forgives ties") {
   const Mesh mesh = test::make_grid(4, 2);
@@ -52,3 +53,5 @@ TEST_CASE("distances on the part that paths can visit are those of the whole mes
     }
   }
 }
+
+}  // namespace gvd::test_judge

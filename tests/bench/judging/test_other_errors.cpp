@@ -6,10 +6,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_other_errors {
 
-namespace {
+using namespace paper;
 
 Diagram compute(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Method method) {
   DiagramOptions options;
@@ -17,8 +16,6 @@ Diagram compute(const Mesh& mesh, const std::vector<SurfacePoint>& generators, M
   options.front = Front::planar;
   return compute_diagram(mesh, generators, options);
 }
-
-}  // namespace
 
 TEST_CASE("on a flat grid the distance integral is that of the line between two generators") {
   const Mesh mesh = test::make_grid(8, 4);
@@ -61,3 +58,5 @@ TEST_CASE("bisectors without a segment add nothing to other errors") {
   diagram.bisectors.push_back(empty);
   CHECK(judge.judge(diagram).distance == before);
 }
+
+}  // namespace gvd::test_other_errors

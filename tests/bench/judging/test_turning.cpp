@@ -6,10 +6,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_turning {
 
-namespace {
+using namespace paper;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -23,8 +22,6 @@ Diagram with_bisector(std::vector<SurfacePoint> points, bool closed = false) {
 }
 
 SurfacePoint in_face(double v, double w) { return make_surface_point(FaceId(0), {1 - v - w, v, w}); }
-
-}  // namespace
 
 TEST_CASE("a bisector turns by the angles at its inner points, to either side") {
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
@@ -61,3 +58,5 @@ TEST_CASE("diffusion diagrams zig-zag more than exact ones") {
   const Diagram diffusion = compute_diffusion(mesh, generators).diagram;
   CHECK(sum_turning_angles(mesh, diffusion) / diffusion.length > 2 * sum_turning_angles(mesh, exact) / exact.length);
 }
+
+}  // namespace gvd::test_turning

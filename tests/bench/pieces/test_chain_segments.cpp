@@ -3,18 +3,15 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_chain_segments {
 
-namespace {
+using namespace paper;
 
 SurfacePoint in_face(double v, double w) { return make_surface_point(FaceId(0), {1 - v - w, v, w}); }
 
 Segment segment(int left, int right, const SurfacePoint& begin, const SurfacePoint& end) {
   return {GeneratorId(left), GeneratorId(right), begin, end};
 }
-
-}  // namespace
 
 TEST_CASE("segments of the same two cells are joined, in whatever order they come") {
   const Mesh mesh = test::make_triangle();
@@ -58,3 +55,5 @@ TEST_CASE("a chain goes on in the next face, and its points share faces") {
   CHECK(chains.bisectors[0].points.size() == 3);
   CHECK(chains.open_ends == 2);
 }
+
+}  // namespace gvd::test_chain_segments

@@ -2,8 +2,9 @@
 #include "pieces/clip_polygon.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_clip_polygon {
+
+using namespace paper;
 
 TEST_CASE("a line cuts a face into two parts that share its ends") {
   const LinearForm form{1, -1, -3};
@@ -35,3 +36,5 @@ TEST_CASE("a line through a corner cuts no sliver off by rounding") {
   REQUIRE(part.size() == 3);
   CHECK(area_share(part) == Approx(0.5));
 }
+
+}  // namespace gvd::test_clip_polygon

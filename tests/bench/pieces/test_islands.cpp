@@ -5,10 +5,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_islands {
 
-namespace {
+using namespace paper;
 
 /// A strip of unit squares of two faces each: the label of square i is label[i].
 Comparison collect_strip(const Mesh& mesh, const std::vector<int>& label, const std::vector<SurfacePoint>& generators) {
@@ -20,8 +19,6 @@ Comparison collect_strip(const Mesh& mesh, const std::vector<int>& label, const 
 
 /// The middle of the diagonal of a square of the strip.
 SurfacePoint middle(int square) { return make_surface_point(FaceId(2 * square), {0.5, 0, 0.5}); }
-
-}  // namespace
 
 TEST_CASE("a part of a cell without its generator is an island") {
   const Mesh mesh = test::make_grid(5, 1);
@@ -75,3 +72,5 @@ TEST_CASE("a generator in the notch of a piece is not in it") {
   const Pieces inside{{FaceId(0), GeneratorId(1), notched}, {FaceId(0), GeneratorId(0), notch}};
   CHECK(find_cell_parts(mesh, {generator}, inside, {}).has_generator == std::vector<char>{0, 1});
 }
+
+}  // namespace gvd::test_islands

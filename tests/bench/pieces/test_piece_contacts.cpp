@@ -4,8 +4,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_piece_contacts {
+
+using namespace paper;
 
 TEST_CASE("whole faces have a contact at each inner edge") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -65,3 +66,5 @@ TEST_CASE("pieces of two faces have a contact where they touch, and none where t
   for (const Contact& c : contacts) same += c.right - c.left == 2 ? 1 : 0;
   CHECK(same == 2);
 }
+
+}  // namespace gvd::test_piece_contacts

@@ -6,8 +6,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_lrvd {
+
+using namespace paper;
 
 TEST_CASE("LRVD leaves no island on a thin plate, where RVD does") {
   const Mesh mesh = test::make_plate(16, 0.01);
@@ -67,3 +68,5 @@ TEST_CASE("an island on a component without a generator stays, and is counted") 
   CHECK(lrvd.faults.islands > 0);
   CHECK(lrvd.rounds == 0);
 }
+
+}  // namespace gvd::test_lrvd

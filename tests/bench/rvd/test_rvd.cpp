@@ -5,8 +5,9 @@
 #include "rvd/rvd.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_rvd {
+
+using namespace paper;
 
 TEST_CASE("on a flat grid RVD is the planar Voronoi diagram") {
   const test::FlatGrid flat;
@@ -69,3 +70,5 @@ TEST_CASE("on a thin plate cells of RVD come through to the other side") {
   CHECK(judge.judge(rvd.diagram).wrong_labels > 0);
   CHECK(judge.judge(exact).wrong_labels == 0);
 }
+
+}  // namespace gvd::test_rvd

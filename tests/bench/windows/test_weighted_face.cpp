@@ -5,10 +5,9 @@
 #include "support/tiny_meshes.hpp"
 #include "windows/weighted_face.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_weighted_face {
 
-namespace {
+using namespace paper;
 
 /// A source that sees the whole face, as if it were a corner: at p, with an offset.
 FaceSource source_at(const Vec2& p, int generator, double offset = 0) {
@@ -24,8 +23,6 @@ double total_share(const WeightedFace::Cut& cut) {
   for (const BoundaryRun& run : cut.polygons) sum += area_share(run.points);
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("runs go from crossing to crossing round the whole boundary") {
   const auto runs = make_runs({crossing(0, 0.5, 0, 1), crossing(1, 0.25, 1, 2), crossing(1, 0.75, 2, 0)});
@@ -111,3 +108,5 @@ TEST_CASE("a thousand sources of each generator, as beside needles, give the poi
     CHECK(area_share(cut.polygons[i].points) == Approx(area_share(expected.polygons[i].points)).epsilon(1e-9));
   }
 }
+
+}  // namespace gvd::test_weighted_face

@@ -3,8 +3,9 @@
 #include "support/catch.hpp"
 #include "windows/window_voronoi.hpp"
 
-using namespace gvd;
-using namespace gvd::paper;
+namespace gvd::test_window_voronoi {
+
+using namespace paper;
 
 TEST_CASE("on a flat grid exact windows give the planar Voronoi diagram, wherever the generators lie") {
   const test::FlatGrid flat;
@@ -91,3 +92,5 @@ TEST_CASE("unpruned windows cross an edge at its end too, where two generators t
   CHECK(found.diagram.length == Approx(4));
   CHECK(found.diagram.cells[GeneratorId(0)].area == Approx(16));
 }
+
+}  // namespace gvd::test_window_voronoi

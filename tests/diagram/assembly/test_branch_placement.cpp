@@ -7,16 +7,12 @@
 #include "support/face_polygon.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_branch_placement {
 
 const FacePolygon kThree = test::polygon_of(test::boundary_of({{0.5, 1}, {1.5, 2}, {2.5, 0}}));
 const FacePolygon kFive = test::polygon_of(test::boundary_of({{0.3, 1}, {0.7, 2}, {1.5, 3}, {2.3, 4}, {2.7, 0}}));
 
 double least(const Bary& p) { return *std::min_element(p.begin(), p.end()); }
-
-}  // namespace
 
 TEST_CASE("without a guess a branch point lies in the centre") {
   const BranchPlacement placement(false);
@@ -92,3 +88,5 @@ TEST_CASE("a branch point at an interval leaves a convex polygon, wherever it is
     }
   }
 }
+
+}  // namespace gvd::test_branch_placement

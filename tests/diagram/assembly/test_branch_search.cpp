@@ -4,9 +4,7 @@
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_branch_search {
 
 /// A face with the labels 0, 1, 2 round it, and the distances from three points that enter it straight.
 struct ThreeCells {
@@ -22,8 +20,6 @@ struct ThreeCells {
     distances.equal = Bary{0.2, 0.4, 0.4};
   }
 };
-
-}  // namespace
 
 TEST_CASE("distances that can't confirm find no branch point, and are not asked") {
   ThreeCells face;
@@ -94,3 +90,5 @@ TEST_CASE("clearance: how much farther the others are, without others infinite, 
   face.distances.equal = std::nullopt;
   CHECK(face.search.clearance(face.polygon, 1) == std::numeric_limits<double>::lowest());
 }
+
+}  // namespace gvd::test_branch_search

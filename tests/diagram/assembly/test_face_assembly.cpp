@@ -8,11 +8,10 @@
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_face_assembly {
+
 using test::AssembledFace;
 using test::BoundaryInterval;
-
-namespace {
 
 /// Every crossing ends one arc, with the two cells on the correct sides; every branch point ends three.
 void require_complete(const AssembledFace& face) {
@@ -27,7 +26,7 @@ void require_complete(const AssembledFace& face) {
     REQUIRE(ends == 1);
   }
   for (std::size_t b = 0; b < face.diagram.branches.size(); ++b) {
-    const BranchPointId id(static_cast<std::int64_t>(b));
+    const BranchPointId id(b);
     std::vector<GeneratorId> cells;
     for (const FaceArc& arc : face.diagram.arcs) {
       if (arc.begin == at(id)) cells.push_back(arc.left);
@@ -73,8 +72,6 @@ void require_sound(const AssembledFace& face) {
   require_apart(face);
   require_partition(face);
 }
-
-}  // namespace
 
 TEST_CASE("no crossing: nothing is added") {
   FaceDiagram diagram;
@@ -212,8 +209,6 @@ TEST_CASE("random label intervals and random forms: complete, without intersecti
   }
 }
 
-namespace {
-
 /// Claims to confirm, with paths that enter anywhere.
 class ContradictoryDistances final : public FaceDistances {
  public:
@@ -238,8 +233,6 @@ class ContradictoryDistances final : public FaceDistances {
   FormDistances forms_;
   test::Random& random_;
 };
-
-}  // namespace
 
 TEST_CASE("paths that contradict each other, as by rounding of ties: still complete") {
   test::Random random(11);
@@ -268,10 +261,12 @@ TEST_CASE("the lower envelope of random linear forms comes back: branch points w
     if (intervals.size() != 3) continue;
     const auto& bary = face.diagram.branches[BranchPointId(0)].bary;
     std::array<double, 3> values{};
-    for (std::size_t i = 0; i < 3; ++i) values[i] = forms[static_cast<std::size_t>(intervals[i].next)].at(bary);
+    for (std::size_t i = 0; i < 3; ++i) values[i] = forms[intervals[i].next].at(bary);
     if (*std::min_element(bary.begin(), bary.end()) < 1e-5) continue;  // moved inwards
     ++branches;
     REQUIRE(*std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end()) < 1e-9);
   }
   CHECK(branches > 100);
 }
+
+}  // namespace gvd::test_face_assembly

@@ -4,16 +4,12 @@
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_polygon {
 
 /// The point of the face at these affine coordinates.
 Bary at_affine(double x, double y) { return {1 - x - y, x, y}; }
 
 const std::vector<Bary> kSquare{at_affine(0.1, 0.1), at_affine(0.4, 0.1), at_affine(0.4, 0.4), at_affine(0.1, 0.4)};
-
-}  // namespace
 
 TEST_CASE("points on one line are convex, in their order and back") {
   CHECK(is_convex({at_affine(0, 0), at_affine(0.5, 0), at_affine(1, 0)}, 0));
@@ -66,3 +62,5 @@ TEST_CASE("midpoints, the centre and distances are those of barycentric coordina
   CHECK(bary_distance({1, 0, 0}, {0, 1, 0}) == 1);
   CHECK(bary_distance({0, 1, 0}, {0, 0, 1}) == Approx(std::sqrt(2)));
 }
+
+}  // namespace gvd::test_face_polygon

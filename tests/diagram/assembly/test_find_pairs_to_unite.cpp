@@ -2,9 +2,7 @@
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_find_pairs_to_unite {
 
 FacePolygon polygon_of(const std::vector<int>& labels) {
   std::vector<std::pair<double, int>> positions;
@@ -12,8 +10,6 @@ FacePolygon polygon_of(const std::vector<int>& labels) {
     positions.emplace_back(3 * (static_cast<double>(i) + 0.5) / static_cast<double>(labels.size()), labels[i]);
   return test::polygon_of(test::boundary_of(positions));
 }
-
-}  // namespace
 
 TEST_CASE("pairs cross where their ends alternate; nested, disjoint and touching pairs do not") {
   const IntervalPair pair{0, 2, 6};
@@ -83,3 +79,5 @@ TEST_CASE("two intervals are united through a narrow channel, and those that it 
   REQUIRE(pairs.size() == 1);
   CHECK(polygon[pairs[0].i].next == GeneratorId(1));
 }
+
+}  // namespace gvd::test_find_pairs_to_unite

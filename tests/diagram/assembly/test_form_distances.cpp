@@ -5,13 +5,9 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_form_distances {
 
 const GeneratorId kA(0), kB(1), kC(2);
-
-}  // namespace
 
 TEST_CASE("forms that are equal everywhere, or nowhere, have no equidistant point") {
   const std::vector<DistanceForm> same{test::form(0, 1, 1, 1), test::form(1, 1, 1, 1), test::form(2, 1, 1, 1)};
@@ -66,3 +62,5 @@ TEST_CASE("with circles the difference of two forms is that of the squared dista
   CHECK(form_value(Front::circle, 3) == 9);
   CHECK(form_value(Front::circle, -3) == -9);
 }
+
+}  // namespace gvd::test_form_distances

@@ -2,13 +2,9 @@
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_label_intervals {
 
 const Bary kAnywhere{0.3, 0.3, 0.4};
-
-}  // namespace
 
 TEST_CASE("distances that know no paths unite nothing, and no path enters anywhere") {
   const auto boundary = test::boundary_of({{0.2, 0}, {0.7, 1}, {1.5, 0}, {2.5, 1}});
@@ -92,3 +88,5 @@ TEST_CASE("distance to a crossing is measured round the face") {
   LabelIntervals intervals(boundary, distances);
   CHECK(intervals.path_enters_through(0, kAnywhere));
 }
+
+}  // namespace gvd::test_label_intervals

@@ -5,9 +5,7 @@
 #include "support/face_polygon.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_split_polygon {
 
 /// A polygon of n corners, of which these intervals are united.
 struct Split {
@@ -29,8 +27,6 @@ struct Split {
 };
 
 using Polygons = std::vector<std::vector<int>>;
-
-}  // namespace
 
 TEST_CASE("without united intervals there is nothing to split") {
   CHECK(Split(3, {}).polygons.empty());
@@ -69,7 +65,9 @@ TEST_CASE("random nested pieces: every interval is in one polygon, and every pol
       all.insert(all.end(), polygon.begin(), polygon.end());
     }
     std::sort(all.begin(), all.end());
-    for (int i = 0; i < n; ++i) REQUIRE(all[static_cast<std::size_t>(i)] == i);
+    for (int i = 0; i < n; ++i) REQUIRE(all[i] == i);
     REQUIRE(all.size() == static_cast<std::size_t>(n));
   }
 }
+
+}  // namespace gvd::test_split_polygon

@@ -5,9 +5,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_arc_intersections {
 
 using Pairs = std::vector<ArcIntersections::Pair>;
 
@@ -25,8 +23,6 @@ Pairs intersections_of(const std::vector<std::vector<Vec2>>& arcs) {
   ArcIntersections intersections;
   return intersections.find(segments_of(arcs));
 }
-
-}  // namespace
 
 TEST_CASE("no arc, one segment and two consecutive segments have no intersection") {
   CHECK(intersections_of({}).empty());
@@ -80,3 +76,5 @@ TEST_CASE("random arcs of many lengths and sizes: the result is that of all pair
     REQUIRE(intersections.find(segments) == expected);
   }
 }
+
+}  // namespace gvd::test_arc_intersections

@@ -5,16 +5,12 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_bisector_sample {
 
 /// What two images with offsets give at p.
 BisectorSample sample(const Vec2& p, const Vec2& left, double left_offset, const Vec2& right, double right_offset) {
   return {p, {left_offset + (p - left).norm(), left}, {right_offset + (p - right).norm(), right}};
 }
-
-}  // namespace
 
 TEST_CASE("a generator without a path makes a sample unknown") {
   BisectorSample s = sample({0, 0}, {-1, 0}, 0, {1, 0}, 0);
@@ -64,3 +60,5 @@ TEST_CASE("the rounding bound covers sums of two terms") {
     REQUIRE(std::abs(s.error()) <= 8 * s.rounding());
   }
 }
+
+}  // namespace gvd::test_bisector_sample

@@ -5,9 +5,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_compare_sources {
 
 EdgeSource source(double x, double depth, double offset) { return {0, 1, x, depth, offset, GeneratorId(0)}; }
 
@@ -16,8 +14,6 @@ EdgeSource random_source(test::Random& random) {
   return source(random.real(-1, 2), random.below(4) == 0 ? 0 : random.real(0, 1),
                 random.below(3) == 0 ? 0 : random.real(0, 1));
 }
-
-}  // namespace
 
 TEST_CASE("a source compared with itself stays open, and has no position") {
   const EdgeSource s = source(0.5, 0.2, 0.1);
@@ -119,3 +115,5 @@ TEST_CASE("Newton's steps improve a position, and stay in the interval") {
   const double bounded = refine_equidistant(a, b, exact + 1e-5, 1, exact + 1e-4);
   CHECK(bounded > exact + 1e-5);
 }
+
+}  // namespace gvd::test_compare_sources

@@ -7,9 +7,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_edge_crossings {
 
 const GeneratorId kA(0), kB(1), kC(2);
 
@@ -78,8 +76,6 @@ GeneratorId label_at(const std::vector<Crossing>& crossings, GeneratorId first, 
   }
   return label;
 }
-
-}  // namespace
 
 TEST_CASE("two images without offsets have a crossing on their perpendicular bisector") {
   // On the perpendicular bisector of (0.1, -0.2) and (0.8, -0.3).
@@ -217,3 +213,5 @@ TEST_CASE("random sources: the crossings agree with samples of all distances") {
   }
   CHECK(found > kRounds / 2);
 }
+
+}  // namespace gvd::test_edge_crossings

@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_edge_distances {
 
 TEST_CASE("a generator without a source is infinitely far along an edge") {
   EdgeDistances distances;
@@ -44,3 +44,5 @@ TEST_CASE("the distances along an edge are the least over the sources of a gener
     }
   }
 }
+
+}  // namespace gvd::test_edge_distances

@@ -6,9 +6,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_edge_envelope {
 
 struct Interval {
   double begin, end;
@@ -21,12 +19,10 @@ EdgeSource source(int generator, const Interval& interval, double x, double dept
 /// Length of the straight path of the source that an envelope says is the nearest at t.
 double straight_at(const EdgeEnvelope& envelope, const std::vector<EdgeSource>& sources, double t) {
   for (const EdgeEnvelope::Segment& s : envelope.segments()) {
-    if (t <= s.end) return sources[static_cast<std::size_t>(s.source)].straight(t);
+    if (t <= s.end) return sources[s.source].straight(t);
   }
   return std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 TEST_CASE("two equal sources: the first one is the nearest everywhere") {
   EdgeEnvelope envelope;
@@ -98,3 +94,5 @@ TEST_CASE("segments ascend to the edge's end, and none of the sources is nearer 
     }
   }
 }
+
+}  // namespace gvd::test_edge_envelope

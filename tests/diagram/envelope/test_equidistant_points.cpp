@@ -6,9 +6,7 @@
 #include "support/hand_made_field.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_equidistant_points {
 
 FaceSource source(const Vec2& image, double offset) {
   return test::through_side(0, 0, image, {image + Vec2(1, 1), image + Vec2(1, -1)}, offset);
@@ -26,8 +24,6 @@ double nearest_to(const std::vector<Vec2>& points, const Vec2& p) {
   for (const Vec2& q : points) least = std::min(least, (q - p).norm());
   return least;
 }
-
-}  // namespace
 
 TEST_CASE("a point to which three images are equally far is found, whatever their offsets") {
   test::Random random(4);
@@ -65,3 +61,5 @@ TEST_CASE("every triple of sources is solved, and three equal ones have no point
   CHECK(equidistant_points(a, b, c).size() == 8);
   CHECK(equidistant_points(b, b, b).empty());
 }
+
+}  // namespace gvd::test_equidistant_points

@@ -12,9 +12,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_equidistant_search {
 
 using Sources = std::vector<FaceSource>;
 using Generators = std::array<Sources, 3>;
@@ -57,8 +55,6 @@ std::vector<Vec2> all_equidistant_points(const FaceLayout& face, const Generator
   return equal;
 }
 
-}  // namespace
-
 TEST_CASE("the search finds the points equally far from three generators that all triples give") {
   const FaceLayout face(test::make_triangle(), FaceId(0));
   test::Random random(7);
@@ -96,3 +92,5 @@ TEST_CASE("where all paths tie everywhere, the search ends") {
   CHECK(search.find(face, tied, tied, tied).size() < 5000);
   CHECK(search.find(face, tied, tied, {}).empty());
 }
+
+}  // namespace gvd::test_equidistant_search

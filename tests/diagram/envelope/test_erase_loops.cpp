@@ -6,9 +6,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_erase_loops {
 
 using Polyline = std::vector<Bary>;
 
@@ -22,8 +20,6 @@ bool intersects_itself(const Polyline& polyline) {
   ArcIntersections intersections;
   return !intersections.find(segments).empty();
 }
-
-}  // namespace
 
 TEST_CASE("a polyline without a loop does not change") {
   Polyline polyline{at(0, 0), at(0.2, 0.1), at(0.3, 0.4), at(0.1, 0.6)};
@@ -67,3 +63,5 @@ TEST_CASE("a polyline of more than 1000 points does not change") {
   CHECK_FALSE(erase_loops(polyline));
   CHECK(polyline.size() == 2000);
 }
+
+}  // namespace gvd::test_erase_loops

@@ -6,12 +6,11 @@
 #include "support/hand_made_field.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_exact_face_assembler {
+
 using test::from_corner;
 using test::HandMadeField;
 using test::through_side;
-
-namespace {
 
 const GeneratorId kA(0), kB(1), kC(2);
 const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle, in its layout
@@ -65,8 +64,6 @@ double equal_on(int side, const FaceSource& a, const FaceSource& b) {
 std::vector<FaceSource> at_corners() {
   return {from_corner(0, 0, k0, 0), from_corner(1, 1, k1, 0), from_corner(2, 2, k2, 0)};
 }
-
-}  // namespace
 
 TEST_CASE("a face without crossings adds nothing") {
   const Assembled face(at_corners(), {}, 1e-3);
@@ -135,3 +132,5 @@ TEST_CASE("faces follow each other in one result") {
   CHECK(result.diagram.arcs[0].face == FaceId(0));
   CHECK(result.diagram.arcs[1].face == FaceId(1));
 }
+
+}  // namespace gvd::test_exact_face_assembler

@@ -4,9 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_path_change {
 
 const PlaneSegment kSegment{{0, 0}, {1, 0}};
 
@@ -18,8 +16,6 @@ FaceSource seeing_all(const Vec2& image, double offset) {
 PathChange change_between(const FaceSource& first, const FaceSource& second) {
   return PathChange(kSegment, first, first.distance(kSegment.from), second, second.distance(kSegment.to));
 }
-
-}  // namespace
 
 TEST_CASE("two sources on the segment's line: the corner is in the middle, and as high as the lines make it") {
   const FaceSource first = seeing_all({-1, 0}, 0), second = seeing_all({2, 0}, 0);
@@ -59,3 +55,5 @@ TEST_CASE("near curved distances, both sources are equally far at the position f
   }
   CHECK(found > 500);
 }
+
+}  // namespace gvd::test_path_change

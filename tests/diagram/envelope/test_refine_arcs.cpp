@@ -10,11 +10,10 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_refine_arcs {
+
 using test::HandMadeField;
 using test::through_side;
-
-namespace {
 
 const GeneratorId kA(0), kB(1);
 const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle, in its layout
@@ -89,8 +88,6 @@ std::vector<FaceSource> hyperbola() {
 std::vector<FaceSource> strong_hyperbola() {
   return {through_side(0, 2, {-0.356, 1.074}, {k2, k0}, 0), through_side(1, 0, {0.167, -0.0337}, {k0, k1}, 0.956)};
 }
-
-}  // namespace
 
 TEST_CASE("the inner points of a hyperbola lie on it") {
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
@@ -206,3 +203,5 @@ TEST_CASE("a generator whose sources see nothing of the arc is used by its paths
   CHECK_FALSE(arc.inner.empty());
   CHECK(arc.farthest() <= 1e-4);
 }
+
+}  // namespace gvd::test_refine_arcs

@@ -2,9 +2,7 @@
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_separate_arcs {
 
 /// A face with crossings at these boundary positions, and arcs between them through inner points in affine coordinates.
 struct HandMadeFace {
@@ -25,8 +23,6 @@ struct HandMadeFace {
     diagram.arcs.push_back(arc);
   }
 };
-
-}  // namespace
 
 TEST_CASE("a face without arcs, with one straight arc or one that advances is left as it is") {
   HandMadeFace empty({{0.5, 1}, {1.5, 0}});
@@ -106,3 +102,5 @@ TEST_CASE("only the face at the end of a diagram is looked at, and cleared") {
   CHECK(diagram.arcs.size() == 1);
   CHECK(diagram.branches.size() == 1);
 }
+
+}  // namespace gvd::test_separate_arcs

@@ -7,12 +7,11 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_source_distances {
+
 using test::from_corner;
 using test::HandMadeField;
 using test::through_side;
-
-namespace {
 
 const GeneratorId kA(0), kB(1), kC(2);
 const Vec2 k0(0, 0), k1(2, 0), k2(0.5, 1.5);  // corners of test::make_triangle, in its layout
@@ -22,8 +21,6 @@ std::vector<FaceSource> three_behind_sides(double offset_a, double offset_b, dou
   return {through_side(0, 0, {0.9, -0.4}, {k0, k1}, offset_a), through_side(1, 1, {1.8, 1.1}, {k1, k2}, offset_b),
           through_side(2, 2, {-0.3, 0.9}, {k2, k0}, offset_c)};
 }
-
-}  // namespace
 
 TEST_CASE("the path is straight where the source sees the point, and bends round an end of the opening elsewhere") {
   const HandMadeField field({through_side(0, 0, {1, -1}, {{0.9, 0}, {1.1, 0}}, 0.25)});
@@ -189,3 +186,5 @@ TEST_CASE("symbolic offsets add to all distances, and go without a trace") {
   distances.enter(test::make_triangle(), FaceId(0));
   CHECK(distances.at(kC, centre) == c);
 }
+
+}  // namespace gvd::test_source_distances

@@ -21,9 +21,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_trace_envelope {
 
 /// Crossings and branch points are equidistant to this fraction of the bounding box's diagonal.
 constexpr double kEquidistant = 1e-12;
@@ -116,8 +114,6 @@ std::vector<SurfacePoint> in_one_face(FaceId f, int count, unsigned seed) {
   }
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("every family, few and many generators: valid, and exact at crossings and branch points") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -258,15 +254,11 @@ TEST_CASE("on closed meshes of few faces, and where everything is a tie") {
   }
 }
 
-namespace {
-
 std::vector<SurfacePoint> centre_of_every_face(const Mesh& mesh) {
   std::vector<SurfacePoint> points;
   for (int f = 0; f < mesh.face_count(); ++f) points.push_back(make_surface_point(FaceId(f), {1 / 3., 1 / 3., 1 / 3.}));
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("bisectors along edges: all edges of regular solids, and the lines of a grid") {
   const Mesh tetrahedron = test::make_tetrahedron();
@@ -335,3 +327,5 @@ TEST_CASE("two label intervals of one cell whose paths enter through different s
     }
   }
 }
+
+}  // namespace gvd::test_trace_envelope

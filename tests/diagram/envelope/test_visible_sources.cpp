@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "base/plane.hpp"
 #include "diagram/envelope/visible_sources.hpp"
@@ -7,11 +6,7 @@
 #include "support/hand_made_field.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+namespace gvd::test_visible_sources {
 
 SearchBand band_between(const Vec2& from, const Vec2& to, double width) {
   const Vec2 along = (to - from).normalized();
@@ -19,8 +14,6 @@ SearchBand band_between(const Vec2& from, const Vec2& to, double width) {
 }
 
 bool sees(const FaceSource& s, const Vec2& p) { return s.shortest_path(p).from == s.image; }
-
-}  // namespace
 
 TEST_CASE("a band contains its chord, and what is as near as its width, also beyond the ends") {
   const SearchBand band = band_between({1, 1}, {3, 1}, 0.25);
@@ -79,3 +72,5 @@ TEST_CASE("every source that sees a point of a random band is visible at its pos
   CHECK(seen > 1000);
   CHECK(passed_over > 1000);
 }
+
+}  // namespace gvd::test_visible_sources

@@ -7,16 +7,13 @@
 #include "support/catch.hpp"
 #include "support/three_cells.hpp"
 
-using namespace gvd;
-using test::ThreeCells;
+namespace gvd::test_check_bisectors {
 
-namespace {
+using test::ThreeCells;
 
 using Lines = std::vector<std::string>;
 
 Lines find(const ThreeCells& x) { return x.run(check_bisectors); }
-
-}  // namespace
 
 TEST_CASE("the bisectors of a sound diagram have no violation") { CHECK(find(ThreeCells()).empty()); }
 
@@ -32,3 +29,5 @@ TEST_CASE("points, sides, ends and branch points") {
   named.diagram.branch_points[BranchPointId(0)].generators.pop_back();
   CHECK(find(named) == Lines{"(5) branch point 0: its generators are not those of its bisectors"});
 }
+
+}  // namespace gvd::test_check_bisectors

@@ -11,9 +11,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_check_diagram {
 
 /// A mesh with boundary and one without, with generators on vertices, on edges and in faces.
 struct Sound {
@@ -65,8 +63,6 @@ Bisector* first_bisector(Diagram& d, const std::function<bool(const Bisector&)>&
 
 bool joins_branches(const Bisector& b) { return b.ends[0].valid() && b.ends[1].valid(); }
 bool ends_on_boundary(const Bisector& b) { return !b.closed && !b.ends[0].valid(); }
-
-}  // namespace
 
 TEST_CASE("(1) a generator outside its cell") {
   SECTION("at a vertex of another label") {
@@ -274,3 +270,5 @@ TEST_CASE("an empty diagram, and one of another mesh, violate properties and do 
   CHECK_FALSE(check_diagram(other, compute_diagram(mesh, test::at_vertices(mesh, {0, 5}))).ok());
   CHECK_FALSE(check_diagram(mesh, compute_diagram(other, test::at_vertices(other, {0, 5, 100}))).ok());
 }
+
+}  // namespace gvd::test_check_diagram

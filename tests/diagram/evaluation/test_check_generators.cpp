@@ -7,16 +7,13 @@
 #include "support/catch.hpp"
 #include "support/three_cells.hpp"
 
-using namespace gvd;
-using test::ThreeCells;
+namespace gvd::test_check_generators {
 
-namespace {
+using test::ThreeCells;
 
 using Lines = std::vector<std::string>;
 
 Lines find(const ThreeCells& x) { return x.run(check_generators); }
-
-}  // namespace
 
 TEST_CASE("the generators of a sound diagram lie in their cells") { CHECK(find(ThreeCells()).empty()); }
 
@@ -28,3 +25,5 @@ TEST_CASE("one in another cell, and an area that is not a number") {
   area.cell(1).area = std::nan("");
   CHECK(find(area) == Lines{"(1) cell 1: its area is negative or not a number"});
 }
+
+}  // namespace gvd::test_check_generators

@@ -7,16 +7,13 @@
 #include "support/catch.hpp"
 #include "support/three_cells.hpp"
 
-using namespace gvd;
-using test::ThreeCells;
+namespace gvd::test_check_ids {
 
-namespace {
+using test::ThreeCells;
 
 using Lines = std::vector<std::string>;
 
 Lines find(const ThreeCells& x) { return x.run(check_ids); }
-
-}  // namespace
 
 TEST_CASE("ids of a sound diagram are valid") { CHECK(find(ThreeCells()).empty()); }
 
@@ -45,3 +42,5 @@ TEST_CASE("a diagram without anything matches no mesh but the empty one") {
   empty.diagram = Diagram();
   CHECK(find(empty).size() == 1);  // no labels
 }
+
+}  // namespace gvd::test_check_ids

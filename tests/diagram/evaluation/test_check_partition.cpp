@@ -7,16 +7,13 @@
 #include "support/catch.hpp"
 #include "support/three_cells.hpp"
 
-using namespace gvd;
-using test::ThreeCells;
+namespace gvd::test_check_partition {
 
-namespace {
+using test::ThreeCells;
 
 using Lines = std::vector<std::string>;
 
 Lines find(const ThreeCells& x) { return x.run(check_partition, ReachedFaces(x.mesh, x.diagram.generators)); }
-
-}  // namespace
 
 TEST_CASE("the cells of a sound diagram are a partition") { CHECK(find(ThreeCells()).empty()); }
 
@@ -38,3 +35,5 @@ TEST_CASE("a cell's area, a vertex's label and a piece that is missing") {
   CHECK(lines[0].starts_with("(2) face " + face + ": its label and pieces cover 0."));
   CHECK(lines[0].ends_with(" of its area instead of 1"));
 }
+
+}  // namespace gvd::test_check_partition

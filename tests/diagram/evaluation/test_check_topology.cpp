@@ -7,10 +7,9 @@
 #include "support/catch.hpp"
 #include "support/three_cells.hpp"
 
-using namespace gvd;
-using test::ThreeCells;
+namespace gvd::test_check_topology {
 
-namespace {
+using test::ThreeCells;
 
 using Lines = std::vector<std::string>;
 
@@ -19,8 +18,6 @@ Lines find(const ThreeCells& x) { return x.run(check_topology, ReachedFaces(x.me
 bool one_begins(const Lines& lines, const std::string& start) {
   return lines.size() == 1 && lines[0].starts_with(start);
 }
-
-}  // namespace
 
 TEST_CASE("the topology of a sound diagram has no violation") { CHECK(find(ThreeCells()).empty()); }
 
@@ -35,3 +32,5 @@ TEST_CASE("components, genus, Euler's formula and neighbours") {
   neighbours.cell(0).neighbours.pop_back();
   CHECK(find(neighbours) == Lines{"(8) the cells' neighbours are not the cells with a bisector in common"});
 }
+
+}  // namespace gvd::test_check_topology

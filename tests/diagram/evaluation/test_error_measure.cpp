@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/section.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_error_measure {
 
 const GeneratorId kLeft(0), kRight(1);
 
@@ -49,8 +47,6 @@ double integral_of_distance(double a) { return 3 * std::hypot(a, 3) + a * a * st
 std::array<double, 4> samples_of(double (*f)(double)) {
   return {f(kLobattoNodes[0]), f(kLobattoNodes[1]), f(kLobattoNodes[2]), f(kLobattoNodes[3])};
 }
-
-}  // namespace
 
 TEST_CASE("the absolute integral is exact for polynomials as documented") {
   CHECK(integrate_absolute({0, 0, 0, 0}) == 0);
@@ -192,3 +188,5 @@ TEST_CASE("a diagram that does not match the mesh is refused, and the bisector i
   stranger.diagram.bisectors[BisectorId(0)].right = GeneratorId(7);
   CHECK(refused(stranger, exact, 1) == ErrorCode::precondition);
 }
+
+}  // namespace gvd::test_error_measure

@@ -3,7 +3,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_reached_faces {
 
 TEST_CASE("without a generator no face is reached") {
   const Mesh mesh = test::make_triangle();
@@ -22,3 +22,5 @@ TEST_CASE("one generator reaches its component, and no other") {
   const ReachedFaces both(mesh, {vertex_point(mesh, VertexId(0)), make_surface_point(last, {0.3, 0.3, 0.4})});
   for (int f = 0; f < mesh.face_count(); ++f) REQUIRE(both.contains(FaceId(f)));
 }
+
+}  // namespace gvd::test_reached_faces

@@ -4,7 +4,7 @@
 #include "diagram/evaluation/violations.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_violations {
 
 TEST_CASE("no violation: empty") {
   Violations violations;
@@ -19,3 +19,5 @@ TEST_CASE("a violation begins with its property, and then names the element") {
   CHECK_FALSE(violations.empty());
   CHECK(violations.take() == std::vector<std::string>{"(7) a sum is wrong", "(3) bisector 12: separates nothing"});
 }
+
+}  // namespace gvd::test_violations

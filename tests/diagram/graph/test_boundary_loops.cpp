@@ -8,9 +8,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_boundary_loops {
 
 std::vector<std::int32_t> count_loops(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   const WorkingMesh working(mesh, generators);
@@ -23,8 +21,6 @@ std::vector<std::int32_t> count_loops_at(const Mesh& mesh, const std::vector<int
 }
 
 using Counts = std::vector<std::int32_t>;
-
-}  // namespace
 
 TEST_CASE("one generator: the loops are those of the mesh's boundary") {
   CHECK(count_loops_at(test::make_triangle(), {0}) == Counts{1});
@@ -54,3 +50,5 @@ TEST_CASE("branch points join the bisectors round a cell to one loop") {
   const Mesh mesh = test::make_sphere(3);
   for (const std::int32_t loops : count_loops(mesh, test::random_generators(mesh, 40, 3))) CHECK(loops >= 1);
 }
+
+}  // namespace gvd::test_boundary_loops

@@ -9,9 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_cell_components {
 
 struct Expected {
   std::int32_t euler_characteristic, loops;
@@ -22,7 +20,7 @@ void require_cells(const Mesh& mesh, const std::vector<int>& generators, const s
   REQUIRE(diagram.cells.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     INFO("cell " << i);
-    const Cell& cell = diagram.cells[GeneratorId(static_cast<std::int64_t>(i))];
+    const Cell& cell = diagram.cells[GeneratorId(i)];
     CHECK(cell.generator.index() == i);
     CHECK(cell.components == 1);
     CHECK(cell.euler_characteristic == expected[i].euler_characteristic);
@@ -53,8 +51,6 @@ struct HandMade {
     return CellComponents(stages.working, traced);
   }
 };
-
-}  // namespace
 
 TEST_CASE("known cells: the whole sphere, two discs, a torus, an annulus, a genus 3 body with and without a hole") {
   require_cells(test::make_sphere(2), {0}, {{2, 0}});
@@ -145,3 +141,5 @@ TEST_CASE("loops of bisectors and of the mesh's boundary agree with the Euler ch
     }
   }
 }
+
+}  // namespace gvd::test_cell_components

@@ -10,9 +10,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_crossings {
 
 const GeneratorId kA(0), kB(1), kC(2);
 
@@ -25,8 +23,6 @@ std::vector<std::pair<int, double>> places(const Crossings& crossings) {
 }
 
 using Places = std::vector<std::pair<int, double>>;
-
-}  // namespace
 
 TEST_CASE("no crossings: no edge has any, and no face is crossed") {
   const Mesh mesh = test::make_triangle();
@@ -141,3 +137,5 @@ TEST_CASE("a face sees its crossings counter-clockwise, and the cells between th
     if (!seen[FaceId(f).index()]) REQUIRE(boundary_crossings(stages.mesh(), stages.rough, FaceId(f)).empty());
   }
 }
+
+}  // namespace gvd::test_crossings

@@ -7,9 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_disconnected_intervals {
 
 const GeneratorId kOwn(0), kOther(1), kThird(2);
 
@@ -40,8 +38,6 @@ struct TwoSquares {
     return find_disconnected_intervals(mesh, labels, crossings);
   }
 };
-
-}  // namespace
 
 TEST_CASE("without crossings, and with one on each edge, there is no interval inside an edge") {
   TwoSquares squares;
@@ -90,3 +86,5 @@ TEST_CASE("a corner of a third cell does not connect, and an edge with two inter
   // The interval of the cell itself, in between, is connected to the edge's ends.
   CHECK(squares.find(twice) == std::vector<EdgeId>{e});
 }
+
+}  // namespace gvd::test_disconnected_intervals

@@ -6,17 +6,13 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_class {
 
 IdVector<VertexId, GeneratorId> labels(const std::vector<int>& of_vertex) {
   IdVector<VertexId, GeneratorId> label;
   for (const int g : of_vertex) label.push_back(g < 0 ? GeneratorId() : GeneratorId(g));
   return label;
 }
-
-}  // namespace
 
 TEST_CASE("the class of a face is the number of different labels of its corners") {
   const Mesh mesh = test::make_triangle();
@@ -47,3 +43,5 @@ TEST_CASE("every diagram counts the faces of each class") {
   CHECK(one.report.face_classes.trivial < mesh.face_count());
   CHECK(one.report.face_classes.ordinary == 0);
 }
+
+}  // namespace gvd::test_face_class

@@ -4,9 +4,7 @@
 #include "diagram/graph/face_diagram.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_diagram {
 
 /// One face with an arc from a crossing to a branch point, by way of two inner points.
 FaceDiagram one_face(int face, int crossing, double x) {
@@ -24,8 +22,6 @@ std::vector<Bary> inner(const FaceDiagram& diagram, std::size_t arc) {
   const auto points = diagram.inner_points(diagram.arcs[arc]);
   return {points.begin(), points.end()};
 }
-
-}  // namespace
 
 TEST_CASE("an arc's end is a crossing or a branch point") {
   CHECK(at(CrossingId(3)) == at(CrossingId(3)));
@@ -63,3 +59,5 @@ TEST_CASE("appended arcs keep their crossings, branch points and inner points") 
   CHECK(inner(diagram, 0) == std::vector<Bary>{{0.25, 0, 0.75}, {0, 0.25, 0.75}});
   CHECK(inner(diagram, 1) == std::vector<Bary>{{0.125, 0, 0.875}, {0, 0.125, 0.875}});
 }
+
+}  // namespace gvd::test_face_diagram

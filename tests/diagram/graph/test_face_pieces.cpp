@@ -5,7 +5,8 @@
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_face_pieces {
+
 using test::AssembledFace;
 
 TEST_CASE("an arc cuts a corner off: a triangle and a quadrilateral, counter-clockwise") {
@@ -36,7 +37,7 @@ TEST_CASE("a cell with two intervals is one piece when they are united, and two 
   const auto [pieces, piece_of_interval] = united.pieces();
   REQUIRE(pieces.size() == 3);
   CHECK(piece_of_interval[1] == piece_of_interval[3]);
-  CHECK(pieces[static_cast<std::size_t>(piece_of_interval[1])].generator == GeneratorId(0));
+  CHECK(pieces[piece_of_interval[1]].generator == GeneratorId(0));
   CHECK(std::set<int>(piece_of_interval.begin(), piece_of_interval.end()).size() == 3);
 }
 
@@ -68,3 +69,5 @@ TEST_CASE("arcs may be listed in any order and from either end") {
     CHECK(first.pieces[i].corners == again.pieces[i].corners);
   }
 }
+
+}  // namespace gvd::test_face_pieces

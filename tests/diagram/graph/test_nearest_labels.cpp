@@ -12,9 +12,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_nearest_labels {
 
 bool is_supported(const WorkingMesh& working, const NearestLabels& labels, VertexId v) {
   if (working.vertex(labels.label[v]) == v) return true;
@@ -43,8 +41,6 @@ struct Strip {
     reach(8, 1, 2.25);
   }
 };
-
-}  // namespace
 
 TEST_CASE("labels are the nearest generators, and all but unsupported vertices have a neighbour nearer to theirs") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -165,3 +161,5 @@ TEST_CASE("a vertex that the march of its new generator did not reach gets the d
   CHECK(labels.label[VertexId(5)] == GeneratorId(0));
   CHECK(labels.distance[VertexId(5)] == 4);
 }
+
+}  // namespace gvd::test_nearest_labels

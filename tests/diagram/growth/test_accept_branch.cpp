@@ -4,9 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_accept_branch {
 
 /// Two ends in the face of a flat grid that holds the circumcentre of three generators, with the generators' true
 /// positions as images.
@@ -43,8 +41,6 @@ struct TwoEnds {
   }
 };
 
-}  // namespace
-
 TEST_CASE("the distance of a branch point is the mean of its three generators'") {
   const TwoEnds ends;
   CHECK(branch_distance(ends.first, ends.second, ends.centre) == Approx(6.25));
@@ -65,3 +61,5 @@ TEST_CASE("a branch point has to be farther from all other generators") {
   const TwoEnds ends({TwoEnds::at(3, 3), TwoEnds::at(13, 3), TwoEnds::at(8, 13), near});
   CHECK_FALSE(accept_branch(ends.stages.input(), ends.first, ends.second, ends.centre));
 }
+
+}  // namespace gvd::test_accept_branch

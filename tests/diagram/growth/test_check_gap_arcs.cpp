@@ -5,17 +5,14 @@
 #include "support/catch.hpp"
 #include "support/hand_made_gaps.hpp"
 
-using namespace gvd;
+namespace gvd::test_check_gap_arcs {
+
 using test::CornerAndBranch;
 using test::HandMade;
 using test::TwoAcross;
 using test::TwoBranches;
 
-namespace {
-
 bool check(const HandMade& x) { return check_gap_arcs(x.mesh, x.crossings(), x.grown); }
-
-}  // namespace
 
 TEST_CASE("no arc, and one arc, are sound") {
   HandMade x;
@@ -60,3 +57,5 @@ TEST_CASE("one angle at a branch point may exceed half a turn") {
   x.grown.nodes[5].bary = x.at_corners(0.1, 0.85, 0.05);  // close to b: one of the three angles is 248 degrees
   CHECK(check(x));
 }
+
+}  // namespace gvd::test_check_gap_arcs

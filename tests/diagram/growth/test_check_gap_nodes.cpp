@@ -6,20 +6,17 @@
 #include "support/catch.hpp"
 #include "support/hand_made_gaps.hpp"
 
-using namespace gvd;
+namespace gvd::test_check_gap_nodes {
+
 using test::CornerAndBranch;
 using test::HandMade;
 using test::TwoAcross;
 using test::TwoBranches;
 
-namespace {
-
 bool check(const HandMade& x) {
   const Crossings crossings = x.crossings();
   return check_gap_nodes(x.mesh, crossings, x.gap, GapEdges(x.mesh, crossings, x.gap, x.grown), x.grown);
 }
-
-}  // namespace
 
 TEST_CASE("a gap that nothing crosses passes without nodes, and not with a branch point without arcs") {
   HandMade x;
@@ -82,3 +79,5 @@ TEST_CASE("an arc has the cells of its ends, lies in a face of the gap, and a br
   far.grown.nodes[5].bary = far.at_corners(-0.01, 0.51, 0.5);
   CHECK_FALSE(check(far));
 }
+
+}  // namespace gvd::test_check_gap_nodes

@@ -12,7 +12,8 @@
 #include "support/hand_made_gaps.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_check_growth {
+
 using test::CornerAndBranch;
 using test::Fan;
 using test::HandMade;
@@ -160,8 +161,6 @@ TEST_CASE("growth may pass a vertex on its other side, and reports that the vert
   CHECK_FALSE(generator.check());
 }
 
-namespace {
-
 /// Calls tamper(result, k) for k = 0, 1, .. on copies of a sound result until it returns false: there is no k-th
 /// element.
 void require_refused(const test::GrownGaps& g, std::size_t i,
@@ -203,8 +202,6 @@ GapNode* node_of(GrownGap& grown, GapNode::Kind kind, std::size_t k) {
   }
   return nullptr;
 }
-
-}  // namespace
 
 TEST_CASE("real gaps: the check refuses every changed arc or node") {
   const Mesh mesh = test::make_torus(24, 12);
@@ -287,3 +284,5 @@ TEST_CASE("real gaps: the check refuses every changed arc or node") {
     });
   }
 }
+
+}  // namespace gvd::test_check_growth

@@ -6,18 +6,15 @@
 #include "support/catch.hpp"
 #include "support/hand_made_gaps.hpp"
 
-using namespace gvd;
+namespace gvd::test_gap_edges {
+
 using test::HandMade;
 using test::TwoAcross;
-
-namespace {
 
 const GapEdge& find(const GapEdges& edges, EdgeId e) {
   const auto& all = edges.edges();
   return *std::find_if(all.begin(), all.end(), [&](const GapEdge& x) { return x.edge == e; });
 }
-
-}  // namespace
 
 TEST_CASE("a gap without crossings has its faces' edges, each once, and all of one face are rim inside the mesh") {
   HandMade x;
@@ -74,3 +71,5 @@ TEST_CASE("crossings too close to each other or to an end, or between cells that
   CHECK_FALSE(consistent(0.5 * kCrossingGap, 0.6, 1, 1));
   CHECK_FALSE(consistent(0.3, 1 - 0.5 * kCrossingGap, 1, 1));
 }
+
+}  // namespace gvd::test_gap_edges

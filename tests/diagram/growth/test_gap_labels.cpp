@@ -6,12 +6,11 @@
 #include "support/catch.hpp"
 #include "support/hand_made_gaps.hpp"
 
-using namespace gvd;
+namespace gvd::test_gap_labels {
+
 using test::Fan;
 using test::HandMade;
 using test::TwoAcross;
-
-namespace {
 
 using Moved = std::vector<std::pair<VertexId, GeneratorId>>;
 
@@ -19,8 +18,6 @@ std::optional<Moved> find_moved(const HandMade& x) {
   const Crossings crossings = x.crossings();
   return find_moved_labels(x.working, x.labels, GapEdges(x.mesh, crossings, x.gap, x.grown));
 }
-
-}  // namespace
 
 TEST_CASE("a gap of one face without crossings moves no label") {
   HandMade x;
@@ -68,3 +65,5 @@ TEST_CASE("in a gap that is the whole mesh, the generator's label spreads to all
   for (int f = 0; f < x.mesh.face_count(); ++f) x.gap.faces.emplace_back(f);
   CHECK(find_moved(x) == Moved{});
 }
+
+}  // namespace gvd::test_gap_labels

@@ -6,9 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_gaps {
 
 int competing(const GeneratorTable& table, FaceId f) {
   int count = 0;
@@ -28,8 +26,6 @@ bool is_connected(const Mesh& mesh, const Gap& gap) {
   }
   return reached.size() == gap.faces.size();
 }
-
-}  // namespace
 
 TEST_CASE("gaps are the connected groups of faces with three or more competing generators, on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -68,3 +64,5 @@ TEST_CASE("a gap contains its faces and no others") {
   const Gap gap{{FaceId(2), FaceId(5), FaceId(9)}};
   for (int f = 0; f < 12; ++f) CHECK(gap.contains(FaceId(f)) == (f == 2 || f == 5 || f == 9));
 }
+
+}  // namespace gvd::test_gaps

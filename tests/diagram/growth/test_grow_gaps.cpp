@@ -9,9 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_grow_gaps {
 
 const std::vector<GrowthRules> kRules{{GrowthRules::Images::unfolded}, {GrowthRules::Images::rotated}};
 
@@ -45,8 +43,6 @@ bool is_larger(const ClosedGap& c, const std::vector<Gap>& gaps) {
   for (const std::size_t g : c.merged) before += gaps[g].faces.size();
   return c.gap.faces.size() > before;
 }
-
-}  // namespace
 
 TEST_CASE("enlarged gaps close where they did not, on all families") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -91,3 +87,5 @@ TEST_CASE("no gap grows with a forbidden edge") {
     }
   }
 }
+
+}  // namespace gvd::test_grow_gaps

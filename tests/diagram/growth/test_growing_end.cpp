@@ -5,17 +5,13 @@
 #include "diagram/growth/growing_end.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_growing_end {
 
 const std::array<Vec2, 3> kCorner{Vec2(0, 0), Vec2(4, 0), Vec2(0, 4)};
 
 GrowingEnd end_at(const Vec2& start, const Vec2& left_image, const Vec2& right_image) {
   return {FaceId(0), 0, start, GeneratorId(0), GeneratorId(1), left_image, right_image};
 }
-
-}  // namespace
 
 TEST_CASE("an end grows along the bisector of its images, the left one on its left") {
   const GrowingEnd end = end_at({1, 1}, {0, 1}, {2, 1});
@@ -75,3 +71,5 @@ TEST_CASE("an end that starts a rounding error outside leaves where it is") {
   CHECK(exit->halfedge == Mesh::halfedge(FaceId(0), 2));
   CHECK((exit->point - Vec2(0, 2)).norm() < 1e-15);
 }
+
+}  // namespace gvd::test_growing_end

@@ -12,13 +12,9 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_growth {
 
 const std::vector<int> kSpread{1 * 25 + 3, 14 * 25 + 5, 7 * 25 + 20, 2 * 25 + 13, 16 * 25 + 17, 8 * 25 + 11};
-
-}  // namespace
 
 TEST_CASE("on a flat grid growth closes gaps, and its branch points are the circumcentres") {
   const Mesh mesh = test::make_grid(24, 17);
@@ -53,7 +49,7 @@ TEST_CASE("on a flat grid growth closes gaps, and its branch points are the circ
 std::size_t chain_length(const GrownGap& grown, std::size_t first) {
   int node = grown.arcs[first].end;
   std::size_t length = 1, last = first;
-  while (grown.nodes[static_cast<std::size_t>(node)].kind == GapNode::Kind::crossing) {
+  while (grown.nodes[node].kind == GapNode::Kind::crossing) {
     std::size_t next = 0;
     while (next < grown.arcs.size() &&
            (next == last || (grown.arcs[next].begin != node && grown.arcs[next].end != node))) {
@@ -64,7 +60,7 @@ std::size_t chain_length(const GrownGap& grown, std::size_t first) {
     last = next;
     ++length;
   }
-  return grown.nodes[static_cast<std::size_t>(node)].kind == GapNode::Kind::rim ? length : 0;
+  return grown.nodes[node].kind == GapNode::Kind::rim ? length : 0;
 }
 
 TEST_CASE("ends of one bisector that face each other are joined: a chain of arcs from rim to rim") {
@@ -76,7 +72,7 @@ TEST_CASE("ends of one bisector that face each other are joined: a chain of arcs
       for (const auto& grown : g.grown) {
         if (!grown) continue;
         for (std::size_t i = 0; i < grown->arcs.size(); ++i) {
-          if (grown->nodes[static_cast<std::size_t>(grown->arcs[i].begin)].kind != GapNode::Kind::rim) continue;
+          if (grown->nodes[grown->arcs[i].begin].kind != GapNode::Kind::rim) continue;
           const std::size_t length = chain_length(*grown, i);
           chains += length > 0 ? 1 : 0;
           longest = std::max(longest, length);
@@ -146,3 +142,5 @@ TEST_CASE("growth takes gaps of up to 200 faces and leaves larger ones to assemb
   gap.faces.emplace_back(2 * (19 * kWide + 10));  // one more, which no bisector crosses
   CHECK_FALSE(grow_gap(stages.input(), stages.rough, gap).grown);
 }
+
+}  // namespace gvd::test_growth

@@ -4,10 +4,9 @@
 #include "diagram/growth/growth_event.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using Kind = GrowthEvent::Kind;
+namespace gvd::test_growth_event {
 
-namespace {
+using Kind = GrowthEvent::Kind;
 
 /// The first ends of the events, in the order in which they are handled.
 std::vector<std::size_t> order_of(EventOrder order, const std::vector<GrowthEvent>& pushed) {
@@ -21,8 +20,6 @@ std::vector<std::size_t> order_of(EventOrder order, const std::vector<GrowthEven
 const std::vector<GrowthEvent> kMixed{{Kind::exit, 1, 0, kNoEnd},      {Kind::intersection, 3, 1, 2},
                                       {Kind::joining, 9, 3, 4},        {Kind::exit, 2, 5, kNoEnd},
                                       {Kind::intersection, 1.5, 6, 7}, {Kind::joining, 8, 8, 9}};
-
-}  // namespace
 
 TEST_CASE("events by kind: joinings, intersections, exits, each by distance") {
   CHECK(order_of(EventOrder::by_kind, kMixed) == std::vector<std::size_t>{8, 3, 6, 1, 0, 5});
@@ -40,3 +37,5 @@ TEST_CASE("events that tie come in the order of their ends, however they were pu
     CHECK(order_of(order, {ties[1], ties[2], ties[0]}) == std::vector<std::size_t>{0, 1, 2});
   }
 }
+
+}  // namespace gvd::test_growth_event

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "diagram/growth/growth_input.hpp"
 #include "support/catch.hpp"
@@ -8,11 +7,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+namespace gvd::test_growth_input {
 
 /// A right triangle with legs 3 and 4, whose table a test fills in.
 struct OneFace {
@@ -24,8 +19,6 @@ struct OneFace {
 
   void reach(int v, double distance) { table.add(VertexId(v), GeneratorId(0), distance, HalfedgeId()); }
 };
-
-}  // namespace
 
 TEST_CASE("a generator that no corner knows is infinitely far") {
   const OneFace face;
@@ -65,3 +58,5 @@ TEST_CASE("corner distances differ by no more than the edges allow, and labels a
     for (const double x : d) REQUIRE(std::isfinite(x));
   }
 }
+
+}  // namespace gvd::test_growth_input

@@ -7,18 +7,15 @@
 #include "support/hand_made_gaps.hpp"
 #include "support/same_crossings.hpp"
 
-using namespace gvd;
+namespace gvd::test_install_gaps {
+
 using test::Fan;
 using test::HandMade;
 using test::TwoAcross;
 using test::TwoBranches;
 
-namespace {
-
 /// The diagram before the growth, with all of the crossings that a gap made by hand has on its rim.
 TracedDiagram before(const HandMade& x) { return {x.labels, x.crossings()}; }
-
-}  // namespace
 
 TEST_CASE("without a grown gap nothing changes") {
   const TwoAcross x;
@@ -83,3 +80,5 @@ TEST_CASE("vertices that growth moved get their new labels") {
   CHECK(traced.moved == std::vector<VertexId>{VertexId(x.middle)});
   CHECK(traced.labels.label[VertexId(x.middle)] == GeneratorId(0));
 }
+
+}  // namespace gvd::test_install_gaps

@@ -12,7 +12,7 @@
 #include "support/same_crossings.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
+namespace gvd::test_refine_bisectors {
 
 TEST_CASE("a face is laid out with its own lengths, counter-clockwise, and points come back") {
   const Mesh mesh = test::make_thin_faced_sphere(2, 3);
@@ -58,3 +58,5 @@ TEST_CASE("estimates lie inside their edge, ascending by face, on every family")
     test::require_same_order(stages.rough, welded);
   }
 }
+
+}  // namespace gvd::test_refine_bisectors

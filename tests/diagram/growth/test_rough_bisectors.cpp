@@ -10,9 +10,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_rough_bisectors {
 
 Vec3 position_of(const Mesh& mesh, const Crossing& c) {
   const HalfedgeId h = mesh.halfedge(c.edge);
@@ -52,8 +50,6 @@ std::vector<EdgeId> edges_with_intervals_inside(const Crossings& crossings) {
   }
   return edges;
 }
-
-}  // namespace
 
 TEST_CASE("properties (1) to (3) of the crossings hold on every family") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -159,3 +155,5 @@ TEST_CASE(
     }
   }
 }
+
+}  // namespace gvd::test_rough_bisectors

@@ -10,9 +10,7 @@
 #include "support/same_crossings.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_trace_growth {
 
 std::vector<EdgeId> all_edges(const Mesh& mesh) {
   std::vector<EdgeId> edges;
@@ -33,8 +31,6 @@ struct Sphere {
     return traced;
   }
 };
-
-}  // namespace
 
 TEST_CASE("one generator: no crossings, no arcs, no gaps") {
   const Mesh mesh = test::make_grid(3, 3);
@@ -103,3 +99,5 @@ TEST_CASE("edges crossed again have one crossing at most, and others keep theirs
   sphere.tracer.cross_at_most_once({}, sphere.stages.labels, untouched);
   CHECK(untouched.size() == sphere.stages.rough.size());
 }
+
+}  // namespace gvd::test_trace_growth

@@ -5,10 +5,9 @@
 #include "support/random.hpp"
 #include "support/same_crossings.hpp"
 
-using namespace gvd;
-using test::require_same_order;
+namespace gvd::test_weld_crossings {
 
-namespace {
+using test::require_same_order;
 
 const GeneratorId kA(0), kB(1), kC(2);
 
@@ -19,8 +18,6 @@ Crossings sample_crossings() {
 }
 
 CrossingEstimate estimate(int crossing, double t) { return {CrossingId(crossing), t}; }
-
-}  // namespace
 
 TEST_CASE("the weld takes the mean, and keeps a crossing without an estimate") {
   Crossings crossings = sample_crossings();
@@ -55,3 +52,5 @@ TEST_CASE("two crossings at their least distance stay") {
   CHECK(after.items()[0].t == Approx(0.5).margin(1e-12));
   CHECK(after.items()[1].t - after.items()[0].t >= kCrossingGap * (1 - 1e-6));
 }
+
+}  // namespace gvd::test_weld_crossings

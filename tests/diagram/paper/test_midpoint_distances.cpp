@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
+namespace gvd::test_midpoint_distances {
 
 TEST_CASE("the distance at an edge midpoint is the mean of those at the edge's ends, for every entry of the tables") {
   const Mesh mesh = test::make_sphere(2);
@@ -24,3 +24,5 @@ TEST_CASE("the distance at an edge midpoint is the mean of those at the edge's e
   CHECK(entries > static_cast<std::size_t>(mesh.face_count()));
   CHECK_FALSE(midpoints.find(FaceId(0), GeneratorId(9)));
 }
+
+}  // namespace gvd::test_midpoint_distances

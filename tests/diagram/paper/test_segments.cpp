@@ -8,14 +8,10 @@
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_segments {
 
 constexpr int kSquares = 12;
 int at(int i, int j) { return j * (kSquares + 1) + i; }
-
-}  // namespace
 
 TEST_CASE("rough segments cross every edge between two labels at its midpoint, and no other") {
   const Mesh mesh = test::make_bumpy_sphere(2, 1);
@@ -71,3 +67,5 @@ TEST_CASE("refined segments come near to the bisector of two generators in the p
   CHECK(rough > 0.15);
   CHECK(mean_error() < 0.25 * rough);
 }
+
+}  // namespace gvd::test_segments

@@ -6,7 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 
-using namespace gvd;
+namespace gvd::test_trace_paper {
 
 TEST_CASE("the paper's steps give complete diagrams on all families, with both fronts") {
   std::int64_t gaps = 0, grown = 0;
@@ -36,3 +36,5 @@ TEST_CASE("the paper's steps work with exact distances too, as every solver with
   const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 10, 1), options);
   CHECK(check_diagram(mesh, diagram).ok());
 }
+
+}  // namespace gvd::test_trace_paper

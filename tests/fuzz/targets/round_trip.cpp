@@ -42,7 +42,7 @@ void check_fans(const std::vector<std::array<std::int32_t, 3>>& faces, std::int3
   std::vector<std::map<std::int32_t, std::int32_t>> next(static_cast<std::size_t>(vertices));
   for (const auto& f : faces) {
     for (std::size_t i = 0; i < 3; ++i) {
-      auto& links = next[static_cast<std::size_t>(f[i])];
+      auto& links = next[f[i]];
       require(links.emplace(f[(i + 1) % 3], f[(i + 2) % 3]).second, "two faces run through an edge in one direction");
     }
   }
@@ -133,9 +133,8 @@ void check_written_stl(const Mesh& mesh) {
   require(soup.polygon_count() == static_cast<std::size_t>(mesh.face_count()), "other numbers of triangles");
   for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 wanted =
-          mesh.position(mesh.vertices(FaceId(static_cast<std::int64_t>(f)))[i]).cast<float>().cast<double>();
-      require(same_bits(wanted, soup.positions[static_cast<std::size_t>(soup.polygon(f)[i])]), "a corner has moved");
+      const Vec3 wanted = mesh.position(mesh.vertices(FaceId(f))[i]).cast<float>().cast<double>();
+      require(same_bits(wanted, soup.positions[soup.polygon(f)[i]]), "a corner has moved");
     }
   }
 }

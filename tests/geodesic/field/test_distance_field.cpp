@@ -5,14 +5,10 @@
 #include "support/hand_made_field.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_distance_field {
 
 /// The image (1, -1) behind an opening from (0.5, 0) to (1.5, 0), 0.25 from the generator.
 FaceSource make_source() { return test::through_side(0, 0, {1, -1}, {{0.5, 0}, {1.5, 0}}, 0.25); }
-
-}  // namespace
 
 TEST_CASE("an edge source at one end of its edge, and one whose interval is a point") {
   const EdgeSource end{0, 2, 0, 0, 0.5, GeneratorId(0)};
@@ -66,3 +62,5 @@ TEST_CASE("a path enters where it crosses the opening, or at the end that it ben
   CHECK(s.entry({-1, 1}) == s.begin);
   CHECK(s.entry({3, 1}) == s.end);
 }
+
+}  // namespace gvd::test_distance_field

@@ -6,7 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_face_layout {
 
 TEST_CASE("a face without area gets the least height, and finite coordinates") {
   const Mesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}}, {{0, 1, 2}});
@@ -54,3 +54,5 @@ TEST_CASE("a face with one short side is laid out with all digits of the long on
     }
   }
 }
+
+}  // namespace gvd::test_face_layout

@@ -3,17 +3,13 @@
 #include "geodesic/field/generator_table.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_generator_table {
 
 std::set<int> generators_at(const GeneratorTable& table, VertexId v) {
   std::set<int> found;
   table.for_each(v, [&](const VertexDistance& d) { REQUIRE(found.insert(d.generator.value()).second); });
   return found;
 }
-
-}  // namespace
 
 TEST_CASE("an empty table has reached nothing") {
   const GeneratorTable table(2, 1);
@@ -53,7 +49,7 @@ TEST_CASE("entries of a face refer to the distances at its corners") {
   std::array<std::int32_t, 3> corner{};
   for (int v = 0; v < 3; ++v) {
     table.add(VertexId(v), GeneratorId(0), 9, HalfedgeId());
-    corner[static_cast<std::size_t>(v)] = table.add(VertexId(v), GeneratorId(4), v, HalfedgeId());
+    corner[v] = table.add(VertexId(v), GeneratorId(4), v, HalfedgeId());
   }
   table.add(FaceId(1), GeneratorId(0), {0, 1, 2}, 0);
   const std::int32_t index = table.add(FaceId(1), GeneratorId(4), corner, 3);
@@ -64,3 +60,5 @@ TEST_CASE("entries of a face refer to the distances at its corners") {
   table.distance(corner[1]).distance = 0.5;  // shared, not copied
   CHECK(table.corner_distances(table.entry(index))[1] == 0.5);
 }
+
+}  // namespace gvd::test_generator_table

@@ -1,7 +1,7 @@
 #include "geodesic/field/symbolic_offset.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_symbolic_offset {
 
 TEST_CASE("without a step no generator has an offset, not even none") {
   const SymbolicOffset none;
@@ -31,3 +31,5 @@ TEST_CASE("marched offsets begin at one step, those of an envelope at 0") {
   CHECK(marching.of(GeneratorId(0)) == marching.step);
   CHECK(envelope.of(GeneratorId(0)) == 0);
 }
+
+}  // namespace gvd::test_symbolic_offset

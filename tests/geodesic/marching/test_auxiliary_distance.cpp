@@ -7,9 +7,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_auxiliary_distance {
 
 constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 
@@ -17,8 +15,6 @@ constexpr std::array<Front, 2> kFronts{Front::circle, Front::planar};
 FaceShape shape_of(const Vec2& apex) {
   return test::make_mesh({{0, 0, 0}, {2, 0, 0}, {apex.x(), apex.y(), 0}}, {{0, 1, 2}}).shape(FaceId(0));
 }
-
-}  // namespace
 
 TEST_CASE("a face without area has halves without height, and finite distances") {
   for (const double x : {0.5, 1.0, 3.0}) {
@@ -82,3 +78,5 @@ TEST_CASE(
     if (front == Front::circle) CHECK(exact > all / 2);
   }
 }
+
+}  // namespace gvd::test_auxiliary_distance

@@ -13,9 +13,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_fast_marching {
 
 /// Distances carry a symbolic offset of up to 1e-9 mean edges, here about 1.2, which no circle fits exactly.
 constexpr double kOffset = 5e-9;
@@ -41,8 +39,6 @@ double largest_flat_error(const Mesh& mesh, const SurfacePoint& generator, Front
   }
   return largest;
 }
-
-}  // namespace
 
 TEST_CASE("a single triangle: distances along its edges") {
   const Mesh mesh = test::make_triangle();
@@ -79,8 +75,6 @@ TEST_CASE("circle fronts are exact on a flat grid, from a vertex, an edge and a 
   }
 }
 
-namespace {
-
 /// Relative errors of the nearest distances at the vertices of a reference mesh, all generators in one run.
 struct NearestError {
   double mean = 0, over = 0, under = 0;  ///< under: how far below the exact distance at the most, as a positive number
@@ -106,8 +100,6 @@ NearestError nearest_error(const test::Reference& reference, Front front) {
   error.mean /= count;
   return error;
 }
-
-}  // namespace
 
 TEST_CASE("nearest distances at the vertices agree with the reference distances") {
   // Measured: circle 0.01 to 0.3 % on an average, planar 2 to 7 %. Below the exact one by 7 % at worst, on rotor:
@@ -235,3 +227,5 @@ TEST_CASE("progress is reported from the start, and can cancel") {
     CHECK(error.code() == ErrorCode::interrupted);
   }
 }
+
+}  // namespace gvd::test_fast_marching

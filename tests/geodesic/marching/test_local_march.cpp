@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "geodesic/marching/local_march.hpp"
 #include "support/catch.hpp"
@@ -7,15 +6,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+namespace gvd::test_local_march {
 
 SurfacePoint point_in(FaceId f) { return make_surface_point(f, {0.2, 0.3, 0.5}); }
-
-}  // namespace
 
 TEST_CASE("before the first run nothing is reached") {
   const Mesh mesh = test::make_triangle();
@@ -89,3 +82,5 @@ TEST_CASE("a second run does not depend on the first one") {
   CHECK(used.reached() == fresh.reached());
   for (int v = 0; v < mesh.vertex_count(); ++v) REQUIRE(used.distance(VertexId(v)) == fresh.distance(VertexId(v)));
 }
+
+}  // namespace gvd::test_local_march

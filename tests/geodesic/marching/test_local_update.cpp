@@ -1,7 +1,6 @@
 // The numbered properties of geodesic/local_update.hpp, over seeded random triangles.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "geodesic/marching/local_update.hpp"
@@ -9,9 +8,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_local_update {
 
 /// The frame of the triangle A = (0, 0), B = (base, 0), D.
 UpdateTriangle triangle_of(double base, const Vec2& d) {
@@ -41,8 +38,6 @@ bool sees(const Sample& s) {
 }
 
 constexpr int kRounds = 20000;
-
-}  // namespace
 
 TEST_CASE("the frame of a triangle has its foot and height") {
   const UpdateTriangle t = triangle_of(2, {0.5, 1.5});
@@ -172,3 +167,5 @@ TEST_CASE("updates scale exactly with powers of two") {
     }
   }
 }
+
+}  // namespace gvd::test_local_update

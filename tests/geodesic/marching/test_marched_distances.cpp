@@ -10,9 +10,7 @@
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_marched_distances {
 
 /// Twice the largest symbolic offset, in edges of about 1: what a straight distance on a flat mesh may be off.
 constexpr double kOffset = 5e-9;
@@ -28,8 +26,6 @@ double least(const std::vector<FaceSource>& sources, const Vec2& p) {
   for (const FaceSource& s : sources) d = std::min(d, s.distance(p));
   return d;
 }
-
-}  // namespace
 
 TEST_CASE("with one generator no edge is contested") {
   const Mesh mesh = test::make_sphere(1);
@@ -89,3 +85,5 @@ TEST_CASE("the sources of an edge's ends come first, with the labels and distanc
     REQUIRE(sources[1].distance(stages.mesh().length(h)) <= stages.labels.distance[stages.mesh().to(h)]);
   }
 }
+
+}  // namespace gvd::test_marched_distances

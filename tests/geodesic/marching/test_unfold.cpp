@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_unfold {
 
 TEST_CASE("distances that no triangle has unfold to the line through the two points") {
   CHECK(unfold_source({0, 0}, {1, 0}, 0.2, 0.2).y() == 0);
@@ -40,3 +40,5 @@ TEST_CASE("a generator unfolds over the side that its front enters through") {
     REQUIRE((unfold_generator(corner, distance) - source).norm() < 1e-9);
   }
 }
+
+}  // namespace gvd::test_unfold

@@ -7,9 +7,7 @@
 #include "gvd/vec.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_distance_bound {
 
 struct Triangle {
   std::array<Vec2, 3> corner;
@@ -36,8 +34,6 @@ struct Triangle {
     return largest;
   }
 };
-
-}  // namespace
 
 TEST_CASE("face distance bound: it bounds the distance of every point, and not by much more") {
   std::mt19937 random(1);
@@ -79,3 +75,5 @@ TEST_CASE("face distance bound: a triangle without area") {
   CHECK(t.bound({0, 0, 0}) >= 0.5);
   CHECK(t.bound({0, 0, 0}) <= 2 / std::numbers::sqrt3 + 1e-12);
 }
+
+}  // namespace gvd::test_face_distance_bound

@@ -7,7 +7,8 @@
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
 
-using namespace gvd;
+namespace gvd::test_nearest_field {
+
 using test::kInfinity;
 using test::sample;
 
@@ -56,8 +57,7 @@ TEST_CASE("nearest field: insertion gives the distances of the nearest generator
       field.insert(p);
       march.run(p, kInfinity);
       for (int v = 0; v < mesh.vertex_count(); ++v) {
-        nearest[static_cast<std::size_t>(v)] =
-            std::min(nearest[static_cast<std::size_t>(v)], march.distance(VertexId(v)));
+        nearest[v] = std::min(nearest[v], march.distance(VertexId(v)));
       }
     }
     for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -65,9 +65,11 @@ TEST_CASE("nearest field: insertion gives the distances of the nearest generator
       // Never nearer than alone. A front stops one ring beyond its cell, so distances near the border can be a little
       // too long. Among thin faces a straight path passes close to vertices of other cells: up to a quarter too long.
       const double loss = name == "thin-faced sphere" ? 0.25 : 0.05;
-      const double whole = nearest[static_cast<std::size_t>(v)], inserted = field.distance(VertexId(v));
+      const double whole = nearest[v], inserted = field.distance(VertexId(v));
       CHECK(inserted >= whole * (1 - 1e-12));
       CHECK(inserted <= whole * (1 + loss) + 0.05 * mesh.mean_edge_length());
     }
   }
 }
+
+}  // namespace gvd::test_nearest_field

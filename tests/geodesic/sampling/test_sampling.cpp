@@ -11,7 +11,8 @@
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
 
-using namespace gvd;
+namespace gvd::test_sampling {
+
 using test::all_distinct;
 using test::error_of;
 using test::kCounted;
@@ -78,7 +79,7 @@ TEST_CASE("random points are uniform by area") {
   Vec3 mean = Vec3::Zero();
   for (const SurfacePoint& p : points) {
     const Vec3 x = position(grid, p);
-    ++columns[static_cast<std::size_t>(x.x())];
+    ++columns[x.x()];
     mean += x / 20000;
     REQUIRE(p.kind() == SurfacePoint::Kind::face);
   }
@@ -99,7 +100,7 @@ TEST_CASE("sampled vertices are different ones, all of them if asked for, and ea
       ids.insert(mesh.vertices(p.face)[corner].value());
     }
     REQUIRE(ids.size() == kCount);
-    for (const int id : ids) ++drawn[static_cast<std::size_t>(id)];
+    for (const int id : ids) ++drawn[id];
   }
   const double expected = double(kDraws) * kCount / mesh.vertex_count();
   // Five standard deviations of a binomial distribution.
@@ -176,3 +177,5 @@ TEST_CASE("progress moves within the first insertions, which take longest on lar
     CHECK(told.size() > 6);  // without those within insertions there were one for each generator
   }
 }
+
+}  // namespace gvd::test_sampling

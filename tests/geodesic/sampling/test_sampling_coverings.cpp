@@ -7,7 +7,8 @@
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
 
-using namespace gvd;
+namespace gvd::test_sampling_coverings {
+
 using test::all_distinct;
 using test::cover;
 using test::edge_distances;
@@ -90,3 +91,5 @@ TEST_CASE("a covering that would split the surface too often is refused before i
     CHECK(calls == 1);
   }
 }
+
+}  // namespace gvd::test_sampling_coverings

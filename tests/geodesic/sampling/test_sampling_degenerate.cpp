@@ -9,7 +9,8 @@
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
 
-using namespace gvd;
+namespace gvd::test_sampling_degenerate {
+
 using test::all_distinct;
 using test::cover;
 using test::error_of;
@@ -80,3 +81,5 @@ TEST_CASE("a march terminates on a disc made of a fan of needles") {
   CHECK(chosen.size() == 20);
   CHECK(all_distinct(mesh, chosen));
 }
+
+}  // namespace gvd::test_sampling_degenerate

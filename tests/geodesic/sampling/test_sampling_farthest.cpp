@@ -11,14 +11,13 @@
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
 
-using namespace gvd;
+namespace gvd::test_sampling_farthest {
+
 using test::cover;
 using test::edge_distances;
 using test::kInfinity;
 using test::least_spacing;
 using test::sample;
-
-namespace {
 
 Mesh make_three_spheres() {
   const Mesh sphere = test::make_sphere(1);
@@ -35,14 +34,12 @@ Mesh make_three_spheres() {
   return Mesh(std::move(positions), std::move(faces));
 }
 
-}  // namespace
-
 TEST_CASE("property 3: the components get one point each, in order, before any gets a second one") {
   const Mesh mesh = make_three_spheres();
   const auto component = compute_face_components(mesh);
   for (const int count : {1, 2, 3, 10}) {
     const auto points = sample(mesh, Sampling::farthest, count, 4);
-    for (int i = 0; i < std::min(count, 3); ++i) CHECK(component[points[static_cast<std::size_t>(i)].face] == i);
+    for (int i = 0; i < std::min(count, 3); ++i) CHECK(component[points[i].face] == i);
   }
   std::set<int> covered;
   for (const SurfacePoint& p : cover(mesh, 10)) covered.insert(component[p.face]);
@@ -126,3 +123,5 @@ TEST_CASE("distances are geodesic: a thin plate's two sides are far apart") {
   CHECK(near_in_space > 5);
   CHECK(least_spacing(plate, points) > 0.08);
 }
+
+}  // namespace gvd::test_sampling_farthest

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geodesic/sampling/sampling_mesh.hpp"
@@ -11,11 +10,8 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_sampling_mesh {
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kMany = 1 << 20;
 
 double smallest_angle(const Mesh& mesh) {
@@ -23,15 +19,13 @@ double smallest_angle(const Mesh& mesh) {
   for (int f = 0; f < mesh.face_count(); ++f) {
     for (int i = 0; i < 3; ++i) {
       const auto& v = mesh.vertices(FaceId(f));
-      const auto at = [&](int k) { return mesh.position(v[static_cast<std::size_t>((i + k) % 3)]); };
+      const auto at = [&](int k) { return mesh.position(v[(i + k) % 3]); };
       const Vec3 p = at(1) - at(0), q = at(2) - at(0);
       smallest = std::min(smallest, std::atan2(p.cross(q).norm(), p.dot(q)));
     }
   }
   return smallest;
 }
-
-}  // namespace
 
 TEST_CASE("sampling mesh: without edges to split it is the input itself") {
   const Mesh mesh = test::make_triangle();
@@ -101,3 +95,5 @@ TEST_CASE("sampling spacing: the number of splits grows with mesh and generators
   CHECK(max_splits(mesh, 10) == 56);
   CHECK(max_splits(mesh, std::int64_t{1} << 40) == kMaxSamplingVertices);
 }
+
+}  // namespace gvd::test_sampling_mesh

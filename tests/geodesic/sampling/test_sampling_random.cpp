@@ -11,9 +11,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_sampling_random {
 
 /// A row of faces between y = 0 and y = 1 whose areas are half of these bases. A base of 0 gives a face on one line.
 Mesh make_row(const std::vector<double>& bases) {
@@ -46,8 +44,6 @@ std::vector<int> count_draws(const Mesh& mesh, const AreaSampler& sampler, std::
 /// Five standard deviations of the number of draws that have this probability. Chance exceeds it once in 1.7 million.
 double allowed_deviation(double share) { return 5 * std::sqrt(kDraws * share * (1 - share)); }
 
-}  // namespace
-
 TEST_CASE("seeded random numbers are the upper 53 bits of the 64-bit Mersenne twister") {
   struct Known {
     std::uint64_t seed;
@@ -78,7 +74,7 @@ TEST_CASE("seeded random numbers lie from 0 up to 1 and fill that evenly") {
       REQUIRE(x >= 0);
       REQUIRE(x < 1);
       REQUIRE(std::ldexp(x, 53) == std::floor(std::ldexp(x, 53)));
-      ++count[static_cast<std::size_t>(x * kBins)];
+      ++count[x * kBins];
     }
     double chi_square = 0;
     for (const int n : count) chi_square += (n - kCount / kBins) * double(n - kCount / kBins) / (kCount / kBins);
@@ -111,7 +107,7 @@ TEST_CASE("the first and the last face of a list are drawn as often as those bet
   // A part of the list: the faces 0, 4 and 1.
   const std::vector<int> some = count_draws(mesh, sampler, 1, 4);
   for (const int f : {0, 1, 4}) {
-    CHECK(std::abs(some[static_cast<std::size_t>(f)] - kDraws / 3.0) <= allowed_deviation(1 / 3.0));
+    CHECK(std::abs(some[f] - kDraws / 3.0) <= allowed_deviation(1 / 3.0));
   }
   CHECK(some[2] + some[3] == 0);
   CHECK(count_draws(mesh, sampler, 0, 1)[3] == kDraws);
@@ -137,10 +133,12 @@ TEST_CASE("points are drawn inside a face, uniform by area") {
     for (std::size_t k = 0; k < 3; ++k) sum[k] += p.bary[k];
     least = std::min(least, *std::min_element(p.bary.begin(), p.bary.end()));
     const auto corner = std::find_if(p.bary.begin(), p.bary.end(), [](double b) { return b > 0.5; });
-    ++quarters[static_cast<std::size_t>(corner - p.bary.begin())];
+    ++quarters[corner - p.bary.begin()];
   }
   CHECK(least < 1e-4);  // points may lie close to the sides, on which they may not
   // A coordinate of a uniform point has the mean 1/3 and the variance 1/18.
   for (const double s : sum) CHECK(std::abs(s - kDraws / 3.0) <= 5 * std::sqrt(kDraws / 18.0));
   for (const int n : quarters) CHECK(std::abs(n - kDraws / 4.0) <= allowed_deviation(0.25));
 }
+
+}  // namespace gvd::test_sampling_random

@@ -7,9 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_geodesic_tracing {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -52,8 +50,6 @@ SurfacePoint nearest_vertex(const Mesh& mesh, const Vec3& p) {
   }
   return vertex_point(mesh, best);
 }
-
-}  // namespace
 
 TEST_CASE("a zero tangent traces nothing") {
   const Mesh mesh = test::make_grid(2, 2);
@@ -217,3 +213,5 @@ TEST_CASE("a geodesic crosses faces without area") {
   require_sound(mesh, trace, 0.8);
   CHECK((position(mesh, trace.points.back()) - position(mesh, start) - Vec3(0.8, 0, 0)).norm() < 1e-9);
 }
+
+}  // namespace gvd::test_geodesic_tracing

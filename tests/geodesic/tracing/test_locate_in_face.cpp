@@ -5,7 +5,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_locate_in_face {
 
 TEST_CASE("locating in a face: a point of another face has no position") {
   const Mesh grid = test::make_grid(2, 1);
@@ -43,3 +43,5 @@ TEST_CASE("locating in a face: every view of a point gives the same position, at
     }
   }
 }
+
+}  // namespace gvd::test_locate_in_face

@@ -8,9 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_log_map {
 
 /// The plane z = 0 turned so that the tangent plane's x axis is its own.
 Vec2 flat_tangent(const Mesh& mesh, const SurfacePoint& p, const Vec3& v) {
@@ -53,8 +51,6 @@ Mesh make_crooked_grid(int n, double shift) {
   for (int f = 0; f < grid.face_count(); ++f) faces.push_back(grid.vertices(FaceId(f)));
   return Mesh(positions, faces);
 }
-
-}  // namespace
 
 TEST_CASE("on a flat grid the log map is the Euclidean difference") {
   const Mesh mesh = test::make_grid(9, 7);
@@ -137,3 +133,5 @@ TEST_CASE("log map: corners without a path are infinite, and a face that does no
   CHECK(std::isinf(map.corners.back()[0].norm()));
   CHECK_THROWS_AS(compute_log_map(mesh, {FaceId(mesh.face_count()), {1, 0, 0}}), Error);
 }
+
+}  // namespace gvd::test_log_map

@@ -6,13 +6,9 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_polar_update {
 
 constexpr double kPi = std::numbers::pi;
-
-}  // namespace
 
 TEST_CASE("polar update: a triangle without area is passed along its edges or through its base, finitely") {
   const UpdateTriangle flat = make_update_triangle(2, 1, 1, 0);
@@ -81,3 +77,5 @@ TEST_CASE("polar update: random sources that see the corner through the base are
   }
   CHECK(through > 100);
 }
+
+}  // namespace gvd::test_polar_update

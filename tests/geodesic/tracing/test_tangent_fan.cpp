@@ -7,15 +7,11 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_tangent_fan {
 
 constexpr double kPi = std::numbers::pi;
 
 SurfacePoint grid_vertex(const Mesh& mesh, int v) { return vertex_point(mesh, VertexId(v)); }
-
-}  // namespace
 
 TEST_CASE("tangent fan: angles are normalized to 0 up to 2 pi") {
   CHECK(normalized_angle(0) == 0);
@@ -105,3 +101,5 @@ TEST_CASE("tangent fan: the sectors follow each other counter-clockwise and sum 
     }
   }
 }
+
+}  // namespace gvd::test_tangent_fan

@@ -9,9 +9,7 @@
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_exact_field {
 
 /// Whether a path leads through a vertex between its ends: round a saddle or a corner of the boundary.
 bool bends(const GeodesicPath& path) {
@@ -30,8 +28,6 @@ ErrorCode code_of(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   FAIL("not refused");
   return ErrorCode::precondition;
 }
-
-}  // namespace
 
 TEST_CASE("at a generator everything is zero") {
   const Mesh mesh = test::make_torus(24, 12);
@@ -97,3 +93,5 @@ TEST_CASE("an exact field refuses what it can't do") {
   CHECK(code_of(mesh, {good}, {{}, {}, -1}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{}, [](std::string_view, double) { return false; }}) == ErrorCode::interrupted);
 }
+
+}  // namespace gvd::test_exact_field

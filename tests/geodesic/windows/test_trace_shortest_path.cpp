@@ -13,9 +13,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_trace_shortest_path {
 
 /// Faces round vertex 0, whose `count` neighbours lie up and down alternately: a saddle if `height` is large enough.
 Mesh make_crown(int count, double height) {
@@ -40,8 +38,6 @@ double distance_on_edge(const Mesh& mesh, const WindowField& field, HalfedgeId h
   nearest_source(sources, t * mesh.length(h), distance);
   return distance;
 }
-
-}  // namespace
 
 TEST_CASE("paths continue from a saddle into the angle that no straight path reaches, and pass beside it elsewhere") {
   constexpr int kCount = 8;
@@ -136,3 +132,5 @@ TEST_CASE("every window is a path of its generator, and none is shorter than the
     CHECK(worst <= 1e-13 * mesh.bbox_diagonal());
   }
 }
+
+}  // namespace gvd::test_trace_shortest_path

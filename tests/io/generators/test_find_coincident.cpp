@@ -3,7 +3,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_find_coincident {
+
+using namespace test;
 
 TEST_CASE("points close across an edge coincide, points of two touching sheets do not") {
   const Mesh grid = make_grid(3, 3);
@@ -41,4 +43,4 @@ TEST_CASE("points on the two banks of a slit do not coincide, points round its t
         std::vector<std::int32_t>{0, 0});
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_find_coincident

@@ -6,7 +6,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_format_generators {
+
+using namespace test;
 
 TEST_CASE("a written list reads back bit by bit") {
   std::setlocale(LC_ALL, "de_DE.UTF-8");
@@ -33,4 +35,4 @@ TEST_CASE("write a list as JSON to the file that GVD_LIST_SAMPLE names", "[.list
       mesh, {vertex_point(mesh, VertexId(3)), make_surface_point(FaceId(5), {0.25, 0.25, 0.5})}, GeneratorFormat::json);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_format_generators

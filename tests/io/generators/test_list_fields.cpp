@@ -4,8 +4,9 @@
 #include "io/generators/list_fields.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_list_fields {
+
+using namespace test;
 
 using Fields = std::vector<std::string_view>;
 const std::string kName = "list";
@@ -15,8 +16,6 @@ GeneratorEntry parse_entry(const Fields& fields) { return detail::parse_entries(
 std::string refused_entry(const Fields& fields) {
   return refusal([&] { parse_entry(fields); }, ErrorCode::unreadable_input);
 }
-
-}  // namespace
 
 TEST_CASE("lines have their number, and no comment, byte order mark or outer blanks") {
   const auto lines = detail::split_lines("\xef\xbb\xbf# head\n\n  a b \r\nc # d\n\t\n e");
@@ -95,4 +94,4 @@ TEST_CASE("a refused entry says what was expected") {
   CHECK_THAT(refused_entry({"p", "1", "nan", "0"}), Contains("'nan' is no finite number"));
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_list_fields

@@ -2,7 +2,9 @@
 #include "io/generators/list_location.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_list_location {
+
+using namespace test;
 
 TEST_CASE("a location is a name and, where there is one, a line") {
   const std::string name = "a.txt";
@@ -17,4 +19,4 @@ TEST_CASE("a location is a name and, where there is one, a line") {
   }
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_list_location

@@ -2,7 +2,9 @@
 #include "io/generators/parse_csv.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_parse_csv {
+
+using namespace test;
 
 using Kind = GeneratorEntry::Kind;
 
@@ -27,4 +29,4 @@ TEST_CASE("a csv list without a header takes three numbers for a position, but n
              Catch::Matchers::Contains("list:1: '3,17,99' could be"));
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_parse_csv

@@ -5,7 +5,9 @@
 #include "io/generators/parse_json.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_parse_json {
+
+using namespace test;
 
 using Kind = GeneratorEntry::Kind;
 
@@ -33,4 +35,4 @@ TEST_CASE("a message about wrong json is one short printable line, whatever the 
   }
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_parse_json

@@ -2,7 +2,9 @@
 #include "io/generators/parse_text.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_parse_text {
+
+using namespace test;
 
 using Kind = GeneratorEntry::Kind;
 
@@ -34,4 +36,4 @@ TEST_CASE("a comma in a text list is told as such") {
              Catch::Matchers::Contains("list:2: has a comma; part the fields by blanks, or give the list as CSV"));
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_parse_text

@@ -3,7 +3,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_read_generators {
+
+using namespace test;
 
 TEST_CASE("a damaged list is refused with its name and line") {
   const auto message = [](const std::string& text, GeneratorFormat format) {
@@ -101,4 +103,4 @@ TEST_CASE("a file is read in the given format, in that of its extension, or by i
   CHECK(read_generators(folder / "b.csv", GeneratorFormat::json).entries.at(0).index == 7);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_read_generators

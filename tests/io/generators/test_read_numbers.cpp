@@ -4,14 +4,13 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_read_numbers {
+
+using namespace test;
 
 std::string refused(const std::string& content) {
   return refusal([&] { parse_numbers(content, "list"); }, ErrorCode::unreadable_input);
 }
-
-}  // namespace
 
 TEST_CASE("numbers stand between blanks, commas and line ends, and # begins a comment") {
   CHECK(parse_numbers("\xef\xbb\xbf# weights\n1 2.5,\t-3e2 , 4 # 5\r\n\n6", "list") ==
@@ -33,4 +32,4 @@ TEST_CASE("a file of numbers that is not there is refused with its name") {
   CHECK(refusal([] { read_numbers("/"); }, ErrorCode::unreadable_input) == "/: is a directory; name a list of numbers");
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_read_numbers

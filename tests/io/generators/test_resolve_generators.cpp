@@ -4,7 +4,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_resolve_generators {
+
+using namespace test;
 
 using Kind = GeneratorEntry::Kind;
 
@@ -81,4 +83,4 @@ TEST_CASE("generators in one place are refused, or merged") {
   CHECK_THROWS_AS(resolve_generators(mesh, list), Error);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_resolve_generators

@@ -1,12 +1,13 @@
 #include <cmath>
-#include <limits>
 
 #include "io/view/cell_energy.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_cell_energy {
+
+using namespace test;
 
 TEST_CASE("the energy of a flat cell is the integral of the squared distance") {
   const Mesh grid = make_grid(4, 4);
@@ -35,4 +36,4 @@ TEST_CASE("faces that no generator reaches have no energy") {
   CHECK(io::compute_cell_energies(both, Diagram()).empty());
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_cell_energy

@@ -7,8 +7,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_check_view_scene {
+
+using namespace test;
 
 /// The code of the error that refuses the scene; `interrupted`, which no check uses, where none does.
 ErrorCode code_of(const ViewScene& scene) {
@@ -20,8 +21,6 @@ ErrorCode code_of(const ViewScene& scene) {
   }
   return ErrorCode::interrupted;
 }
-
-}  // namespace
 
 TEST_CASE("a scene whose parts do not fit is refused") {
   const Mesh mesh = make_sphere(1);
@@ -93,4 +92,4 @@ TEST_CASE("the error names the face that does not fit") {
   }
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_check_view_scene

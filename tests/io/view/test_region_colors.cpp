@@ -10,8 +10,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_region_colors {
+
+using namespace test;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -69,8 +70,6 @@ double least_difference_of_neighbours(const ViewScene& scene, const Diagram& dia
   }
   return least;
 }
-
-}  // namespace
 
 TEST_CASE("CIEDE2000 agrees with the published test pairs") {
   CHECK(ciede2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}) == Approx(2.0425).margin(5e-5));
@@ -169,4 +168,4 @@ TEST_CASE("as many regions as can all touch each other up to genus 3 have colour
   CHECK(io::choose_region_colors(0, {}).empty());
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_region_colors

@@ -9,8 +9,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_scene_colors {
+
+using namespace test;
 
 using Pairs = std::vector<std::pair<GeneratorId, GeneratorId>>;
 
@@ -52,8 +53,6 @@ std::vector<ViewScene> make_scenes(const Mesh& mesh, int generators, std::int64_
   }
   return scenes;
 }
-
-}  // namespace
 
 TEST_CASE("colours without a clash are kept, and one of two neighbours with the same colour changes") {
   const std::vector<Rgb> before = colors_of({0, 1, 2, 1});
@@ -123,4 +122,4 @@ TEST_CASE("scenes that are no iterations, and the order of scenes in the page, c
   CHECK(after[3] == before[0]);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_scene_colors

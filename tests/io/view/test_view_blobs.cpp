@@ -4,7 +4,9 @@
 #include "io/writers/base64.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_view_blobs {
+
+using namespace test;
 
 TEST_CASE("arrays are little-endian, narrow, and stored once") {
   io::ViewBlobs blobs;
@@ -29,4 +31,4 @@ TEST_CASE("an empty array is an array, and arrays of other types with equal byte
         "<script type=\"application/octet-stream\" id=\"blob-1\">AAAAAA==</script>\n");
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_view_blobs

@@ -2,16 +2,15 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_view_frame {
+
+using namespace test;
 
 ViewScene scene_of(const Mesh& mesh) {
   ViewScene scene;
   scene.mesh = &mesh;
   return scene;
 }
-
-}  // namespace
 
 TEST_CASE("the frame is the centre and half the diagonal of the box around all scenes") {
   const Mesh grid = make_grid(4, 3);
@@ -36,4 +35,4 @@ TEST_CASE("the frame of very large and very small coordinates is finite") {
   }
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_view_frame

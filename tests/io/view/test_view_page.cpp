@@ -11,8 +11,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_view_page {
+
+using namespace test;
 
 nlohmann::json read_manifest(const std::string& page) {
   const std::string tag = "<script type=\"application/json\" id=\"manifest\">";
@@ -45,8 +46,6 @@ Error refusal(const ViewScene& scene) {
 }
 
 ErrorCode code_of(const ViewScene& scene) { return refusal(scene).code(); }
-
-}  // namespace
 
 TEST_CASE("a build without the viewer says so") {
   if (has_viewer()) return;
@@ -177,4 +176,4 @@ TEST_CASE("write a page with four scenes to the file that GVD_VIEW_SAMPLE names"
   std::ofstream(file, std::ios::binary) << make_view_page({first, second, third, fourth}, options);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_view_page

@@ -7,16 +7,15 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_view_scene {
+
+using namespace test;
 
 std::map<std::string, std::string> figures_of(const ViewScene& scene) {
   std::map<std::string, std::string> figures;
   for (const ViewFigure& figure : scene.figures) figures[figure.name] = figure.value;
   return figures;
 }
-
-}  // namespace
 
 TEST_CASE("a scene has the labels, pieces, lines and points of its diagram") {
   const Mesh mesh = make_sphere(2);
@@ -98,4 +97,4 @@ TEST_CASE("the Euler count of a complete diagram agrees, and is left out where a
   CHECK(figures_of(make_view_scene("", mesh, diagram)).count("Euler count") == 0);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_view_scene

@@ -7,8 +7,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_view_triangulate {
+
+using namespace test;
 
 double area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
@@ -33,8 +34,6 @@ std::vector<std::array<std::uint32_t, 3>> check_triangles(const std::vector<Vec2
   CHECK(sum == Approx(area(polygon)).margin(1e-13));
   return triangles;
 }
-
-}  // namespace
 
 TEST_CASE("polygons without area have no triangles") {
   CHECK(io::triangulate_polygon({}).empty());
@@ -95,4 +94,4 @@ TEST_CASE("the pieces of diagrams are covered by their triangles") {
   }
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_view_triangulate

@@ -72,14 +72,14 @@ struct Sampler {
     const HalfedgeId h = Mesh::halfedge(f, corner), own = mesh.halfedge(mesh.edge(h));
     const double t = own == h ? balance(h) : 1 - balance(own);
     Bary bary{0, 0, 0};
-    bary[static_cast<std::size_t>(corner)] = 1 - t;
-    bary[static_cast<std::size_t>((corner + 1) % 3)] = t;
+    bary[corner] = 1 - t;
+    bary[(corner + 1) % 3] = t;
     return bary;
   }
 
   static Bary at_corner(int corner) {
     Bary bary{0, 0, 0};
-    bary[static_cast<std::size_t>(corner % 3)] = 1;
+    bary[corner % 3] = 1;
     return bary;
   }
 

@@ -12,11 +12,10 @@
 #include "io/writers/unnamed_file.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
-namespace fs = std::filesystem;
+namespace gvd::test_atomic_file {
 
-namespace {
+using namespace test;
+namespace fs = std::filesystem;
 
 /// The message of the Error{code} that `action` must throw.
 template <class Action>
@@ -37,8 +36,6 @@ void write_much(std::ostream& out) {
   for (int i = 0; i < 64; ++i) out << std::string(1 << 16, 'x');
 }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
 
 TEST_CASE("a file appears whole and alone") {
   const TemporaryFolder folder;
@@ -188,3 +185,5 @@ TEST_CASE("a pipe is not opened to find out whether it can be written") {
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
   check_writable(folder / "pipe");  // opening it would wait for a reader
 }
+
+}  // namespace gvd::test_atomic_file

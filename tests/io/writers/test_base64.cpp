@@ -1,15 +1,14 @@
 #include "io/writers/base64.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_base64 {
+
+using namespace test;
 
 struct Text {
   void text(std::string_view digits) { all.append(digits); }
   std::string all;
 };
-
-}  // namespace
 
 TEST_CASE("base64 is that of RFC 4648") {
   CHECK(io::encode_base64("") == "");
@@ -40,4 +39,4 @@ TEST_CASE("no bytes have no digits") {
   CHECK(out.all.empty());
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_base64

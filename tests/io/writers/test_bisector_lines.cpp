@@ -5,7 +5,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
+namespace gvd::test_bisector_lines {
+
+using namespace test;
 
 TEST_CASE("a line has the points of its bisector, and a closed one repeats the first") {
   const Labelled labelled;
@@ -48,4 +50,4 @@ TEST_CASE("bisectors of one point are left out, and without a diagram there are 
   CHECK(io::collect_bisector_lines({labelled.mesh}).empty());
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_bisector_lines

@@ -5,8 +5,9 @@
 #include "io/writers/byte_writer.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_byte_writer {
+
+using namespace test;
 
 /// Counts the writes that reach a stream.
 class CountingBuffer : public std::stringbuf {
@@ -19,8 +20,6 @@ class CountingBuffer : public std::stringbuf {
     return std::stringbuf::xsputn(bytes, count);
   }
 };
-
-}  // namespace
 
 TEST_CASE("text, formatted numbers and little-endian bytes follow each other") {
   std::ostringstream stream;
@@ -74,4 +73,4 @@ TEST_CASE("a stream that fails is an error, at the latest at the end") {
   CHECK_THROWS_AS(out.text(std::string(1 << 20, 'x')), Error);
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_byte_writer

@@ -7,10 +7,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_corner_texture {
 
-namespace {
+using namespace test;
 
 struct Textured {
   Mesh mesh = make_grid(3, 2);
@@ -50,8 +49,6 @@ void require_texture(const Textured& textured, const MeshAttributes& found) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("texture of corners: OBJ and PLY give it back") {
   const Textured textured;
   require_texture(textured, parse_mesh_attributes(textured.bytes(OutputFormat::obj), MeshFormat::obj, "out"));
@@ -83,3 +80,5 @@ TEST_CASE("texture of corners: refuses a wrong number") {
   textured.texture.pop_back();
   CHECK_THROWS_AS(textured.bytes(OutputFormat::obj), Error);
 }
+
+}  // namespace gvd::test_corner_texture

@@ -9,11 +9,10 @@
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
-using Json = nlohmann::ordered_json;
+namespace gvd::test_diagram_json {
 
-namespace {
+using namespace test;
+using Json = nlohmann::ordered_json;
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;
@@ -31,8 +30,6 @@ std::string diagram_text(const Labelled& labelled) {
 SurfacePoint to_point(const Json& json) {
   return {FaceId(json["face"].get<int>()), json["bary"].get<std::array<double, 3>>()};
 }
-
-}  // namespace
 
 TEST_CASE("a diagram's JSON has the contract's keys in its order") {
   const Json json = Json::parse(diagram_text(Labelled()));
@@ -111,3 +108,5 @@ TEST_CASE("generators come back bit for bit out of a diagram") {
   const GeneratorList list = parse_generators(diagram_text(labelled), GeneratorFormat::json, "diagram");
   CHECK(resolve_generators(labelled.mesh, list).points == points);
 }
+
+}  // namespace gvd::test_diagram_json

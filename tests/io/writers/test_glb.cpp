@@ -8,11 +8,10 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
-using Json = nlohmann::json;
+namespace gvd::test_glb {
 
-namespace {
+using namespace test;
+using Json = nlohmann::json;
 
 /// A GLB, parsed as the specification says.
 struct Glb {
@@ -78,8 +77,6 @@ std::vector<Corner> corner_positions(const Labelled& labelled, GeneratorId label
   }
   return corners;
 }
-
-}  // namespace
 
 TEST_CASE("a labelled GLB has one primitive a region, with its colour") {
   const Labelled labelled;
@@ -156,3 +153,5 @@ TEST_CASE("a plain GLB is one grey surface") {
   CHECK(glb.json["meshes"][0]["primitives"].size() == 1);
   CHECK(glb.json["materials"][0]["name"] == "surface");
 }
+
+}  // namespace gvd::test_glb

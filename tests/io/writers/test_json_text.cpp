@@ -6,8 +6,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_json_text {
+
+using namespace test;
 
 /// What `print` prints.
 template <class Print>
@@ -26,8 +27,6 @@ std::string lines_of(const std::vector<int>& items) {
 std::string array_of(const std::vector<int>& items) {
   return printed([&](io::ByteWriter& out) { io::print_array(out, items, [&](int i) { out.print("{}", i); }); });
 }
-
-}  // namespace
 
 TEST_CASE("a number has its shortest digits; infinity and NaN are null") {
   using Double = std::numeric_limits<double>;
@@ -61,4 +60,4 @@ TEST_CASE("an array is printed on one line, or with a line for each item") {
   CHECK(array_of({1, 2}) == "[1,2]");
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_json_text

@@ -7,9 +7,7 @@
 #include "gvd/io/label_color.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_label_color {
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
 
@@ -25,8 +23,6 @@ double hue_difference(int a, int b) {
   const double difference = std::abs(hue(label_color(GeneratorId(a))) - hue(label_color(GeneratorId(b))));
   return std::min(difference, 360 - difference);
 }
-
-}  // namespace
 
 TEST_CASE("(1) a label's colour is fixed") {
   CHECK(label_color(GeneratorId(0)) == Rgb{242, 92, 92});
@@ -60,3 +56,5 @@ TEST_CASE("the colour and the low byte of a label tell 10,000 regions apart") {
     CHECK(seen.insert({color.red, color.green, color.blue, i % 256}).second);
   }
 }
+
+}  // namespace gvd::test_label_color

@@ -7,10 +7,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_mesh_writer {
 
-namespace {
+using namespace test;
 
 constexpr std::array kAllFormats{OutputFormat::ply, OutputFormat::obj, OutputFormat::off, OutputFormat::stl,
                                  OutputFormat::vtp, OutputFormat::glb, OutputFormat::json};
@@ -38,8 +37,6 @@ class FullBuffer : public std::streambuf {
  private:
   std::streamsize left_;
 };
-
-}  // namespace
 
 TEST_CASE("the extension names the format") {
   CHECK(output_format("a/b.ply") == OutputFormat::ply);
@@ -152,3 +149,5 @@ TEST_CASE("a mesh that falls between two 32-bit floats is refused where the form
   }
   CHECK_NOTHROW(check_format(triangle(1e9, 1), OutputFormat::off));
 }
+
+}  // namespace gvd::test_mesh_writer

@@ -4,10 +4,9 @@
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_obj {
 
-namespace {
+using namespace test;
 
 std::vector<std::vector<std::string>> read_words(const std::string& text) {
   std::vector<std::vector<std::string>> lines;
@@ -25,8 +24,6 @@ double number(const std::string& word) {
   std::from_chars(word.data(), word.data() + word.size(), value);
   return value;
 }
-
-}  // namespace
 
 TEST_CASE("an OBJ keeps doubles, and its bisectors come as lines with their own vertices") {
   const Labelled labelled;
@@ -65,3 +62,5 @@ TEST_CASE("a cut mesh draws the bisectors on the mesh that they belong to") {
   CHECK(words.at(5) == std::vector<std::string>{"#", "left", "0", "right", "1"});
   CHECK(number(words.at(6).at(1)) == first.x());
 }
+
+}  // namespace gvd::test_obj

@@ -5,8 +5,9 @@
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_off {
+
+using namespace test;
 
 TEST_CASE("a coloured OFF has colours behind each vertex and face") {
   const Labelled labelled;
@@ -54,3 +55,5 @@ TEST_CASE("without labels of vertices a coloured OFF takes those of a face besid
   words >> x >> y >> z >> read;
   CHECK(read == Approx(red).margin(1e-4));
 }
+
+}  // namespace gvd::test_off

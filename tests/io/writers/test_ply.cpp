@@ -8,10 +8,9 @@
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_ply {
 
-namespace {
+using namespace test;
 
 /// The lines of the header, "end_header" included; `offset` is where the data begins.
 std::vector<std::string> read_header(const std::string& bytes, std::size_t& offset) {
@@ -30,8 +29,6 @@ GeneratorId take_label(const std::string& bytes, std::size_t& offset) {
   CHECK(color == label_color(label));
   return label;
 }
-
-}  // namespace
 
 TEST_CASE("a labelled PLY has the contract's properties, bit for bit") {
   const Labelled labelled;
@@ -138,3 +135,5 @@ TEST_CASE("a PLY as text has the same numbers as the binary one") {
   CHECK(offset == binary.size());
   CHECK(std::count(text.begin(), text.end(), '\n') == static_cast<long>(binary_header.size()) + 20 + 24);
 }
+
+}  // namespace gvd::test_ply

@@ -10,10 +10,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using Catch::Matchers::StartsWith;
+namespace gvd::test_point_writer {
 
-namespace {
+using Catch::Matchers::StartsWith;
 
 const Mesh& sphere() {
   static const Mesh mesh = test::make_sphere(1);
@@ -50,8 +49,6 @@ T take(const std::string& bytes, std::size_t& at) {
   at += sizeof(T);
   return value;
 }
-
-}  // namespace
 
 TEST_CASE("point writer: NPY has the samples in rows of twelve doubles") {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
@@ -116,3 +113,5 @@ TEST_CASE("point writer: extensions are known in any case, with or without a dot
   CHECK_FALSE(parse_point_format(""));
   CHECK_FALSE(parse_point_format("obj"));
 }
+
+}  // namespace gvd::test_point_writer

@@ -15,10 +15,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_back {
 
-namespace {
+using namespace test;
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -82,8 +81,6 @@ std::vector<FaceId> all_faces(const Mesh& mesh) {
   return order;
 }
 
-}  // namespace
-
 TEST_CASE("OpenMesh reads back every plain format") {
   const TemporaryFolder folder;
   for (const auto& [name, mesh] : small_family()) {
@@ -133,10 +130,11 @@ TEST_CASE("OpenMesh finds the regions' colours in OFF and in an OBJ's materials"
         const Rgb color = label_color(GeneratorId(label));
         // The .mtl has four digits, and OpenMesh truncates them.
         const auto close = [](int a, int b) { return std::abs(a - b) <= 1; };
-        seen[static_cast<std::size_t>(label + 1)] +=
-            close(c[0], color.red) && close(c[1], color.green) && close(c[2], color.blue);
+        seen[label + 1] += close(c[0], color.red) && close(c[1], color.green) && close(c[2], color.blue);
       }
     }
     CHECK(seen == std::array<int, 4>{6, 6, 6, 6});
   }
 }
+
+}  // namespace gvd::test_read_back

@@ -2,7 +2,9 @@
 #include "io/writers/regions.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
+namespace gvd::test_regions {
+
+using namespace test;
 
 TEST_CASE("regions are ordered by label, the faces without a label come last") {
   const Labelled labelled;
@@ -32,4 +34,4 @@ TEST_CASE("regions are named by their label") {
   CHECK(io::region_name(GeneratorId()) == "unlabelled");
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_regions

@@ -4,10 +4,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::io;
+namespace gvd::test_shading_vertices {
 
-namespace {
+using namespace io;
 
 ShadingVertices split(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label = nullptr) {
   LabelledMesh labelled{mesh};
@@ -21,8 +20,6 @@ Mesh make_hinge(double degrees) {
   return Mesh({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {std::cos(angle), 0, -std::sin(angle)}},
               {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(1), VertexId(0), VertexId(3)}});
 }
-
-}  // namespace
 
 TEST_CASE("a vertex is split at creases of more than 40 degrees") {
   CHECK(split(make_hinge(0)).vertices.size() == 4);
@@ -72,3 +69,5 @@ TEST_CASE("faces without area have the normals of their neighbours, or the z axi
   CHECK(result.vertices.size() == 4);
   CHECK(result.vertices[result.of_corner[HalfedgeId(4)]].normal == Eigen::Vector3f(1, 0, 0));
 }
+
+}  // namespace gvd::test_shading_vertices

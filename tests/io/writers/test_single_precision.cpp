@@ -4,8 +4,9 @@
 #include "io/writers/single_precision.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test {
-namespace {
+namespace gvd::test_single_precision {
+
+using namespace test;
 
 Mesh triangle(double size, double shift) {
   return Mesh({{shift, 0, 0}, {shift + size, 0, 0}, {shift, size, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
@@ -20,8 +21,6 @@ std::string refusal(const Mesh& mesh) {
   }
   return "";
 }
-
-}  // namespace
 
 TEST_CASE("meshes that 32-bit floats hold are taken") {
   for (const double size : {1e-30, 1e-3, 1.0, 1e38}) CHECK(refusal(triangle(size, 0)).empty());
@@ -41,4 +40,4 @@ TEST_CASE("a mesh smaller than the step of floats is refused") {
   CHECK_THAT(refusal(triangle(1e-40, 0)), Contains("smaller than the step between two of them"));
 }
 
-}  // namespace gvd::test
+}  // namespace gvd::test_single_precision

@@ -3,17 +3,14 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_stl {
 
-namespace {
+using namespace test;
 
 Vec3 take_vector(const std::string& bytes, std::size_t& offset) {
   const double x = take<float>(bytes, offset), y = take<float>(bytes, offset), z = take<float>(bytes, offset);
   return {x, y, z};
 }
-
-}  // namespace
 
 TEST_CASE("a binary STL has the size, normals and colours that it should") {
   const Labelled labelled;
@@ -50,3 +47,5 @@ TEST_CASE("tiny and flat faces get a finite normal") {
   offset = 84 + 48;
   CHECK(take<std::uint16_t>(bytes, offset) == 0);
 }
+
+}  // namespace gvd::test_stl

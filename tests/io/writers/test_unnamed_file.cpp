@@ -2,7 +2,9 @@
 #include "io/writers/unnamed_file.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::test;
+namespace gvd::test_unnamed_file {
+
+using namespace test;
 
 TEST_CASE("a file without a name gets one that is free") {
   const TemporaryFolder folder;
@@ -28,3 +30,5 @@ TEST_CASE("there is no file without a name in a folder that is not there") {
   const TemporaryFolder folder;
   CHECK(gvd::detail::open_unnamed(folder / "none") == nullptr);
 }
+
+}  // namespace gvd::test_unnamed_file

@@ -7,10 +7,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_vtp {
 
-namespace {
+using namespace test;
 
 std::string decode_base64(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -82,8 +81,6 @@ class Vtp {
   std::map<std::string, std::string> tags_, arrays_, types_;
 };
 
-}  // namespace
-
 TEST_CASE("a labelled VTP carries faces, bisectors and their arrays") {
   const Labelled labelled;
   const Vtp vtp(to_bytes(labelled.view(), OutputFormat::vtp));
@@ -145,3 +142,5 @@ TEST_CASE("a plain VTP has neither data nor lines") {
   CHECK_FALSE(vtp.has("PointData/Distance"));
   CHECK(vtp.get<std::int64_t>("Polys/connectivity", "Int64").size() == 60);
 }
+
+}  // namespace gvd::test_vtp

@@ -11,16 +11,12 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_features {
 
 /// A closed box with sides of length 1, 1 and `thickness`: 12 creases and 8 corners.
 Mesh make_box(int n) { return test::make_plate(n, 0.5); }
 
 std::vector<EdgeId> all_boundary(const Mesh& mesh) { return find_creases(mesh, {180, true}); }
-
-}  // namespace
 
 TEST_CASE("creases: points near them are snapped to their vertices and edges, others stay") {
   const Mesh box = make_box(4);
@@ -187,3 +183,5 @@ TEST_CASE("lloyd: wrong numbers of freedoms, and generators beside their creases
   options.freedom = {Freedom::free, Freedom::free, Freedom::on_crease};
   CHECK_THROWS_AS(relax_generators(grid, start, options), Error);
 }
+
+}  // namespace gvd::test_features

@@ -7,9 +7,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_bisector_segments {
 
 std::pair<GeneratorId, GeneratorId> cells_of(const BisectorSegment& segment) { return {segment.left, segment.right}; }
 
@@ -24,8 +22,6 @@ std::vector<BisectorSegment> random_segments(int count, int cells, unsigned seed
   }
   return segments;
 }
-
-}  // namespace
 
 TEST_CASE("bisector segments: sorted by their cells, those of the same cells as before") {
   for (const int count : {0, 1, 2, 300}) {
@@ -47,3 +43,5 @@ TEST_CASE("bisector segments: sorted by their cells, those of the same cells as 
     }
   }
 }
+
+}  // namespace gvd::test_bisector_segments

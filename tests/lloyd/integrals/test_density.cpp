@@ -9,7 +9,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_density {
 
 TEST_CASE("density: values of vertices are linear in faces, values of faces constant") {
   const Mesh mesh = test::make_sphere(1);
@@ -99,3 +99,5 @@ TEST_CASE("curvature density: in its range, with its gradation, uniform on a pla
   CHECK_THROWS_AS(make_curvature_density(mesh, {0, 4}), Error);
   CHECK_THROWS_AS(make_curvature_density(mesh, {1, 0.5}), Error);
 }
+
+}  // namespace gvd::test_density

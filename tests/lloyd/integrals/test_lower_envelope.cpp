@@ -6,9 +6,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_lower_envelope {
 
 using Function = std::array<double, 3>;
 
@@ -34,8 +32,6 @@ std::vector<EnvelopePart> lower_envelope(const std::vector<Function>& values) {
 }
 
 double value(const Function& f, const Bary& at) { return f[0] * at[0] + f[1] * at[1] + f[2] * at[2]; }
-
-}  // namespace
 
 TEST_CASE("lower envelope: one function has the whole triangle, and of equal ones the first") {
   for (const std::size_t count : {1, 2, 3}) {
@@ -85,3 +81,5 @@ TEST_CASE("lower envelope: parts are where their function is least, and cover th
     }
   }
 }
+
+}  // namespace gvd::test_lower_envelope

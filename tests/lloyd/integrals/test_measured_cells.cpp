@@ -13,9 +13,7 @@
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_measured_cells {
 
 MeasuredCells measure(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
   return measure_cells(mesh, generators, {Density(), {}, threads}, {});
@@ -30,8 +28,6 @@ double energy(const MeasuredCells& cells) {
 std::vector<std::pair<std::string, Mesh>> fine_meshes() {
   return {{"sphere", test::make_sphere(4)}, {"bumpy sphere", test::make_bumpy_sphere(4, 5)}};
 }
-
-}  // namespace
 
 TEST_CASE("measured cells: areas, energies and centroids are near those of the diagram") {
   for (const auto& [name, mesh] : fine_meshes()) {
@@ -49,7 +45,7 @@ TEST_CASE("measured cells: areas, energies and centroids are near those of the d
       CHECK(energy(cells) == Approx(whole).epsilon(2e-4));
       const double radius = std::sqrt(area / 12 / 3.14159);
       for (std::size_t i = 0; i < 12; ++i) {
-        const GeneratorId g(static_cast<std::int64_t>(i));
+        const GeneratorId g(i);
         CHECK(cells.integrals.moments[g].area == Approx(exact[g].area).margin(0.001 * area / 12));
         CHECK((cells.integrals.moments[g].centroid - exact[g].centroid).norm() < 0.005 * radius);
       }
@@ -90,7 +86,7 @@ TEST_CASE("measured cells: the mean log maps are nearly the gradient of the ener
       CAPTURE(named.first, seed);
       const auto generators = test::random_generators(mesh, 12, seed);
       const std::size_t i = generators[0].kind() == SurfacePoint::Kind::vertex ? 1 : 0;
-      const CellMoments cell = measure(mesh, generators).integrals.moments[GeneratorId(static_cast<std::int64_t>(i))];
+      const CellMoments cell = measure(mesh, generators).integrals.moments[GeneratorId(i)];
       const Vec2 way(0.6, 0.8);
       const double h = 0.003 * std::sqrt(cell.area);
       const auto at = [&](double step) {
@@ -130,10 +126,12 @@ TEST_CASE("measured cells: the same on any number of threads, to the last bit") 
       const MeasuredCells many = measure(mesh, generators, threads);
       CHECK(energy(many) == energy(one));
       for (std::size_t i = 0; i < generators.size(); ++i) {
-        const GeneratorId g(static_cast<std::int64_t>(i));
+        const GeneratorId g(i);
         CHECK(many.integrals.moments[g].centroid == one.integrals.moments[g].centroid);
       }
       CHECK(many.segments.size() == one.segments.size());
     }
   });
 }
+
+}  // namespace gvd::test_measured_cells

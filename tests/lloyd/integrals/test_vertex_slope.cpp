@@ -6,10 +6,9 @@
 #include "integrals/vertex_slope.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using std::numbers::pi;
+namespace gvd::test_vertex_slope {
 
-namespace {
+using std::numbers::pi;
 
 std::vector<VertexPath> random_paths(double total, unsigned seed) {
   std::mt19937 random(seed);
@@ -32,8 +31,6 @@ double slope_by_definition(double total, bool is_closed, const std::vector<Verte
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("vertex slope: every direction has the sum over all paths, on cones, planes, saddles and boundaries") {
   for (const double total : {0.5, 2.0, pi, 5.0, 2 * pi, 7.0, 3 * pi, 16.0}) {
@@ -66,3 +63,5 @@ TEST_CASE("vertex slope: in the plane it is the gradient, and a saddle can hold 
   CHECK(VertexSlope(3 * pi, true, all_round).least().slope > 0);
   CHECK(VertexSlope(2 * pi, true, {}).least().slope == 0);
 }
+
+}  // namespace gvd::test_vertex_slope

@@ -11,9 +11,7 @@
 #include "support/same_diagram.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_window_integrals {
 
 using Moments = IdVector<GeneratorId, CellMoments>;
 
@@ -50,8 +48,6 @@ Movable make_movable(const Mesh& mesh, unsigned seed) {
   std::swap(movable.generators[0], movable.generators[seed % 2 == 0 ? 1 : 2]);
   return movable;
 }
-
-}  // namespace
 
 TEST_CASE("window integrals: exact on a flat rectangle, wherever the generator lies") {
   const Mesh grid = test::make_grid(5, 3);
@@ -134,7 +130,7 @@ TEST_CASE("window integrals: the same to the last bit on any number of threads")
       for (const int threads : test::kThreads) {
         const Moments several = integrate(mesh, generators, 1, threads);
         for (std::size_t i = 0; i < one.size(); ++i) {
-          const GeneratorId g(static_cast<std::int64_t>(i));
+          const GeneratorId g(i);
           CHECK(several[g].area == one[g].area);
           CHECK(several[g].energy == one[g].energy);
           CHECK(several[g].centroid == one[g].centroid);
@@ -179,3 +175,5 @@ TEST_CASE("window integrals: a density weighs mass, energy and centroid") {
   CHECK(doubled[GeneratorId(0)].energy == Approx(2 * plain[GeneratorId(0)].energy));
   CHECK((doubled[GeneratorId(0)].centroid - plain[GeneratorId(0)].centroid).norm() < 1e-12);
 }
+
+}  // namespace gvd::test_window_integrals

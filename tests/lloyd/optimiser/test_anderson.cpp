@@ -3,9 +3,7 @@
 #include "optimiser/anderson.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_anderson {
 
 /// The step x -> M x + b - x, where M shrinks the vectors by different factors below 1.
 TangentField plain_step(const TangentField& x, const TangentField& b) {
@@ -13,8 +11,6 @@ TangentField plain_step(const TangentField& x, const TangentField& b) {
   for (std::size_t i = 0; i < x.size(); ++i) step[i] += (-1 + 0.9 + 0.03 * static_cast<double>(i % 3)) * x[i];
   return step;
 }
-
-}  // namespace
 
 TEST_CASE("anderson: without pairs the step is the plain one") {
   std::mt19937 random(1);
@@ -39,3 +35,5 @@ TEST_CASE("anderson: a linear iteration with three factors ends after four steps
     CHECK(test::length(residual) < 1e-9);
   }
 }
+
+}  // namespace gvd::test_anderson

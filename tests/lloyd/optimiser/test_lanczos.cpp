@@ -5,9 +5,7 @@
 #include "optimiser/lanczos.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_lanczos {
 
 double factor(std::size_t i) { return 0.2 * static_cast<double>(i % 5) - 0.3; }
 
@@ -15,8 +13,6 @@ TangentField scaled_each(TangentField field, const std::function<double(double)>
   for (std::size_t i = 0; i < field.size(); ++i) field[i] *= f(factor(i));
   return field;
 }
-
-}  // namespace
 
 TEST_CASE("lanczos: a function of a matrix with five eigenvalues is exact after five steps, and stays so") {
   std::mt19937 random(2);
@@ -39,3 +35,5 @@ TEST_CASE("lanczos: the product with a zero field is zero, and one step is a mul
   const TangentField once = apply_matrix_function(multiply, inverse, ones, 1);
   for (const Vec2& v : once) CHECK((v - once[0].x() * Vec2(1, 1)).norm() < 1e-14);
 }
+
+}  // namespace gvd::test_lanczos

@@ -4,9 +4,7 @@
 #include "optimiser/line_search.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_lbfgs {
 
 /// A function of tangent vectors, and its gradient.
 struct Function {
@@ -68,8 +66,6 @@ Function make_rosenbrock() {
   return {value, gradient};
 }
 
-}  // namespace
-
 TEST_CASE("lbfgs: the minimum of a quadratic function with factors from 1 to 1000") {
   std::mt19937 random(1);
   const TangentField minimum = test::random_field(40, random), start(40, Vec2::Zero());
@@ -108,3 +104,5 @@ TEST_CASE("lbfgs: after a pair the inverse Hessian takes its change to its step"
   const TangentField step = lbfgs_direction(history, latest.change, same);
   CHECK(test::length(add_scaled(step, 1, latest.step)) < 1e-12);
 }
+
+}  // namespace gvd::test_lbfgs

@@ -4,7 +4,7 @@
 #include "optimiser/line_search.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_line_search {
 
 TEST_CASE("line search: the lowest point of a parabola is found") {
   // f(t) = -2 t + 4 t^2 is lowest at 1/4.
@@ -19,3 +19,5 @@ TEST_CASE("line search: every scale is a tenth to a half of the one before") {
     CHECK(scale <= 0.15);
   }
 }
+
+}  // namespace gvd::test_line_search

@@ -8,9 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_generator_moves {
 
 /// Generators whose cells are not known.
 RelaxationState state_at(const std::vector<SurfacePoint>& generators, double mean_cell_radius) {
@@ -20,8 +18,6 @@ RelaxationState state_at(const std::vector<SurfacePoint>& generators, double mea
   state.mean_cell_radius = mean_cell_radius;
   return state;
 }
-
-}  // namespace
 
 TEST_CASE("generator moves: lengths of transported vectors and of steps are kept, on every mesh") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -105,3 +101,5 @@ TEST_CASE("step history: the oldest pairs are dropped") {
   history.clear();
   CHECK(history.pairs().empty());
 }
+
+}  // namespace gvd::test_generator_moves

@@ -3,16 +3,12 @@
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_keep_apart {
 
 /// The point x of a strip along the x axis.
 SurfacePoint at(double x) { return edge_point(Mesh::halfedge(FaceId(2 * static_cast<int>(x)), 0), x - std::floor(x)); }
 
 Mesh make_strip() { return test::make_grid(8, 1); }
-
-}  // namespace
 
 TEST_CASE("keep apart: no points, one point, and points that did not move") {
   const Mesh mesh = make_strip();
@@ -73,3 +69,5 @@ TEST_CASE("keep apart: after it, no moved point is within the gap of another one
     CHECK(undone == at_start);
   }
 }
+
+}  // namespace gvd::test_keep_apart

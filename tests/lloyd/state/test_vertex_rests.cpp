@@ -11,10 +11,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using test::evaluate_state;
+namespace gvd::test_vertex_rests {
 
-namespace {
+using test::evaluate_state;
 
 /// A disc round vertex 0, whose rim rises and falls: 6 turns of a height, the higher the more angle about the vertex.
 Mesh make_saddle(double height) {
@@ -44,8 +43,6 @@ double nearest_distance(const Mesh& mesh, const std::vector<SurfacePoint>& point
 double energy_of(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   return evaluate_state(mesh, generators).energy;
 }
-
-}  // namespace
 
 TEST_CASE("vertex rests: a generator rests at a saddle, not at the tip of a cone, nor at a corner of a square") {
   CHECK(rests_at(make_saddle(0.3), VertexId(0)));
@@ -106,3 +103,5 @@ TEST_CASE("vertex rests: relaxation ends at the saddle, whichever side it starts
     }
   }
 }
+
+}  // namespace gvd::test_vertex_rests

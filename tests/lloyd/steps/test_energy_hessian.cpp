@@ -10,10 +10,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using test::evaluate_state;
+namespace gvd::test_energy_hessian {
 
-namespace {
+using test::evaluate_state;
 
 /// The change of the gradient by a step, in the tangent planes at its start.
 TangentField gradient_change(const Mesh& mesh, const RelaxationState& state, const TangentField& step) {
@@ -35,8 +34,6 @@ std::vector<SurfacePoint> in_faces(const Mesh& mesh, int count, std::uint64_t se
   sampling.kind = Sampling::random;
   return sample_generators(mesh, sampling);
 }
-
-}  // namespace
 
 TEST_CASE("energy hessian: in the plane it is the derivative of the gradient") {
   const Mesh mesh = test::make_grid(9, 8);
@@ -87,3 +84,5 @@ TEST_CASE("energy hessian: a single generator has no bisectors, so its inverse i
   const TangentField step = EnergyHessian(mesh, state).solve(energy_gradient(state));
   CHECK((step[0] + state.to_centroids[0]).norm() < 1e-12);
 }
+
+}  // namespace gvd::test_energy_hessian

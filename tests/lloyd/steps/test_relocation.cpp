@@ -13,10 +13,9 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using test::evaluate_state;
+namespace gvd::test_relocation {
 
-namespace {
+using test::evaluate_state;
 
 /// `count` generators in one face.
 std::vector<SurfacePoint> clustered(FaceId face, int count) {
@@ -27,8 +26,6 @@ std::vector<SurfacePoint> clustered(FaceId face, int count) {
   }
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("relocation: a clustered start is evened out, and only far better places are taken") {
   const Mesh mesh = test::make_sphere(3);
@@ -53,11 +50,11 @@ TEST_CASE("relocation: nobody leaves twice, shares a place, leaves a large hole,
       std::vector<double> area(2), cells(2);
       for (std::size_t i = 0; i < 30; ++i) {
         const auto component = static_cast<std::size_t>(components[state.generators[i].face]);
-        area[component] += state.moments[GeneratorId(static_cast<std::int64_t>(i))].area;
+        area[component] += state.moments[GeneratorId(i)].area;
         cells[component] += 1;
       }
       for (const Relocation& relocation : plan_relocations(mesh, {}, state)) {
-        const CellMoments& cell = state.moments[GeneratorId(static_cast<std::int64_t>(relocation.generator))];
+        const CellMoments& cell = state.moments[GeneratorId(relocation.generator)];
         CHECK(leaving.insert(relocation.generator).second);
         CHECK(places.insert(vertex(mesh, relocation.to)).second);
         CHECK(components[state.generators[relocation.generator].face] == components[relocation.to.face]);
@@ -118,3 +115,5 @@ TEST_CASE("relocation: from one face, generators spread over the surface in a fe
     for (const LloydIteration& i : stuck.iterations) CHECK(i.relocated == 0);
   }
 }
+
+}  // namespace gvd::test_relocation

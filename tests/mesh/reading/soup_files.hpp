@@ -66,7 +66,7 @@ inline std::string binary_stl() {
   for (std::size_t f = 0; f < 4; ++f) {
     bytes += std::string(12, '\0');
     for (const std::int32_t v : soup.polygon(f)) {
-      for (const double x : soup.positions[static_cast<std::size_t>(v)]) bytes += bytes_of(static_cast<float>(x));
+      for (const double x : soup.positions[v]) bytes += bytes_of(static_cast<float>(x));
     }
     bytes += std::string(2, '\0');
   }

@@ -5,10 +5,9 @@
 #include "mesh/reading/soup_files.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_mesh_attributes {
 
-namespace {
+using namespace test;
 
 MeshAttributes parse_attributes(const std::string& bytes, MeshFormat format) {
   return parse_mesh_attributes(bytes, format, "mesh");
@@ -19,8 +18,6 @@ std::string with_face_list(const std::string& name, const std::string& faces) {
          "2\nproperty list uchar int vertex_indices\nproperty list uchar float " +
          name + "\nend_header\n0 0 0\n1 0 0\n0 1 0\n" + faces;
 }
-
-}  // namespace
 
 TEST_CASE("attributes: the corners of an OBJ have the coordinates that they refer to, or none") {
   const auto texture =
@@ -76,3 +73,5 @@ TEST_CASE("attributes: a PLY's lists keep their lengths; texcoord is the texture
   CHECK(other.properties.size() == 1);
   CHECK(!other.texture);
 }
+
+}  // namespace gvd::test_mesh_attributes

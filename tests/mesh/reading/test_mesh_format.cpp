@@ -4,7 +4,7 @@
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_mesh_format {
 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl}) {
@@ -40,3 +40,5 @@ TEST_CASE("mesh format: OFF keywords, and the length of a binary STL") {
   CHECK_FALSE(is_binary_stl(std::string(84, '\0')));
   CHECK_FALSE(is_binary_stl(""));
 }
+
+}  // namespace gvd::test_mesh_format

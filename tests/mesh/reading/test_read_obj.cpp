@@ -1,14 +1,11 @@
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_obj {
 
-namespace {
+using namespace test;
 
 PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat::obj, "file"); }
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
-
-}  // namespace
 
 TEST_CASE("OBJ: a tetrahedron") { require_tetrahedron(parse(kObj)); }
 
@@ -67,3 +64,5 @@ TEST_CASE("OBJ: bad bytes are refused with their line") {
   require_refused("", MeshFormat::obj, "the file is empty");
   CHECK(parse("f 1 2 3\n" + kVertices).corners == std::vector<std::int32_t>{0, 1, 2});  // later vertices are legal
 }
+
+}  // namespace gvd::test_read_obj

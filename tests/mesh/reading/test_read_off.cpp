@@ -1,13 +1,10 @@
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_off {
 
-namespace {
+using namespace test;
 
 PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat::off, "file"); }
-
-}  // namespace
 
 TEST_CASE("OFF: a tetrahedron, with every form of the header") {
   require_tetrahedron(parse(kOff));
@@ -67,3 +64,5 @@ TEST_CASE("OFF: bad bytes are refused with their line") {
   require_refused("OFF\n1 1 0\nnan 0 0\n1 0\n", MeshFormat::off, "file:3: coordinate x of vertex 0",
                   ErrorCode::precondition);
 }
+
+}  // namespace gvd::test_read_off

@@ -1,9 +1,8 @@
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_ply {
 
-namespace {
+using namespace test;
 
 PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat::ply, "file"); }
 
@@ -12,8 +11,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
 }
-
-}  // namespace
 
 TEST_CASE("PLY: a tetrahedron in every encoding") {
   require_tetrahedron(parse(kPly));
@@ -147,3 +144,5 @@ TEST_CASE("PLY: binary files are refused with the byte") {
   wrong[bytes.find("end_header\n") + 11 + 2] = '\x80';
   require_refused(wrong, MeshFormat::ply, "vertex 0 is not a finite number", ErrorCode::precondition);
 }
+
+}  // namespace gvd::test_read_ply

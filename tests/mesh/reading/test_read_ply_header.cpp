@@ -4,9 +4,7 @@
 #include "mesh/reading/read_ply_header.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_read_ply_header {
 
 const std::string kVertex = "element vertex 3\nproperty float x\nproperty float y\nproperty double z\n";
 const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\n";
@@ -14,8 +12,6 @@ const std::string kFace = "element face 1\nproperty list uchar int vertex_indice
 std::string header(const std::string& format, const std::string& elements) {
   return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n";
 }
-
-}  // namespace
 
 TEST_CASE("PLY header: elements and properties in their order, and where the data begin") {
   const std::string text = header("binary_big_endian", "comment made by hand\n" + kVertex + kFace);
@@ -82,3 +78,5 @@ TEST_CASE("PLY header: many elements take no longer each than one") {
   for (int i = 0; i < 600'000; ++i) elements += "element e" + std::to_string(i) + " 0\n";
   CHECK(parse_ply_header(header("ascii", elements), "file").elements.size() == 600'002);
 }
+
+}  // namespace gvd::test_read_ply_header

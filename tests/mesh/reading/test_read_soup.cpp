@@ -7,10 +7,9 @@
 #include "mesh/reading/soup_files.hpp"
 #include "support/shared_data.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_soup {
 
-namespace {
+using namespace test;
 
 struct Sample {
   MeshFormat format;
@@ -68,8 +67,6 @@ struct CommaNumbers : std::numpunct<char> {
   char do_thousands_sep() const override { return '.'; }
   std::string do_grouping() const override { return "\3"; }
 };
-
-}  // namespace
 
 TEST_CASE("the format is detected by content first, then by extension") {
   for (const auto& [format, bytes] : samples()) {
@@ -184,3 +181,5 @@ TEST_CASE("the shared models are read with all their faces") {
     CHECK(checked.defects.defects.size() == (model.unused > 0 ? 1U : 0U));
   }
 }
+
+}  // namespace gvd::test_read_soup

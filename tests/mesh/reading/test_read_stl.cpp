@@ -1,17 +1,14 @@
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-using namespace gvd::test;
+namespace gvd::test_read_stl {
 
-namespace {
+using namespace test;
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
 }
-
-}  // namespace
 
 TEST_CASE("STL: a tetrahedron, text and binary, welded to four vertices") {
   for (const std::string& bytes : {kStl, binary_stl()}) {
@@ -62,3 +59,5 @@ TEST_CASE("STL: bad bytes are refused with their line or byte") {
   wrong.replace(80, 4, "\xff\xff\xff\xff");
   require_refused(wrong, MeshFormat::stl, "4294967295 triangles");
 }
+
+}  // namespace gvd::test_read_stl

@@ -6,9 +6,7 @@
 #include "mesh/reading/read_text.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_read_text {
 
 template <class Work>
 std::string message_of(Work work) {
@@ -19,8 +17,6 @@ std::string message_of(Work work) {
   }
   return "no error";
 }
-
-}  // namespace
 
 TEST_CASE("parse_double: signs, exponents, values out of range, and what is no number") {
   CHECK(parse_double("1") == 1);
@@ -95,3 +91,5 @@ TEST_CASE("text reader: messages name the file, the line and the token") {
   CHECK_THAT(message_of([&] { text.position(4); }), Catch::Matchers::Contains("vertex 4"));
   CHECK_THAT(message_of([&] { text.number("a count"); }), Catch::Matchers::Contains("a count is missing"));
 }
+
+}  // namespace gvd::test_read_text

@@ -3,9 +3,7 @@
 #include "mesh/reading/soup_files.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_build_soup_mesh {
 
 using Polygons = std::vector<std::vector<std::int32_t>>;
 
@@ -97,8 +95,6 @@ void append(PolygonSoup& soup, const PolygonSoup& more) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("a soup without defects becomes the same mesh") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
@@ -111,7 +107,7 @@ TEST_CASE("a soup without defects becomes the same mesh") {
       REQUIRE(checked.input_polygon[FaceId(f)] == f);
     }
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      REQUIRE(checked.mesh_vertex[static_cast<std::size_t>(v)] == VertexId(v));
+      REQUIRE(checked.mesh_vertex[v] == VertexId(v));
       REQUIRE(checked.input_vertex[VertexId(v)] == v);
     }
   }
@@ -293,11 +289,11 @@ TEST_CASE("random triangles: the surface keeps its points or is refused") {
       std::vector<char> seen(soup.polygon_count(), 0);
       for (std::int32_t f = 0; f < checked.mesh.face_count(); ++f) {
         kept += checked.mesh.area(FaceId(f));
-        seen[static_cast<std::size_t>(checked.input_polygon[FaceId(f)])] = 1;
+        seen[checked.input_polygon[FaceId(f)]] = 1;
       }
       double given = 0;
       for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
-        const auto at = [&](std::size_t i) { return soup.positions[static_cast<std::size_t>(soup.polygon(p)[i])]; };
+        const auto at = [&](std::size_t i) { return soup.positions[soup.polygon(p)[i]]; };
         if (seen[p]) given += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
       }
       REQUIRE(kept == Approx(given));
@@ -312,3 +308,5 @@ TEST_CASE("random triangles: the surface keeps its points or is refused") {
   }
   CHECK(built > 2000);
 }
+
+}  // namespace gvd::test_build_soup_mesh

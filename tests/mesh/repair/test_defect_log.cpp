@@ -2,7 +2,7 @@
 #include "mesh/repair/defect_log.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_defect_log {
 
 TEST_CASE("defect log: a defect is counted, described and told") {
   DefectLog log(DefectPolicy::repair);
@@ -42,3 +42,5 @@ TEST_CASE("defect kinds have names for reports") {
   CHECK(name_of(DefectKind::nonmanifold_edges) == "nonmanifold_edges");
   CHECK(name_of(DefectKind::dropped_components) == "dropped_components");
 }
+
+}  // namespace gvd::test_defect_log

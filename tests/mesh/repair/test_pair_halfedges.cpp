@@ -1,7 +1,7 @@
 #include "mesh/repair/pair_halfedges.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_pair_halfedges {
 
 TEST_CASE("pair_halfedges: the two of an edge, whatever their direction; none on the boundary") {
   WorkFaces work;
@@ -31,3 +31,5 @@ TEST_CASE("work faces: halfedges of a face") {
   CHECK(work.from(5) == 9);
   CHECK(work.to(5) == 7);
 }
+
+}  // namespace gvd::test_pair_halfedges

@@ -5,9 +5,7 @@
 #include "mesh/repair/project_polygon.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_project_polygon {
 
 ProjectedPolygon project(const std::vector<Vec3>& corners) {
   std::vector<std::int32_t> polygon;
@@ -18,8 +16,6 @@ ProjectedPolygon project(const std::vector<Vec3>& corners) {
 double twice_area(const ProjectedPolygon& polygon) {
   return twice_signed_area(polygon.plane.size(), [&](std::size_t i) { return polygon.plane[i]; });
 }
-
-}  // namespace
 
 TEST_CASE("project_polygon: a square in any plane becomes counter-clockwise, with its area") {
   const std::vector<Vec3> square{{0, 0, 0}, {0, 2, 0}, {0, 2, 2}, {0, 0, 2}};
@@ -53,3 +49,5 @@ TEST_CASE("project_polygon: a bow tie has no normal, a pentagram turns twice") {
   for (int i = 0; i < 5; ++i) star.emplace_back(std::cos(0.8 * i * 3.14159265), std::sin(0.8 * i * 3.14159265), 0);
   CHECK_FALSE(project(star).turns_once);
 }
+
+}  // namespace gvd::test_project_polygon

@@ -5,9 +5,7 @@
 
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_repair_touching_edges {
 
 // Unit cubes in a block of 3 x 3 x 3.
 struct Cubes {
@@ -76,8 +74,6 @@ CheckedMesh require_closed(const Cubes& cubes) {
   return checked;
 }
 
-}  // namespace
-
 TEST_CASE("a body that touches itself along one edge stays closed and gets a vertex on it") {
   // Two cubes that touch in an edge, joined round its lower and its upper end by three cubes each.
   Cubes cubes;
@@ -109,3 +105,5 @@ TEST_CASE("random solids of cubes that touch in edges and vertices stay closed")
   CHECK(cut_edges > 100);
   CHECK(cut_vertices > 50);
 }
+
+}  // namespace gvd::test_repair_touching_edges

@@ -2,9 +2,7 @@
 
 #include "mesh/reading/soup_files.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_triangulate_soup {
 
 PolygonSoup one_polygon(std::vector<Vec3> positions) {
   PolygonSoup soup;
@@ -45,8 +43,6 @@ CheckedMesh require_triangulated(const PolygonSoup& soup) {
 void require_refused(const PolygonSoup& soup, const std::string& part) {
   CHECK_THROWS_WITH(build_mesh(soup), Catch::Matchers::Contains(part));
 }
-
-}  // namespace
 
 TEST_CASE("quads: the better diagonal, the first of equals, the only one of a concave quad") {
   const auto diagonal = [](std::vector<Vec3> positions) {
@@ -182,3 +178,5 @@ TEST_CASE("random simple polygons round a point are cut without a flipped triang
     require_triangulated(one_polygon(positions));
   }
 }
+
+}  // namespace gvd::test_triangulate_soup

@@ -4,9 +4,7 @@
 #include "mesh/repair/work_polygons.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_work_polygons {
 
 std::vector<std::int32_t> corners_of(const WorkPolygons& work, std::size_t p) {
   const auto polygon = work.polygon(p);
@@ -17,8 +15,6 @@ void add(WorkPolygons& work, const std::vector<std::int32_t>& corners, std::int3
   work.corners.insert(work.corners.end(), corners.begin(), corners.end());
   work.close(from);
 }
-
-}  // namespace
 
 TEST_CASE("work polygons: each one has the corners that were appended since the last one, and its origin") {
   WorkPolygons work;
@@ -44,3 +40,5 @@ TEST_CASE("work polygons: corners that belong to no polygon yet change none, and
   work.close(2);
   CHECK(work.polygon(2).empty());
 }
+
+}  // namespace gvd::test_work_polygons

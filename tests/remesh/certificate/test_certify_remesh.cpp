@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_certify_remesh {
 
 /// The remesh of a mesh by itself: its vertices are the generators, and a point of each face its branch point.
 struct Copy {
@@ -32,8 +30,6 @@ struct Copy {
     return certify_remesh(surface, Mesh(surface.positions(), faces), generators, face_points);
   }
 };
-
-}  // namespace
 
 TEST_CASE("certificate: nothing holds by default") {
   const RemeshCertificate empty;
@@ -155,3 +151,5 @@ TEST_CASE("certificate: faces that intersect fail, unless they are allowed") {
   CHECK(inherited.inherited_intersections == std::ssize(c.self_intersections));
   CHECK(inherited.ok());
 }
+
+}  // namespace gvd::test_certify_remesh

@@ -93,7 +93,7 @@ inline bool are_joined(const Mesh& mesh, std::size_t a, std::size_t b) {
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const auto& corners = mesh.vertices(FaceId(f));
     const auto has = [&](std::size_t v) {
-      return std::find(corners.begin(), corners.end(), VertexId(static_cast<std::int64_t>(v))) != corners.end();
+      return std::find(corners.begin(), corners.end(), VertexId(v)) != corners.end();
     };
     if (has(a) && has(b)) return true;
   }

@@ -8,9 +8,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_crease_gaps {
 
 /// A spacing with which no bend counts.
 constexpr double kWide = 100;
@@ -38,8 +36,6 @@ double total_length(const std::vector<CreaseGap>& gaps) {
   for (const CreaseGap& gap : gaps) sum += gap.length;
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("crease gaps: corners without a generator come first") {
   const Square square;
@@ -163,3 +159,5 @@ TEST_CASE("crease gaps: their lengths are within those of the curves, with any g
     }
   }
 }
+
+}  // namespace gvd::test_crease_gaps

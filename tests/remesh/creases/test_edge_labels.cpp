@@ -5,7 +5,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_edge_labels {
 
 TEST_CASE("edge labels: they cover every edge from both faces, and agree with the vertices") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -31,3 +31,5 @@ TEST_CASE("edge labels: they cover every edge from both faces, and agree with th
     }
   }
 }
+
+}  // namespace gvd::test_edge_labels

@@ -9,9 +9,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_follow_creases {
 
 std::vector<CreaseCurve> curves_of(const Mesh& mesh) { return trace_creases(mesh, find_creases(mesh, {40, true})); }
 
@@ -34,8 +32,6 @@ RemeshResult follow(const Mesh& mesh, const std::vector<SurfacePoint>& generator
   options.creases = curves_of(mesh);
   return remesh(mesh, generators, options);
 }
-
-}  // namespace
 
 TEST_CASE("creases: a cube with eight generators is a cube") {
   const Mesh cube = test::make_cube(5);
@@ -132,3 +128,5 @@ TEST_CASE("creases: two that leave a corner at an acute angle take few generator
   CHECK(result.rounds <= 8);
   CHECK(result.mesh.vertex_count() <= 40);
 }
+
+}  // namespace gvd::test_follow_creases

@@ -6,17 +6,13 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_sample_surface_distance {
 
 std::size_t lattice_size(const DistanceSamples& samples) {
   std::int64_t size = 0;
   for (const std::int32_t k : samples.steps) size += DistanceSamples::lattice_size(k);
   return static_cast<std::size_t>(size);
 }
-
-}  // namespace
 
 TEST_CASE("samples at vertices and on lattices are distances of their points") {
   const Mesh coarse = test::make_bumpy_sphere(1, 3), fine = test::make_bumpy_sphere(3, 3);
@@ -63,3 +59,5 @@ TEST_CASE("a mesh without faces has no samples of distances") {
   CHECK_THROWS_AS(sample_surface_distance(Mesh(), test::make_tetrahedron()), Error);
   CHECK_THROWS_AS(sample_surface_distance(test::make_tetrahedron(), Mesh()), Error);
 }
+
+}  // namespace gvd::test_sample_surface_distance

@@ -9,9 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_surface_distance {
 
 /// The largest distance, and the mean square, of the centres of k * k equal parts of each face.
 SurfaceDistance sample_densely(const Mesh& from, const Mesh& to, int k) {
@@ -39,8 +37,6 @@ Mesh square_at(double x, double y, double z, double size) {
   return test::make_mesh({{x, y, z}, {x + size, y, z}, {x + size, y + size, z}, {x, y + size, z}},
                          {{0, 1, 2}, {0, 2, 3}});
 }
-
-}  // namespace
 
 TEST_CASE("a mesh has no distance from itself, and a shifted plane has the shift") {
   const Mesh sphere = test::make_sphere(3);
@@ -107,3 +103,5 @@ TEST_CASE("a mesh without faces has no distance") {
   CHECK_THROWS_AS(measure_surface_distance(Mesh(), test::make_tetrahedron()), Error);
   CHECK_THROWS_AS(measure_surface_distance(test::make_tetrahedron(), Mesh()), Error);
 }
+
+}  // namespace gvd::test_surface_distance

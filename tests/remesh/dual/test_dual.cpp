@@ -8,9 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_dual {
 
 bool finds(const std::vector<DualDefect>& defects, DualProperty property) {
   return std::any_of(defects.begin(), defects.end(), [&](const DualDefect& d) { return d.property == property; });
@@ -65,8 +63,6 @@ Diagram contract_bisector(Diagram diagram) {
   }
   return diagram;
 }
-
-}  // namespace
 
 TEST_CASE("dual: four generators on a sphere make a tetrahedron") {
   const Mesh mesh = test::make_sphere(3);
@@ -188,3 +184,5 @@ TEST_CASE("dual: the surface's normal on faces, edges and vertices") {
   CHECK((surface_normal(grid, edge_point(HalfedgeId(0), 0.5)) - Vec3(0, 0, 1)).norm() < 1e-15);
   CHECK((surface_normal(grid, make_surface_point(FaceId(0), {0.2, 0.3, 0.5})) - Vec3(0, 0, 1)).norm() < 1e-15);
 }
+
+}  // namespace gvd::test_dual

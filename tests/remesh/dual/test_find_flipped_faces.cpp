@@ -9,9 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_find_flipped_faces {
 
 /// The faces that are flipped against the plane, of one triangle for each three positions.
 std::vector<FaceId> find_flipped(const std::vector<Vec3>& positions) {
@@ -24,8 +22,6 @@ std::vector<FaceId> find_flipped(const std::vector<Vec3>& positions) {
                             std::vector<SurfacePoint>(positions.size(), anywhere),
                             std::vector<SurfacePoint>(faces.size(), anywhere));
 }
-
-}  // namespace
 
 TEST_CASE("faces that turn their back to the surface are flipped, and are listed in order") {
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
@@ -54,3 +50,5 @@ TEST_CASE("triangles of a dual are judged without the rest of it") {
   dual.branch_points[4] = dual.branch_points[2];
   CHECK(find_flipped_triangles(sphere, diagram, dual) == std::vector<std::size_t>{2, 4});
 }
+
+}  // namespace gvd::test_find_flipped_faces

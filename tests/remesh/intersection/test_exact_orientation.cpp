@@ -4,9 +4,7 @@
 #include "intersection/exact_orientation.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_exact_orientation {
 
 /// x + units in its last place.
 double nudged(double x, int units) {
@@ -14,8 +12,6 @@ double nudged(double x, int units) {
   for (; units < 0; ++units) x = std::nextafter(x, -1e300);
   return x;
 }
-
-}  // namespace
 
 TEST_CASE("points one unit in the last place beside a line are on its sides") {
   const Vec2 a(12, 12), b(24, 24);
@@ -45,3 +41,5 @@ TEST_CASE("a, b and c appear counter-clockwise from the positive side") {
   CHECK(exact_orientation(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)) == -1);
   CHECK(exact_orientation(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(0, 0, -1)) == 0);
 }
+
+}  // namespace gvd::test_exact_orientation

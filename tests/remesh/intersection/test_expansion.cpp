@@ -2,7 +2,7 @@
 #include "intersection/expansion.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_expansion {
 
 TEST_CASE("an expansion keeps what a double rounds off") {
   Expansion sum;
@@ -29,3 +29,5 @@ TEST_CASE("products of differences are exact") {
   cube.add_product(negated(tiny), tiny, tiny);
   CHECK(cube.sign() == 0);
 }
+
+}  // namespace gvd::test_expansion

@@ -6,7 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_face_boxes {
 
 TEST_CASE("a box finds exactly the faces whose boxes overlap it") {
   const Mesh mesh = test::make_torus(20, 10);
@@ -31,3 +31,5 @@ TEST_CASE("closed boxes that touch overlap, and an empty mesh has none") {
   CHECK_FALSE(overlap(unit, {{1, 1, 1.5}, {2, 2, 2}}));
   FaceBoxes(Mesh()).visit(unit, [](FaceId) { FAIL(); });
 }
+
+}  // namespace gvd::test_face_boxes

@@ -7,9 +7,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_faces_intersect {
 
 using Polygon = std::vector<Vec3>;
 
@@ -60,8 +58,6 @@ bool intersect_beyond_corner(const Polygon& a, const Polygon& b) {
   const std::vector<std::array<int, 3>> fan{{0, 1, 2}, {0, 3, 4}, {0, 2, 3}};
   return faces_intersect(test::make_mesh({a[0], a[1], a[2], b[1], b[2]}, fan), FaceId(0), FaceId(1));
 }
-
-}  // namespace
 
 TEST_CASE("faces without a common vertex intersect where no axis separates them") {
   test::Random random(1);
@@ -116,3 +112,5 @@ TEST_CASE("a segment meets triangles without area, and a point of them") {
   CHECK(segment_meets_triangle({0, 0, 0}, {2, 2, 2}, point));
   CHECK_FALSE(segment_meets_triangle({0, 0, 0}, {2, 2, 2.5}, point));
 }
+
+}  // namespace gvd::test_faces_intersect

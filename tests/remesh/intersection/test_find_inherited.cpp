@@ -11,9 +11,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_find_inherited {
 
 /// The definition, with each pair of pairs.
 std::vector<FacePair> search_all(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs) {
@@ -48,8 +46,6 @@ Mesh make_crossing_sheets(int n, double level) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
-}  // namespace
-
 TEST_CASE("inherited intersections are those that the definition gives") {
   for (const double level : {0.3, 0.7, 0.95}) {
     const Mesh surface = make_crossing_sheets(12, 0.8), remesh = make_crossing_sheets(12, level);
@@ -69,3 +65,5 @@ TEST_CASE("nothing is inherited from a surface that does not intersect itself") 
   CHECK(find_inherited(remesh, remesh, {}).empty());
   CHECK(find_inherited(remesh, remesh, pairs) == pairs);
 }
+
+}  // namespace gvd::test_find_inherited

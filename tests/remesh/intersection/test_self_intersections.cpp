@@ -8,9 +8,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_self_intersections {
 
 std::vector<FacePair> search_all_pairs(const Mesh& mesh) {
   std::vector<FacePair> pairs;
@@ -36,8 +34,6 @@ Mesh shake(const Mesh& mesh, double distance, unsigned seed) {
 std::size_t count_pairs(const std::vector<Vec3>& positions, const std::vector<std::array<int, 3>>& faces) {
   return find_self_intersections(test::make_mesh(positions, faces)).size();
 }
-
-}  // namespace
 
 TEST_CASE("two separate triangles intersect where they cross, touch or overlap") {
   const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
@@ -100,3 +96,5 @@ TEST_CASE("the pairs are those of a search over all pairs, for any number of thr
   }
   CHECK(found > 1000);
 }
+
+}  // namespace gvd::test_self_intersections

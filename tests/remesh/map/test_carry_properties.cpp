@@ -7,9 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_carry_properties {
 
 /// A sphere as from a file without a defect.
 CheckedMesh make_input() {
@@ -48,8 +46,6 @@ std::vector<MeshProperty> carry(const CheckedMesh& input, const std::vector<Mesh
 RemeshResult make_remesh(const CheckedMesh& input) {
   return remesh(input.mesh, test::random_generators(input.mesh, 60, 4));
 }
-
-}  // namespace
 
 TEST_CASE("carry: a linear function has its value at each generator") {
   const CheckedMesh input = make_input();
@@ -128,7 +124,7 @@ TEST_CASE("carry: a vertex has the values at its origin, which is not always the
   const auto carried = carry_properties(input, {of_vertices(input, "h", NumberType::float64, height)}, result, map);
   REQUIRE(carried.size() == 1);
   for (std::size_t i = 0; i < carried[0].values.size(); ++i) {
-    const SurfacePoint& origin = map.origins[VertexId(static_cast<std::int64_t>(i))];
+    const SurfacePoint& origin = map.origins[VertexId(i)];
     CHECK(carried[0].values[i] == Approx(height(position(input.mesh, origin))).margin(1e-12));
   }
 }
@@ -152,7 +148,7 @@ TEST_CASE("carry: lists are those of the nearest corner, and of the polygon") {
   for (std::size_t i = 0; i < result.generators.size(); ++i) {
     const SurfacePoint& at = result.generators[i];
     const auto largest = std::max_element(at.bary.begin(), at.bary.end()) - at.bary.begin();
-    const int v = input.mesh.vertices(at.face)[static_cast<std::size_t>(largest)].value();
+    const int v = input.mesh.vertices(at.face)[largest].value();
     REQUIRE(carried[0].first_value[i + 1] - carried[0].first_value[i] == static_cast<std::size_t>(v % 3));
     for (std::size_t k = carried[0].first_value[i]; k < carried[0].first_value[i + 1]; ++k) {
       CHECK(carried[0].values[k] == v);
@@ -161,3 +157,5 @@ TEST_CASE("carry: lists are those of the nearest corner, and of the polygon") {
   REQUIRE(carried[1].element_count() == result.face_points.size());
   CHECK(carried[1].values[1] == result.face_points[0].face.value());
 }
+
+}  // namespace gvd::test_carry_properties

@@ -6,9 +6,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_carry_texture {
 
 /// A flat square of 12 x 12 units, as from a file without a defect.
 CheckedMesh make_square() {
@@ -45,14 +43,12 @@ struct Case {
   RemeshMap map = map_to_remesh(input.mesh, result);
 
   Vec3 origin(std::size_t corner) const {
-    const HalfedgeId h(static_cast<std::int64_t>(corner));
+    const HalfedgeId h(corner);
     return position(input.mesh, map.origins[result.mesh.from(h)]);
   }
 };
 
 using Uv = std::array<double, 2>;
-
-}  // namespace
 
 TEST_CASE("carry texture: linear coordinates without a seam are those at the origins") {
   const Case square;
@@ -99,3 +95,5 @@ TEST_CASE("carry texture: where the input has none, the remesh has none") {
     CHECK(std::isfinite(carried[i][0]) == !right);
   }
 }
+
+}  // namespace gvd::test_carry_texture

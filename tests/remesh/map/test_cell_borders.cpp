@@ -7,9 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_cell_borders {
 
 /// Labels of faces: a function of their centres.
 template <class Function>
@@ -31,8 +29,6 @@ int third(const Vec3& p) {
 std::string refused(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t cells) {
   return test::refusal([&] { trace_cell_borders(mesh, label, cells); }, ErrorCode::no_valid_result);
 }
-
-}  // namespace
 
 TEST_CASE("cell borders: quarters of a square have two neighbours each, and the boundary comes last") {
   const Mesh grid = test::make_grid(4, 4);
@@ -62,3 +58,5 @@ TEST_CASE("cell borders: cells that are no discs, or that touch twice, are refus
   CHECK_THAT(refused(sphere, label_faces(sphere, third), 2), Catch::Matchers::Contains("is in no cell"));
   CHECK(refused(sphere, label_faces(sphere, [](const Vec3&) { return 0; }), 1) == "cell 0 is not a disc");
 }
+
+}  // namespace gvd::test_cell_borders

@@ -10,9 +10,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_cell_map {
 
 /// The pieces of a map: its cells in the plane.
 struct Pieces {
@@ -24,7 +22,7 @@ struct Pieces {
     for (std::int32_t f = 0; f < cells.cut.mesh.face_count(); ++f)
       faces[cells.cut.label[FaceId(f)]].push_back(FaceId(f));
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       planes.push_back(flatten_cell({surface, result, cells, polygons}, g, faces[g]));
     }
   }
@@ -138,8 +136,6 @@ void require_pieces(const Mesh& mesh, const std::vector<SurfacePoint>& generator
   require_one_origin(pieces);
 }
 
-}  // namespace
-
 TEST_CASE("cell map: every point of the remesh has exactly one origin") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const auto& [count, seed] : {std::pair{6, 3u}, {40, 4u}}) {
@@ -177,3 +173,5 @@ TEST_CASE("cell map: of a cell at the boundary, the anchor goes to the vertex") 
   }
   CHECK(at_boundary >= 3);
 }
+
+}  // namespace gvd::test_cell_map

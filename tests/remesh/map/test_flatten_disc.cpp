@@ -8,9 +8,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_flatten_disc {
 
 std::vector<FaceId> all_faces(const Mesh& mesh) {
   std::vector<FaceId> faces;
@@ -40,8 +38,6 @@ std::vector<BorderPoint> on_circle(const Mesh& mesh) {
   return border;
 }
 
-}  // namespace
-
 TEST_CASE("flatten disc: mean values keep a flat disc") {
   const Mesh grid = test::make_grid(5, 7);
   std::vector<BorderPoint> border;
@@ -69,3 +65,5 @@ TEST_CASE("flatten disc: a border that crosses itself turns faces round") {
   const PlaneDisc disc = flatten_disc(half, all_faces(half), border, DiscWeights::mean_value);
   CHECK(!is_oriented(half, all_faces(half), disc));
 }
+
+}  // namespace gvd::test_flatten_disc

@@ -10,9 +10,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_map_to_remesh {
 
 void require_point(const Mesh& mesh, const SurfacePoint& point) {
   REQUIRE(point.face.valid());
@@ -44,8 +42,6 @@ void require_map(const Mesh& surface, const RemeshResult& result) {
   CHECK(map.kept_faces + map.reversed_faces + map.collapsed_faces == surface.face_count());
   CHECK(map.mean_move <= map.largest_move);
 }
-
-}  // namespace
 
 TEST_CASE("map to a remesh: it is one-to-one, and no two vertices have the same point") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -139,3 +135,5 @@ TEST_CASE("map to a remesh: refuses the remesh of another surface") {
   const RemeshResult result = remesh(sphere, test::random_generators(sphere, 10, 1));
   CHECK_THROWS_AS(map_to_remesh(other, result), Error);
 }
+
+}  // namespace gvd::test_map_to_remesh

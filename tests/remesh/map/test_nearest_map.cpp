@@ -6,9 +6,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_nearest_map {
 
 /// Whether a triangle has the vertex or one of its neighbours as a corner.
 bool is_near(const Mesh& mesh, FaceId f, VertexId vertex, const Cell& cell) {
@@ -18,8 +16,6 @@ bool is_near(const Mesh& mesh, FaceId f, VertexId vertex, const Cell& cell) {
   }
   return false;
 }
-
-}  // namespace
 
 TEST_CASE("nearest points: each is in a triangle of the vertex's cell or of a neighbour") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -36,3 +32,5 @@ TEST_CASE("nearest points: each is in a triangle of the vertex's cell or of a ne
     }
   }
 }
+
+}  // namespace gvd::test_nearest_map

@@ -7,7 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
+namespace gvd::test_path_spacing {
 
 TEST_CASE("path spacing: lengths are those of the edges, summed") {
   const Mesh mesh = test::make_grid(2, 1);
@@ -48,3 +48,5 @@ TEST_CASE("path spacing: numbers ascend and end at the last one, bit by bit") {
     CHECK(std::is_sorted(values.begin(), values.end()));
   }
 }
+
+}  // namespace gvd::test_path_spacing

@@ -8,7 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_cell_quadrics {
 
 TEST_CASE("three planes have their common point as optimum, one plane the foot on it") {
   Quadric corner;
@@ -57,10 +57,12 @@ TEST_CASE("the optimum of a boundary cell is on the boundary, and that of a corn
   const auto quadrics = compute_cell_quadrics(mesh, compute_diagram(mesh, generators));
   for (std::size_t i = 0; i < generators.size(); ++i) {
     const Vec3 from = position(mesh, generators[i]);
-    const Vec3 at = from + quadrics[GeneratorId(static_cast<std::int64_t>(i))].minimize(0.01);
+    const Vec3 at = from + quadrics[GeneratorId(i)].minimize(0.01);
     for (const int axis : {0, 1}) {
       const double wanted = from[axis] < 2 ? 0 : from[axis] > 8 ? 10 : from[axis];
       CHECK(at[axis] == Approx(wanted).margin(1e-9));
     }
   }
 }
+
+}  // namespace gvd::test_cell_quadrics

@@ -8,9 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_crease_cells {
 
 IdVector<GeneratorId, CreaseCell> find(const Mesh& mesh, int count) {
   RemeshOptions options;
@@ -23,8 +21,6 @@ std::int64_t count_cells(const Mesh& mesh) {
   const auto cells = find(mesh, 80);
   return std::count_if(cells.begin(), cells.end(), [](const CreaseCell& cell) { return cell.is_creased; });
 }
-
-}  // namespace
 
 TEST_CASE("smooth surfaces have no creased cells, and neither has noise with sharp edges") {
   CHECK(count_cells(test::make_sphere(3)) == 0);
@@ -48,3 +44,5 @@ TEST_CASE("the direction of a crease is that of its edges") {
   }
   CHECK(found > 20);
 }
+
+}  // namespace gvd::test_crease_cells

@@ -6,9 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_fit_vertices {
 
 std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
   const ClosestPointTree tree(surface);
@@ -17,8 +15,6 @@ std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
   for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring * Eigen::Matrix3d::Identity()});
   return fit_vertices(remesh, target, anchors);
 }
-
-}  // namespace
 
 TEST_CASE("a mesh on the surface stays there, one beside it is moved to it") {
   const Mesh surface = test::make_jittered_grid(6, 6, 0, 1);
@@ -53,3 +49,5 @@ TEST_CASE("samples cover the surface evenly") {
     CHECK(static_cast<double>(samples.size()) > 0.5 * count);
   }
 }
+
+}  // namespace gvd::test_fit_vertices

@@ -9,9 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_move_guard {
 
 /// A mesh as the remesh of itself.
 struct Copy {
@@ -33,8 +31,6 @@ struct Copy {
     return find_self_intersections(moved).empty() && compute_triangle_quality(moved).angle_min >= least_angle;
   }
 };
-
-}  // namespace
 
 TEST_CASE("a move that breaks nothing is made, bit by bit") {
   const Copy sphere(test::make_sphere(2));
@@ -98,3 +94,5 @@ TEST_CASE("loosened triangles may be thinner than the others") {
   CHECK(least_above >= options.least_crease_angle);
   CHECK(least_above < options.least_angle);
 }
+
+}  // namespace gvd::test_move_guard

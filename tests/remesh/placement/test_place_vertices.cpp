@@ -12,9 +12,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_place_vertices {
 
 RemeshResult remesh_at_generators(const Mesh& mesh, int count) {
   RemeshOptions options;
@@ -25,8 +23,6 @@ RemeshResult remesh_at_generators(const Mesh& mesh, int count) {
 std::vector<Vec3> place(const Mesh& mesh, const RemeshResult& result, const PlacementOptions& options) {
   return place_vertices(mesh, result.diagram, result.mesh, result.face_points, options);
 }
-
-}  // namespace
 
 TEST_CASE("the rim of a plate is met: the distances fall by more than on smooth surfaces") {
   const Mesh mesh = test::make_plate(12, 0.2);
@@ -138,3 +134,5 @@ TEST_CASE("vertices of cells at the boundary go to it") {
   CHECK(compute_area(after.mesh) > compute_area(before.mesh));
   CHECK(after.input_to_output.rms < 0.5 * before.input_to_output.rms);
 }
+
+}  // namespace gvd::test_place_vertices

@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_raise_least_angles {
 
 /// A sphere whose vertices were moved at random.
 Mesh make_uneven_sphere(unsigned seed) {
@@ -32,8 +30,6 @@ std::vector<double> angles_of(const Mesh& mesh) {
   return angles;
 }
 
-}  // namespace
-
 TEST_CASE("the smallest angles grow, and no triangle gets thinner than the bound or than it was") {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Mesh before = make_uneven_sphere(seed);
@@ -50,3 +46,5 @@ TEST_CASE("vertices that may not move, and those of good triangles, stay") {
   CHECK(raise_least_angles(uneven, std::vector<char>(uneven.positions().size(), 0), 30) == uneven.positions());
   CHECK(raise_least_angles(sphere, std::vector<char>(sphere.positions().size(), 1), 30) == sphere.positions());
 }
+
+}  // namespace gvd::test_raise_least_angles

@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_vertex_shapes {
 
 TEST_CASE("vertices of equilateral triangles stay, with the normal of their faces") {
   const Mesh triangle({{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(3.0) / 2, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
@@ -31,3 +31,5 @@ TEST_CASE("half a step to there makes triangles better") {
   const Mesh better = with_positions(sphere, positions);
   CHECK(compute_triangle_quality(better).q_average > compute_triangle_quality(sphere).q_average);
 }
+
+}  // namespace gvd::test_vertex_shapes

@@ -3,9 +3,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_vertex_springs {
 
 /// A grid in the plane z = 0 with one creased vertex in its middle, and its corner held.
 SpringPlan make_plan(const Mesh& grid, VertexId middle) {
@@ -17,8 +15,6 @@ SpringPlan make_plan(const Mesh& grid, VertexId middle) {
   plan.areas.assign(grid.positions().size(), 2.0);
   return plan;
 }
-
-}  // namespace
 
 TEST_CASE("vertices at creases, their neighbours and held ones have their own springs") {
   const Mesh grid = test::make_grid(4, 4);
@@ -40,3 +36,5 @@ TEST_CASE("vertices at creases, their neighbours and held ones have their own sp
     CHECK(stiffness(v, z) < 0.01);
   }
 }
+
+}  // namespace gvd::test_vertex_springs

@@ -3,13 +3,9 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_added_generators {
 
 SurfacePoint on_bottom(double x) { return edge_point(Mesh::halfedge(FaceId(0), 0), x); }
-
-}  // namespace
 
 TEST_CASE("added generators: none where none may be added") {
   const Mesh grid = test::make_grid(2, 2);
@@ -64,3 +60,5 @@ TEST_CASE("added generators: the best candidate that is free is added, and the f
   CHECK(added.take() == std::vector<SurfacePoint>{on_bottom(0.75), on_bottom(0.25)});
   CHECK_FALSE(AddedGenerators(grid, {}, 1).add_best({}, x));
 }
+
+}  // namespace gvd::test_added_generators

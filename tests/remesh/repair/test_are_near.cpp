@@ -4,7 +4,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_are_near {
 
 TEST_CASE("are near: on a flat grid the radius decides, across edges and vertices") {
   const Mesh grid = test::make_grid(4, 4);
@@ -44,3 +44,5 @@ TEST_CASE("are near: both banks are near at the inner end of a slit") {
   CHECK(are_near(fan, near_left, near_right, 0.5));
   CHECK_FALSE(are_near(fan, near_left, near_right, 0.4));
 }
+
+}  // namespace gvd::test_are_near

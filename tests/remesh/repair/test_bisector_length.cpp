@@ -2,9 +2,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_bisector_length {
 
 /// A bisector along the bottom of a grid, through the points with these x.
 Bisector make_bisector(const std::vector<double>& xs) {
@@ -15,8 +13,6 @@ Bisector make_bisector(const std::vector<double>& xs) {
   }
   return b;
 }
-
-}  // namespace
 
 TEST_CASE("bisector length: of a single point it is 0, and the point is the middle") {
   const Mesh mesh = test::make_grid(4, 1);
@@ -43,3 +39,5 @@ TEST_CASE("bisector length: the midpoint is the point nearest to half of the len
   CHECK(middle({0, 3.5, 4}) == Approx(3.5));
   CHECK(middle({0, 4}) == 4);  // of two equally near, the later one
 }
+
+}  // namespace gvd::test_bisector_length

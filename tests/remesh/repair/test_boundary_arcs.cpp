@@ -6,9 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_boundary_arcs {
 
 double length(const Mesh& mesh, const BoundaryArc& arc) {
   double sum = 0;
@@ -21,8 +19,6 @@ double boundary_length(const Mesh& mesh) {
   for (int e = 0; e < mesh.edge_count(); ++e) sum += mesh.is_boundary(EdgeId(e)) ? mesh.length(EdgeId(e)) : 0;
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("boundary arcs: a closed surface has none, and neither has a component without a generator") {
   const Mesh sphere = test::make_sphere(1);
@@ -99,3 +95,5 @@ TEST_CASE("boundary arcs: they cover the boundary once, and each cell has as man
     }
   }
 }
+
+}  // namespace gvd::test_boundary_arcs

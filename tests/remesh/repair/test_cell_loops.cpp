@@ -6,16 +6,12 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_cell_loops {
 
 std::vector<SurfacePoint> find_loop(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int cell = 0) {
   const Diagram diagram = compute_diagram(mesh, generators);
   return CellLoops(mesh, diagram).find(GeneratorId(cell));
 }
-
-}  // namespace
 
 TEST_CASE("cell loops: a disc and a closed sphere have none, however small") {
   const Mesh triangle = test::make_triangle();
@@ -84,3 +80,5 @@ TEST_CASE("cell loops: exactly the cells that are no discs have one, on every fa
     }
   }
 }
+
+}  // namespace gvd::test_cell_loops

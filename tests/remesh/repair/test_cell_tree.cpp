@@ -5,9 +5,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_cell_tree {
 
 /// A mesh that is not cut, with one label for each face.
 CutMesh make_cut(const Mesh& mesh, const std::vector<int>& labels) {
@@ -15,12 +13,10 @@ CutMesh make_cut(const Mesh& mesh, const std::vector<int>& labels) {
   cut.mesh = mesh;
   for (int f = 0; f < mesh.face_count(); ++f) {
     cut.parent.push_back(FaceId(f));
-    cut.label.push_back(GeneratorId(labels[static_cast<std::size_t>(f)]));
+    cut.label.push_back(GeneratorId(labels[f]));
   }
   return cut;
 }
-
-}  // namespace
 
 TEST_CASE("cell tree: before the first cell, and for a root without faces of the cell") {
   const CutMesh cut = make_cut(test::make_grid(1, 1), {0, 0});
@@ -78,3 +74,5 @@ TEST_CASE("cell tree: distances are those of the paths, and no edge offers a sho
     CHECK(tree_edges == reached - 1);
   }
 }
+
+}  // namespace gvd::test_cell_tree

@@ -1,9 +1,7 @@
 #include "repair/dual_graph.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_dual_graph {
 
 /// Links are numbered by their halfedges.
 std::vector<int> remaining(std::size_t faces, const std::vector<std::array<int, 2>>& links) {
@@ -16,8 +14,6 @@ std::vector<int> remaining(std::size_t faces, const std::vector<std::array<int, 
 }
 
 constexpr int kOut = DualGraph::kOutside;
-
-}  // namespace
 
 TEST_CASE("dual graph: without faces, without links, and one face at the border") {
   CHECK(remaining(0, {}).empty());
@@ -48,3 +44,5 @@ TEST_CASE("dual graph: pruning does not change the graph") {
   graph.add_link({}, 2, kOut);
   CHECK(graph.prune_leaves().size() == 4);
 }
+
+}  // namespace gvd::test_dual_graph

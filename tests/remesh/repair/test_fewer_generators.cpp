@@ -10,9 +10,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_fewer_generators {
 
 bool is_right(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   return check_dual(mesh, compute_diagram(mesh, generators)).empty();
@@ -52,8 +50,6 @@ std::vector<SurfacePoint> search(const Mesh& mesh, const std::vector<SurfacePoin
 bool has(const std::vector<SurfacePoint>& points, const SurfacePoint& p) {
   return std::find(points.begin(), points.end(), p) != points.end();
 }
-
-}  // namespace
 
 TEST_CASE("fewer generators: those that no defect asks for go, the given ones stay") {
   const Mesh mesh = test::make_sphere(3);
@@ -109,3 +105,5 @@ TEST_CASE("remesh: where many generators are added, none of them is needless") {
   }
   CHECK(added > 0);
 }
+
+}  // namespace gvd::test_fewer_generators

@@ -7,9 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_local_dual {
 
 std::vector<test::NamedMesh> fine_family() {
   return {{"sphere", test::make_sphere(4)},
@@ -31,7 +29,7 @@ struct Change {
   std::vector<SurfacePoint> after() const {
     std::vector<SurfacePoint> all;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       if (std::find(removed.begin(), removed.end(), g) == removed.end()) all.push_back(before[i]);
     }
     all.insert(all.end(), added.begin(), added.end());
@@ -119,8 +117,6 @@ GeneratorId cell_at(const Mesh& mesh, const Diagram& diagram, const SurfacePoint
   return diagram.vertex_label[mesh.vertices(point.face)[0]];
 }
 
-}  // namespace
-
 TEST_CASE("local dual: after generators are added, the cells are those of the whole mesh") {
   require_most_told([](Change& change, const Mesh& mesh, const Diagram& diagram, unsigned seed) {
     change.added = test::random_generators(mesh, 1 + static_cast<int>(seed % 2), seed + 100);
@@ -169,7 +165,7 @@ TEST_CASE("local dual: nothing where a point lies outside, coincides, or a compo
   CHECK_FALSE(local.compute({generators[0]}));
   const auto& near = diagram.cells[GeneratorId(0)].neighbours;
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     if (local.part().to_part(generators[i]) || std::find(near.begin(), near.end(), g) != near.end()) continue;
     CHECK_FALSE(local.compute({generators[i]}));
   }
@@ -179,3 +175,5 @@ TEST_CASE("local dual: nothing where a point lies outside, coincides, or a compo
   const Diagram both = compute_diagram(two, {vertex_point(two, VertexId(0)), make_surface_point(other, {1, 0, 0})});
   CHECK_FALSE(LocalDual(two, both, {GeneratorId(0), GeneratorId(1)}, {GeneratorId(1)}, {}).compute({}));
 }
+
+}  // namespace gvd::test_local_dual

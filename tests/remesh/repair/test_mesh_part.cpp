@@ -6,7 +6,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_mesh_part {
 
 TEST_CASE("rings of cells grow by one bisector a ring") {
   const Mesh mesh = test::make_torus(72, 36);
@@ -27,7 +27,7 @@ TEST_CASE("mesh part: the faces of some cells, and points there and back") {
     CHECK(part.mesh().face_count() == static_cast<std::int32_t>(part.size()));
     CHECK(part.mesh().face_count() < mesh.face_count());
     for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
-      if (!cells[GeneratorId(static_cast<std::int64_t>(i))]) continue;
+      if (!cells[GeneratorId(i)]) continue;
       const auto point = part.to_part(diagram.generators[i]);
       REQUIRE(point);
       CHECK(part.to_whole(*point) == diagram.generators[i]);
@@ -67,3 +67,5 @@ TEST_CASE("mesh part: faces that meet at one vertex only get a vertex each") {
   CHECK(part.mesh().vertex_count() == 8);
   for (std::int32_t f = 0; f < 4; ++f) CHECK(part.is_fringe(FaceId(f)));
 }
+
+}  // namespace gvd::test_mesh_part

@@ -7,9 +7,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_propose_generators {
 
 struct Case {
   Mesh mesh;
@@ -35,8 +33,6 @@ std::vector<SurfacePoint> vertices(const Mesh& mesh, const std::vector<int>& ids
   for (const int v : ids) points.push_back(vertex_point(mesh, VertexId(v)));
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("proposed generators: none without defects") {
   const Mesh mesh = test::make_sphere(2);
@@ -127,3 +123,5 @@ TEST_CASE("proposed generators: on every family each one is clear of the others 
     }
   }
 }
+
+}  // namespace gvd::test_propose_generators

@@ -8,9 +8,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_propose_nearby {
 
 /// A closed surface with many defects at 80 generators, in many places: a torus whose tube is thin.
 Mesh make_thin_torus() {
@@ -33,8 +31,6 @@ std::vector<SurfacePoint> joined(std::vector<SurfacePoint> first, const std::vec
 std::size_t count_defects(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   return check_dual(mesh, compute_diagram(mesh, generators)).size();
 }
-
-}  // namespace
 
 TEST_CASE("generators nearby: with them fewer defects are left, within the number allowed") {
   const Mesh mesh = make_thin_torus();
@@ -67,3 +63,5 @@ TEST_CASE("generators nearby: none where the part would be more than a quarter o
   const auto points = propose_generators(mesh, diagram, {defects.front()}, 10).points;
   CHECK(propose_nearby(mesh, diagram, points, 20, {}).empty());
 }
+
+}  // namespace gvd::test_propose_nearby

@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_repair_defect {
 
 const GeneratorId kA(0), kB(1), kC(2);
 
@@ -65,8 +63,6 @@ struct Setup {
 };
 
 using Points = std::vector<SurfacePoint>;
-
-}  // namespace
 
 TEST_CASE("a component without a generator gets its first vertex") {
   const Setup setup(
@@ -193,3 +189,5 @@ TEST_CASE("a polygon gets the point of its branch point and bisectors that is fa
     CHECK(setup.repair_branch(property, alone) == Points{at(3, 2.5)});
   }
 }
+
+}  // namespace gvd::test_repair_defect

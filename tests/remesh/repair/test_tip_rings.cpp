@@ -8,9 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_tip_rings {
 
 const GeneratorId kTip(0), kAnnulus(1);
 
@@ -25,8 +23,6 @@ std::vector<SurfacePoint> with(std::vector<SurfacePoint> points, const std::vect
   points.insert(points.end(), more.begin(), more.end());
   return points;
 }
-
-}  // namespace
 
 TEST_CASE("tip rings: the total angle of a vertex") {
   const Mesh spike = test::make_pyramid(25, 5);
@@ -90,3 +86,5 @@ TEST_CASE("tip rings: a tip is narrow where three generators would be closer tha
   CHECK(narrow->least_distance == Approx(least));
   CHECK_FALSE(find(1.1 * least));
 }
+
+}  // namespace gvd::test_tip_rings

@@ -5,7 +5,7 @@
 #include "gvd/find_fewest.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_find_fewest {
 
 TEST_CASE("fewest: the number is found within the tolerance, in few trials") {
   for (const double power : {0.5, 1.0, 1.5}) {
@@ -50,3 +50,5 @@ TEST_CASE("fewest: no number where the largest is too small, one where all are e
   options.first = 501;
   CHECK_THROWS_AS(find_fewest(options, [](std::int32_t) { return 0.5; }), Error);
 }
+
+}  // namespace gvd::test_find_fewest

@@ -58,7 +58,7 @@ VertexValues sizes_in_range(const VertexValues& curvature, double range) {
   std::vector<double> sorted(curvature.begin(), curvature.end());
   const auto at = static_cast<std::ptrdiff_t>((1 - kBelowRange) * static_cast<double>(sorted.size() - 1));
   std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
-  const double largest = sorted[static_cast<std::size_t>(at)];
+  const double largest = sorted[at];
   VertexValues sizes;
   for (const double c : curvature) {
     sizes.push_back(largest > 0 ? largest / std::clamp(c, largest / range, largest) : 1);

@@ -211,7 +211,7 @@ class FaceMeasurer {
 IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures& departures) {
   IdVector<VertexId, Vec2> logs;
   for (std::size_t i = 0; i < field.distance.size(); ++i) {
-    const VertexId v(static_cast<std::int64_t>(i));
+    const VertexId v(i);
     const bool has_path = field.label[v].valid() && field.distance[v] > 0;
     logs.push_back(Vec2::Zero());
     if (has_path) logs[v] = field.distance[v] * departures.direction(field.label[v], field.departure[v]);
@@ -242,7 +242,7 @@ MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& g
   std::vector<std::vector<BisectorSegment>> segments(faces.size());
   ParallelChunks(options.threads, progress).run(faces.size(), {steps::kCells}, [&](std::size_t i) {
     FaceMeasurer measurer(field);
-    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measurer.add(FaceId(static_cast<std::int64_t>(f)));
+    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measurer.add(FaceId(f));
     sums[i] = std::move(measurer.sums);
     segments[i] = std::move(measurer.segments);
   });

@@ -169,9 +169,9 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
   std::vector<CellSums> sums(chunks.size(), CellSums(quadrature.watched));
   parallel.run(chunks.size(), {steps::kCells}, [&](std::size_t chunk) {
     FaceIntegrator integrator(paths, quadrature, points);
-    PieceRange pieces(diagram, FaceId(static_cast<std::int64_t>(chunks[chunk].begin)));
+    PieceRange pieces(diagram, FaceId(chunks[chunk].begin));
     for (std::size_t i = chunks[chunk].begin; i < chunks[chunk].end; ++i) {
-      const FaceId face(static_cast<std::int64_t>(i));
+      const FaceId face(i);
       integrator.enter(face);
       if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
       pieces.for_each_in(face, [&](const FacePiece& piece) { integrator.add(piece); });

@@ -50,8 +50,8 @@ Eigen::VectorXd first_column(const KrylovBasis& basis, const std::function<doubl
   const Eigen::Index n = std::ssize(basis.diagonal);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    matrix(i, i) = basis.diagonal[static_cast<std::size_t>(i)];
-    if (i + 1 < n) matrix(i, i + 1) = matrix(i + 1, i) = basis.beside[static_cast<std::size_t>(i)];
+    matrix(i, i) = basis.diagonal[i];
+    if (i + 1 < n) matrix(i, i + 1) = matrix(i + 1, i) = basis.beside[i];
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
   const Eigen::VectorXd values = eigen.eigenvalues().unaryExpr(f);

@@ -64,7 +64,7 @@ struct RestRules {
 void add_ways(const Mesh& mesh, const GeneratorConstraints& constraints, const std::vector<PathSample>& samples,
               const RestRules& rules, RelaxationState& state) {
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     const SurfacePoint& generator = state.generators[i];
     Vec2 way = state.moments[g].centroid;
     const bool is_at_vertex = generator.kind() == SurfacePoint::Kind::vertex && constraints.is_free(i);
@@ -104,7 +104,7 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
 TangentField energy_gradient(const RelaxationState& state) {
   TangentField gradient = state.to_centroids;
   for (std::size_t i = 0; i < gradient.size(); ++i) {
-    gradient[i] *= -2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].mass;
+    gradient[i] *= -2 * state.moments[GeneratorId(i)].mass;
   }
   return gradient;
 }
@@ -113,7 +113,7 @@ std::vector<double> cell_masses(const RelaxationState& state) {
   std::vector<double> masses;
   double sum = 0;
   for (std::size_t i = 0; i < state.generators.size(); ++i) {
-    masses.push_back(2 * state.moments[GeneratorId(static_cast<std::int64_t>(i))].mass);
+    masses.push_back(2 * state.moments[GeneratorId(i)].mass);
     sum += masses.back();
   }
   const double mean = sum > 0 ? sum / static_cast<double>(masses.size()) : 1;

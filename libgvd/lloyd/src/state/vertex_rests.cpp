@@ -37,7 +37,7 @@ double direction_to(const Mesh& mesh, const SurfacePoint& generator, int corner)
   const TangentFan fan(mesh, generator);
   const FaceLayout layout(mesh, generator.face);
   Bary at{0, 0, 0};
-  at[static_cast<std::size_t>(corner)] = 1;
+  at[corner] = 1;
   return fan.angle(generator.face, layout.at(at) - layout.at(generator.bary));
 }
 
@@ -96,7 +96,7 @@ std::optional<VertexId> find_rest(const Mesh& mesh, const SurfacePoint& generato
   if (generator.kind() == SurfacePoint::Kind::vertex || !(way.norm() > 0)) return std::nullopt;
   const Vec3 from = position(mesh, generator);
   for (int i = 0; i < 3; ++i) {
-    const VertexId v = mesh.vertices(generator.face)[static_cast<std::size_t>(i)];
+    const VertexId v = mesh.vertices(generator.face)[i];
     if ((mesh.position(v) - from).norm() > std::clamp(way.norm(), kClose * reach, reach)) continue;
     const TangentFan fan(mesh, vertex_point(mesh, v));
     if (!is_inner_saddle(fan)) continue;

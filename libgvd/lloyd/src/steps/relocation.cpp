@@ -44,7 +44,7 @@ Components find_components(const IdVector<FaceId, std::int32_t>& components, con
     cells.resize(std::max(cells.size(), component + 1));
     found.mean_size.resize(cells.size());
     cells[component] += 1;
-    found.mean_size[component] += size_of(state.moments[GeneratorId(static_cast<std::int64_t>(i))]);
+    found.mean_size[component] += size_of(state.moments[GeneratorId(i)]);
   }
   for (std::size_t c = 0; c < cells.size(); ++c) found.mean_size[c] /= std::max(1.0, cells[c]);
   return found;
@@ -92,7 +92,7 @@ class PoorCells {
     for (const GeneratorId g : neighbours(i)) hole += hole_[g.index()];
     return hole;
   }
-  const CellMoments& moments(std::size_t i) const { return state_.moments[GeneratorId(static_cast<std::int64_t>(i))]; }
+  const CellMoments& moments(std::size_t i) const { return state_.moments[GeneratorId(i)]; }
   const std::vector<GeneratorId>& neighbours(std::size_t i) const { return neighbours_[i]; }
 
   const RelaxationState& state_;

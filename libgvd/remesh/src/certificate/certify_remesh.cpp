@@ -83,7 +83,7 @@ void compare_components(const Mesh& surface, const Mesh& remesh, const std::vect
   const auto found = component_topologies(remesh, remesh_component);
   certificate.same_in_each_component = true;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i] != wanted[static_cast<std::size_t>(pairs[i])]) certificate.same_in_each_component = false;
+    if (found[i] != wanted[pairs[i]]) certificate.same_in_each_component = false;
   }
 }
 

@@ -79,12 +79,12 @@ CreaseGaps::CreaseGaps(const Mesh& mesh, const std::vector<CreaseCurve>& curves,
     : mesh_(mesh), curves_(curves), generators_(diagram.generators), spacing_(spacing), labels_(mesh, diagram) {
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
     const SurfacePoint& p = diagram.generators[i];
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     if (p.kind() == SurfacePoint::Kind::vertex) at_vertex_[vertex(mesh, p)] = g;
     if (p.kind() != SurfacePoint::Kind::edge) continue;
     const HalfedgeId h = halfedge(p);
     const EdgeId e = mesh.edge(h);
-    const double along = p.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
+    const double along = p.bary[Mesh::corner(Mesh::next(h))];
     on_edge_[e].push_back({mesh.halfedge(e) == h ? along : 1 - along, g});
   }
   for (const CreaseCurve& curve : curves) {

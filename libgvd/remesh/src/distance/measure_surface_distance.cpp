@@ -81,7 +81,7 @@ class DistanceMeasure {
       std::vector<Sample> samples;
       FaceId near(0);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        samples.push_back(sample(from_.position(VertexId(static_cast<std::int64_t>(i))), near));
+        samples.push_back(sample(from_.position(VertexId(i)), near));
         near = samples.back().nearest;
       }
       return samples;
@@ -95,7 +95,7 @@ class DistanceMeasure {
     return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
       Findings found;
       found.farthest = farthest_;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) sample_face(FaceId(static_cast<std::int64_t>(i)), found);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) sample_face(FaceId(i), found);
       return found;
     }));
   }

@@ -16,7 +16,7 @@ class DualBuilder {
 
   DualMesh build() {
     for (std::size_t i = 0; i < diagram_.branch_points.size(); ++i) {
-      const BranchPointId b(static_cast<std::int64_t>(i));
+      const BranchPointId b(i);
       cut(b, diagram_.branch_points[b].generators);
     }
     return std::move(dual_);

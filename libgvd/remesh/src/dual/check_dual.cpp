@@ -83,9 +83,9 @@ class DualChecker {
     std::int32_t count = 0;
     for (const std::int32_t c : component) count = std::max(count, c + 1);
     std::vector<char> reached(static_cast<std::size_t>(count), 0);
-    for (const SurfacePoint& g : diagram_.generators) reached[static_cast<std::size_t>(component[g.face])] = 1;
+    for (const SurfacePoint& g : diagram_.generators) reached[component[g.face]] = 1;
     for (std::int32_t c = 0; c < count; ++c) {
-      if (reached[static_cast<std::size_t>(c)]) continue;
+      if (reached[c]) continue;
       DualDefect defect;
       defect.property = DualProperty::component_reached;
       defect.component = c;

@@ -56,11 +56,11 @@ class FaceBoxes {
 
   template <class Holds>
   bool any_below(std::int32_t index, const Box3& box, const Holds& holds) const {
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const Node& node = nodes_[index];
     if (!overlap(node.box, box)) return false;
     if (node.right >= 0) return any_below(index + 1, box, holds) || any_below(node.right, box, holds);
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-      const FaceId f = faces_[static_cast<std::size_t>(i)];
+      const FaceId f = faces_[i];
       if (overlap(boxes_[f], box) && holds(f)) return true;
     }
     return false;

@@ -99,7 +99,7 @@ bool are_folded(const Triangle& triangle, const Vec3& corner, const Vec3& other)
   if (!flat) return false;
   const Vec2 apex = drop_axis(corner, flat->axis), p = drop_axis(other, flat->axis);
   const auto at = std::find(flat->corners.begin(), flat->corners.end(), apex) - flat->corners.begin();
-  const auto next = [&](std::ptrdiff_t i) { return flat->corners[static_cast<std::size_t>((at + i) % 3)]; };
+  const auto next = [&](std::ptrdiff_t i) { return flat->corners[(at + i) % 3]; };
   return exact_orientation(next(1), next(2), p) == flat->orientation;
 }
 

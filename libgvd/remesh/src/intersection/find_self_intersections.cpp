@@ -15,7 +15,7 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads) {
   auto pairs = ParallelChunks(threads, none).collect(chunks, {"self-intersections"}, [&](const Chunk& chunk) {
     std::vector<FacePair> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const FaceId f(static_cast<std::int64_t>(i));
+      const FaceId f(i);
       boxes.visit(face_box(mesh, f), [&](FaceId g) {
         if (f < g && faces_intersect(mesh, f, g)) found.push_back({f, g});
       });

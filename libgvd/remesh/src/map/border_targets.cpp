@@ -121,7 +121,7 @@ class TargetCollector {
 
 void place_crossings(const CellSurface& surface, DualPolygons& polygons) {
   for (std::size_t i = 0; i < surface.borders.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     for (const BorderRun& run : surface.borders[g].runs) {
       if (run.other < g) continue;
       const Path path = run_vertices(surface.cut.mesh, surface.borders[g], run);

@@ -44,7 +44,7 @@ std::vector<Share> find_shares(const CheckedMesh& input, const SurfacePoint& poi
 }
 
 /// Sums in order of the corners; a single corner gives its value, bit by bit.
-double interpolate(const std::vector<Share>& shares, const std::vector<double>& values) {
+double weighted_mean(const std::vector<Share>& shares, const std::vector<double>& values) {
   if (shares.size() == 1) return values[shares.front().vertex];
   double sum = 0;
   for (const Share& share : shares) sum += share.weight * values[share.vertex];
@@ -84,7 +84,7 @@ MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, co
   MeshProperty carried = without_values(property);
   const bool smooth = !is_integer(property.type) || is_color(property);
   for (const std::vector<Share>& at : shares) {
-    carried.values.push_back(smooth ? interpolate(at, property.values) : property.values[largest_share(at)]);
+    carried.values.push_back(smooth ? weighted_mean(at, property.values) : property.values[largest_share(at)]);
   }
   return carried;
 }
@@ -104,7 +104,7 @@ void scale_normals(std::vector<MeshProperty>& properties) {
     if (!property.of_vertices || is_integer(property.type) || property.count_type) continue;
     constexpr std::array<std::string_view, 3> kNames{"nx", "ny", "nz"};
     const auto axis = std::find(kNames.begin(), kNames.end(), property.name) - kNames.begin();
-    if (axis < 3) axes[static_cast<std::size_t>(axis)] = &property;
+    if (axis < 3) axes[axis] = &property;
   }
   if (std::find(axes.begin(), axes.end(), nullptr) != axes.end()) return;
   for (std::size_t i = 0; i < axes[0]->values.size(); ++i) {

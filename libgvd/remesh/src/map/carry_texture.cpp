@@ -55,7 +55,7 @@ class TextureCarrier {
   std::vector<Uv> run(const RemeshResult& result, const RemeshMap& map) {
     std::vector<Uv> carried;
     for (std::int32_t f = 0; f < result.mesh.face_count(); ++f) {
-      const FaceId at = result.face_points[static_cast<std::size_t>(f)].face;
+      const FaceId at = result.face_points[f].face;
       for (const VertexId v : result.mesh.vertices(FaceId(f))) {
         carried.push_back(has_texture(at) ? in_chart(chart_[at], map.origins[v]) : kNone);
       }
@@ -77,7 +77,7 @@ class TextureCarrier {
       const VertexId v = mesh_.vertices(f)[i];
       for (std::size_t c = texture.first_corner[polygon + 1]; c-- > texture.first_corner[polygon];) {
         const std::int32_t vertex = texture.corners[c];
-        if (vertex != input.input_vertex[v] && input.mesh_vertex[static_cast<std::size_t>(vertex)] != v) continue;
+        if (vertex != input.input_vertex[v] && input.mesh_vertex[vertex] != v) continue;
         corners_[3 * f.index() + i] = texture.coordinates[c];
       }
     }

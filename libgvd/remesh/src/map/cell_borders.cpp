@@ -25,7 +25,7 @@ class BorderTracer {
       const HalfedgeId h(i);
       if (is_border(h) && borders_[cell(h)].loop.empty()) trace(h);
     }
-    for (std::size_t i = 0; i < borders_.size(); ++i) check(GeneratorId(static_cast<std::int64_t>(i)));
+    for (std::size_t i = 0; i < borders_.size(); ++i) check(GeneratorId(i));
     return std::move(borders_);
   }
 

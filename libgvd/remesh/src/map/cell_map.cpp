@@ -19,8 +19,6 @@
 namespace gvd {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Largest distance of the fan's apex from the middle of the disc, whose radius is 1. Nearer to the border, triangles
 /// of the fan would be thin.
 constexpr double kLargestApex = 0.85;
@@ -28,7 +26,7 @@ constexpr double kLargestApex = 0.85;
 /// The angle from u to v counter-clockwise, from 0 to 2 pi.
 double angle_between(const Vec2& u, const Vec2& v) {
   const double angle = std::atan2(cross(u, v), u.dot(v));
-  return angle < 0 ? angle + 2 * kPi : angle;
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
 class CellFlattener {

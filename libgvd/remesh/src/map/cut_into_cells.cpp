@@ -65,7 +65,7 @@ class CellCutter {
   void split_short_runs() {
     std::vector<EdgeId> edges;
     for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       for (const BorderRun& run : cells_.borders[g].runs) {
         if (run.end == run.begin + 1 && run.other > g) edges.push_back(mesh().edge(cells_.borders[g].loop[run.begin]));
       }
@@ -95,7 +95,7 @@ class CellCutter {
   /// The ends of the run belong to other cells, too: they can't be anchors.
   void split_at_anchors() {
     for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       const CellBorder& border = cells_.borders[g];
       if (!border.at_boundary()) continue;
       const EdgeCut cut = nearest_on_boundary(g);
@@ -121,7 +121,7 @@ class CellCutter {
     std::vector<EdgeId> chords;
     IdVector<VertexId, GeneratorId> side(static_cast<std::size_t>(mesh().vertex_count()));
     for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       const CellBorder& border = cells_.borders[g];
       if (!border.at_boundary()) continue;
       const std::vector<VertexId> vertices = run_vertices(mesh(), border, border.runs.back());

@@ -114,7 +114,7 @@ void DualPolygons::add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cel
 
 void DualPolygons::set_crossing(VertexId v, GeneratorId a, double t) {
   if (number_[v] < 0) return;
-  DualPolygon& polygon = polygons_[static_cast<std::size_t>(number_[v])];
+  DualPolygon& polygon = polygons_[number_[v]];
   polygon.crossings[polygon.find(a)] = t;
 }
 

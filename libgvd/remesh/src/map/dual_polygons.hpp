@@ -45,9 +45,7 @@ class DualPolygons {
   DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh);
 
   /// Null where fewer than three cells meet.
-  const DualPolygon* at(VertexId v) const {
-    return number_[v] < 0 ? nullptr : &polygons_[static_cast<std::size_t>(number_[v])];
-  }
+  const DualPolygon* at(VertexId v) const { return number_[v] < 0 ? nullptr : &polygons_[number_[v]]; }
   /// Sets where the bisector between two cells crosses the remesh's edge, if it begins or ends at v. The polygon's side
   /// goes from cell a to cell b, `t` from 0 to 1.
   void set_crossing(VertexId v, GeneratorId a, double t);

@@ -72,7 +72,7 @@ class NearestMapper {
   void remember(const SurfacePoint& generator, VertexId vertex) {
     at_vertex_.resize(result_.diagram.vertex_label.size());
     const auto corner = std::find(generator.bary.begin(), generator.bary.end(), 1.0) - generator.bary.begin();
-    if (corner < 3) at_vertex_[surface_.vertices(generator.face)[static_cast<std::size_t>(corner)]] = vertex;
+    if (corner < 3) at_vertex_[surface_.vertices(generator.face)[corner]] = vertex;
   }
 
   SurfacePoint map_vertex(VertexId v) const {

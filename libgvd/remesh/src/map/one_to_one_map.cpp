@@ -10,7 +10,7 @@ namespace gvd {
 namespace {
 
 /// Faces of a chunk of cells: their systems take milliseconds.
-constexpr std::size_t kFacesPerChunk = 2048;
+constexpr std::size_t kMapFacesPerChunk = 2048;
 
 struct Image {
   VertexId vertex;  ///< of the surface
@@ -34,7 +34,7 @@ class OneToOneMapper {
     place_crossings(cells_, polygons_);
     const auto& label = cells_.cut.label;
     for (std::size_t i = 0; i < label.size(); ++i) {
-      const FaceId f(static_cast<std::int64_t>(i));
+      const FaceId f(i);
       faces_[label[f]].push_back(f);
     }
   }
@@ -43,11 +43,11 @@ class OneToOneMapper {
     const Progress none;
     const ParallelChunks parallel(threads, none);
     const auto chunks =
-        cut_by_work(faces_.size(), kFacesPerChunk, [&](std::size_t i) { return faces_.raw()[i].size(); });
+        cut_by_work(faces_.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces_.raw()[i].size(); });
     const std::vector<CellPoints> cells = parallel.collect(chunks, {}, [&](const Chunk& chunk) {
       std::vector<CellPoints> found;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        found.push_back(map_cell(GeneratorId(static_cast<std::int64_t>(i))));
+        found.push_back(map_cell(GeneratorId(i)));
       }
       return found;
     });

@@ -11,14 +11,12 @@
 namespace gvd {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side.
 /// Without it, triangles of three of them could have no area within rounding.
-constexpr double kEvenShare = 0.1;
+constexpr double kEvenSector = 0.1;
 
 /// Bounds of the angle of a sector. A straight angle would let edges between its two sides fall onto them.
-constexpr double kLeastSector = kPi / 3, kLargestSector = 0.95 * kPi;
+constexpr double kLeastSector = std::numbers::pi / 3, kLargestSector = 0.95 * std::numbers::pi;
 
 /// How far the sides of a star are bent outwards, as a fraction of their distance. Without it, triangles of three
 /// vertices of one side would have no area.
@@ -36,7 +34,7 @@ class BorderPlacer {
     if (!is_star) radii_.assign(radii_.size(), 1);
     const double largest = *std::max_element(radii_.begin(), radii_.end());
     for (double& radius : radii_) radius /= largest;
-    const double even_share = is_star ? 0 : kEvenShare;
+    const double even_share = is_star ? 0 : kEvenSector;
     surface_.borders[cell_].at_boundary() ? place_sector(even_share) : place_round(even_share);
     return std::move(border_);
   }
@@ -58,7 +56,7 @@ class BorderPlacer {
   }
 
   void place_round(double even_share) {
-    scale_and_even(angles_, 2 * kPi, even_share);
+    scale_and_even(angles_, 2 * std::numbers::pi, even_share);
     for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
     border_.bases.push_back(border_.bases.front());
     place_bases();
@@ -101,7 +99,7 @@ class BorderPlacer {
   /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
   std::vector<double> fractions(const std::vector<VertexId>& path) const {
     std::vector<double> at = lengths_along(mesh_, path);
-    scale_and_even(at, 1, kEvenShare);
+    scale_and_even(at, 1, kEvenSector);
     return at;
   }
 

@@ -62,11 +62,11 @@ void keep_large_groups(const Mesh& remesh, IdVector<GeneratorId, char>& chosen) 
   }
   std::vector<std::int64_t> sizes(chosen.size(), 0);
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
-    if (is_chosen(VertexId(v))) ++sizes[static_cast<std::size_t>(groups.find(v))];
+    if (is_chosen(VertexId(v))) ++sizes[groups.find(v)];
   }
   const std::int64_t least = std::min<std::int64_t>(kLeastCreaseCells, remesh.vertex_count() / 8);
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
-    if (sizes[static_cast<std::size_t>(groups.find(v))] < least) chosen[GeneratorId(v)] = 0;
+    if (sizes[groups.find(v)] < least) chosen[GeneratorId(v)] = 0;
   }
 }
 
@@ -83,7 +83,7 @@ IdVector<GeneratorId, CreaseCell> find_crease_cells(const Mesh& surface, const D
   keep_large_groups(remesh, has_crease);
   IdVector<GeneratorId, CreaseCell> cells(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     const bool is_inset = sums[g].has_boundary && !is_on_boundary(surface, diagram.generators[i]);
     cells[g].is_creased = has_crease[g] || is_inset;
     if (cells[g].is_creased) cells[g].direction = find_direction(sums[g]);

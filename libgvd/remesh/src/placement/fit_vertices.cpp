@@ -118,7 +118,7 @@ void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all)
   for (std::int32_t f = 0; f < remesh.face_count(); ++f) {
     const auto& corners = remesh.vertices(FaceId(f));
     const FaceSystem& system = systems[FaceId(f)];
-    const auto row = [&](int i) { return 3 * corners[static_cast<std::size_t>(i / 3)].value() + i % 3; };
+    const auto row = [&](int i) { return 3 * corners[i / 3].value() + i % 3; };
     for (int i = 0; i < 9; ++i) {
       all.right[row(i)] += system.right[i];
       for (int j = 0; j < 9; ++j) all.add(row(i), row(j), system.matrix(i, j));
@@ -128,7 +128,7 @@ void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all)
 
 void add_springs(const Mesh& remesh, const std::vector<VertexAnchor>& anchors, VertexSystem& all) {
   for (std::int32_t v = 0; v < remesh.vertex_count(); ++v) {
-    const VertexAnchor& anchor = anchors[static_cast<std::size_t>(v)];
+    const VertexAnchor& anchor = anchors[v];
     all.right.segment<3>(3 * v) += anchor.weight * (anchor.position - remesh.position(VertexId(v)));
     for (int i = 0; i < 9; ++i) all.add(3 * v + i / 3, 3 * v + i % 3, anchor.weight(i / 3, i % 3));
   }

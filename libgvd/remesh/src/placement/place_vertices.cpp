@@ -58,7 +58,7 @@ class Placer {
   std::vector<Vec3> find_optima(const Takes& takes) const {
     std::vector<Vec3> optima = remesh_.positions();
     for (std::size_t v = 0; v < optima.size(); ++v) {
-      if (takes(v)) optima[v] += quadrics_[GeneratorId(static_cast<std::int64_t>(v))].minimize(kQuadricTruncation);
+      if (takes(v)) optima[v] += quadrics_[GeneratorId(v)].minimize(kQuadricTruncation);
     }
     keep_fixed(optima);
     return optima;

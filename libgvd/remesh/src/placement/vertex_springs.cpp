@@ -59,7 +59,7 @@ std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& pl
     const Vec3& here = current.positions()[v];
     const Vec3 better = shapes[v].position - here, back = plan.remesh->positions()[v] - here;
     const Matrix across = onto(shapes[v].normal), tangent = identity - across;
-    const Vec3& direction = plan.creases[GeneratorId(static_cast<std::int64_t>(v))].direction;
+    const Vec3& direction = plan.creases[GeneratorId(v)].direction;
     const Matrix along = onto(direction), beside = identity - along;
     const auto add = [&](const Vec3& way, const Matrix& weight) {
       springs.push_back(pull(here, way, weight, plan.areas[v]));

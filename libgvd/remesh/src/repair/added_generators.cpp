@@ -28,7 +28,7 @@ double AddedGenerators::clearance(const SurfacePoint& point) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < all_.size(); ++i) {
     if (component_[all_[i].face] != component) continue;
-    const double squared = (positions_[GeneratorId(static_cast<std::int64_t>(i))] - at).squaredNorm();
+    const double squared = (positions_[GeneratorId(i)] - at).squaredNorm();
     if (squared >= least) continue;
     if (squared > spacing_ * spacing_ || are_near(mesh_, point, all_[i], spacing_)) least = squared;
   }

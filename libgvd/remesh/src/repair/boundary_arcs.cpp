@@ -45,7 +45,7 @@ class ArcLister {
       ends_[mesh_.halfedge(vertex(mesh_, point))].push_back({0, after});
     } else if (point.kind() == SurfacePoint::Kind::edge) {
       const HalfedgeId h = halfedge(point);
-      ends_[h].push_back({point.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))], after});
+      ends_[h].push_back({point.bary[Mesh::corner(Mesh::next(h))], after});
     }
   }
 

@@ -1,17 +1,15 @@
 #include "repair/cell_loops.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "gvd/closest_point.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "repair/dual_graph.hpp"
 
 namespace gvd {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Largest distance of the generator from the loop, as a fraction of the loop's length, at which two new generators are
 /// enough. Farther away, the generator's own cell may not cover a third of the loop, and three are added.

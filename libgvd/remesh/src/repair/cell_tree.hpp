@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 
@@ -34,7 +34,6 @@ class CellTree {
  private:
   void clear();
 
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const CutMesh& cut_;
   IdVector<VertexId, double> distance_;
   IdVector<VertexId, VertexId> parent_;

@@ -6,7 +6,7 @@ void DualGraph::add_link(HalfedgeId crossed, std::int32_t from, std::int32_t to)
   const auto link = static_cast<std::int32_t>(links_.size());
   links_.push_back({crossed, {from, to}});
   for (const std::int32_t node : links_.back().nodes) {
-    if (node != kOutside) links_of_[static_cast<std::size_t>(node)].push_back(link);
+    if (node != kOutside) links_of_[node].push_back(link);
   }
 }
 
@@ -26,7 +26,7 @@ std::vector<HalfedgeId> DualGraph::prune_leaves() const {
       if (is_removed[link]) continue;
       is_removed[link] = 1;
       for (const std::int32_t node : links_[link].nodes) {
-        if (node != kOutside && --degree[static_cast<std::size_t>(node)] == 1) {
+        if (node != kOutside && --degree[node] == 1) {
           leaves.push_back(static_cast<std::size_t>(node));
         }
       }

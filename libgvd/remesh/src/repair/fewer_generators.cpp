@@ -34,7 +34,7 @@ bool FewerGenerators::pass_over_added() {
   for (std::size_t i = diagram_.generators.size(); i-- > given_;) {
     if (is_beyond_bounds(2)) return false;
     if (i >= diagram_.generators.size()) continue;
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     if (leave_out({g}) || (!is_beyond_bounds() && unite_with_nearest(g))) changed = true;
   }
   return changed;
@@ -117,7 +117,7 @@ std::optional<GeneratorId> FewerGenerators::find_nearest_added(GeneratorId g) co
   double least = std::numeric_limits<double>::infinity();
   const Vec3 at = position(mesh_, diagram_.generators[g.index()]);
   for (std::size_t i = given_; i < diagram_.generators.size(); ++i) {
-    const GeneratorId other(static_cast<std::int64_t>(i));
+    const GeneratorId other(i);
     const double distance = (position(mesh_, diagram_.generators[i]) - at).norm();
     if (other == g || distance >= least) continue;
     least = distance;

@@ -44,7 +44,7 @@ std::optional<LocalDual::Result> LocalDual::compute(const std::vector<SurfacePoi
   }
   result.inner = find_inner_cells(result.diagram);
   for (std::size_t i = kept_.size(); i < generators.size(); ++i) {
-    if (!result.inner[GeneratorId(static_cast<std::int64_t>(i))]) return std::nullopt;
+    if (!result.inner[GeneratorId(i)]) return std::nullopt;
   }
   result.defects = find_defects(result);
   if (!result.defects.empty() && result.defects.front().cells.empty()) return std::nullopt;

@@ -56,8 +56,8 @@ void MeshPart::build(const Mesh& mesh) {
   std::vector<Vec3> positions;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (int corner = 0; corner < 3; ++corner) {
-      if (faces[i][static_cast<std::size_t>(corner)].valid()) continue;
-      const HalfedgeId h = Mesh::halfedge(whole_face_[FaceId(static_cast<std::int64_t>(i))], corner);
+      if (faces[i][corner].valid()) continue;
+      const HalfedgeId h = Mesh::halfedge(whole_face_[FaceId(i)], corner);
       number_fan(mesh, h, VertexId(std::ssize(positions)), faces);
       positions.push_back(mesh.position(mesh.from(h)));
     }
@@ -70,7 +70,7 @@ void MeshPart::number_fan(const Mesh& mesh, HalfedgeId outgoing, VertexId v,
                           std::vector<std::array<VertexId, 3>>& faces) const {
   const auto number = [&](HalfedgeId h) {
     if (!h.valid() || !part_face_[Mesh::face(h)].valid()) return false;
-    VertexId& corner = faces[part_face_[Mesh::face(h)].index()][static_cast<std::size_t>(Mesh::corner(h))];
+    VertexId& corner = faces[part_face_[Mesh::face(h)].index()][Mesh::corner(h)];
     if (corner.valid()) return false;
     corner = v;
     return true;

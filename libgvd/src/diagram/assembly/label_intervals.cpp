@@ -16,7 +16,7 @@ void LabelIntervals::unite_by_paths() {
     const auto entry = distances_.entry(boundary_[i].next, middle_of_interval(i));
     if (!entry) return;
     const int entered = interval_at(*entry);
-    if (boundary_[static_cast<std::size_t>(entered)].next == boundary_[i].next) unite(entered, static_cast<int>(i));
+    if (boundary_[entered].next == boundary_[i].next) unite(entered, static_cast<int>(i));
   }
 }
 
@@ -41,7 +41,7 @@ Bary LabelIntervals::middle_of_interval(std::size_t i) const {
 }
 
 bool LabelIntervals::path_enters_through(int interval, const Bary& p) {
-  const auto entry = distances_.entry(boundary_[static_cast<std::size_t>(interval)].next, p);
+  const auto entry = distances_.entry(boundary_[interval].next, p);
   if (!entry) return false;
   const auto belongs = [&](std::size_t other) { return are_one_piece(static_cast<int>(other), interval); };
   const auto n = boundary_.size(), entered = static_cast<std::size_t>(interval_at(*entry));

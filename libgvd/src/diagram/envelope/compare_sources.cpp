@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-constexpr int kNewtonSteps = 4;
+constexpr int kPolishSteps = 4;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
 double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end,
                           double position) {
   double t = position, error = first.straight(t) - second.straight(t);
-  for (int step = 0; step < kNewtonSteps && error != 0; ++step) {
+  for (int step = 0; step < kPolishSteps && error != 0; ++step) {
     const double slope =
         (t - first.x) / (first.straight(t) - first.offset) - (t - second.x) / (second.straight(t) - second.offset);
     const double next = t - error / slope;

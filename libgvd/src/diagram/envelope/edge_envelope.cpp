@@ -38,7 +38,7 @@ void EdgeEnvelope::append(double end, std::int32_t source) {
 
 /// Gives `source` the parts of its interval on which it is nearer than all before.
 void EdgeEnvelope::insert(std::int32_t source) {
-  const EdgeSource& s = sources_[static_cast<std::size_t>(source)];
+  const EdgeSource& s = sources_[source];
   if (!(s.begin < s.end)) return;
   const auto first =
       std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& old) { return old.end <= s.begin; });
@@ -68,7 +68,7 @@ void EdgeEnvelope::insert(std::int32_t source) {
 void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last) {
   double begin = begin_of(first);
   for (Segment& piece : pieces_) {
-    piece.most = most(sources_[static_cast<std::size_t>(piece.source)], begin, piece.end);
+    piece.most = most(sources_[piece.source], begin, piece.end);
     begin = piece.end;
   }
   const auto kept = std::min(last - first, static_cast<std::ptrdiff_t>(pieces_.size()));
@@ -79,7 +79,7 @@ void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Seg
 
 /// Appends the nearer one of two sources from `begin` to `end`. Returns whether that is the new one anywhere.
 bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end) {
-  const EdgeSource &o = sources_[static_cast<std::size_t>(old_source)], &s = sources_[static_cast<std::size_t>(source)];
+  const EdgeSource &o = sources_[old_source], &s = sources_[source];
   const Nearer nearer = compare_sources(o, s, begin, end);
   if (nearer == Nearer::open) return append_nearer_pieces(old_source, source, begin, end);
   append(end, nearer == Nearer::first ? old_source : source);
@@ -88,7 +88,7 @@ bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, d
 
 /// The same, piece by piece between the positions where the two are equally far.
 bool EdgeEnvelope::append_nearer_pieces(std::int32_t old_source, std::int32_t source, double begin, double end) {
-  const EdgeSource &o = sources_[static_cast<std::size_t>(old_source)], &s = sources_[static_cast<std::size_t>(source)];
+  const EdgeSource &o = sources_[old_source], &s = sources_[source];
   double from = begin;
   bool is_nearer = false;
   const auto append_to = [&](double to) {

@@ -28,13 +28,13 @@ class EdgeEnvelope {
   double length() const { return length_; }
   /// Ascending, up to `length`. Neighbours have different sources, but often the same generator.
   const std::vector<Segment>& segments() const { return segments_; }
-  GeneratorId generator(const Segment& s) const { return sources_[static_cast<std::size_t>(s.source)].generator; }
+  GeneratorId generator(const Segment& s) const { return sources_[s.source].generator; }
   /// All sources, with their symbolic offsets and within the edge.
   const std::vector<EdgeSource>& sources() const { return sources_; }
 
  private:
   std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const {
-    const EdgeSource &first = sources_[static_cast<std::size_t>(a)], &second = sources_[static_cast<std::size_t>(b)];
+    const EdgeSource &first = sources_[a], &second = sources_[b];
     return second.straight(t) < first.straight(t) ? b : a;
   }
   double begin_of(std::vector<Segment>::const_iterator segment) const {

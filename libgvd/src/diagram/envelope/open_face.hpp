@@ -40,8 +40,8 @@ class OpenFace {
   }
 
   /// Ids of the branch points: first .. end.
-  BranchPointId first_branch() const { return BranchPointId(static_cast<std::int64_t>(first_branch_)); }
-  BranchPointId end_branch() const { return BranchPointId(static_cast<std::int64_t>(diagram_.branches.size())); }
+  BranchPointId first_branch() const { return BranchPointId(first_branch_); }
+  BranchPointId end_branch() const { return BranchPointId(diagram_.branches.size()); }
 
   /// Removes all arcs, branch points and inner points of the face.
   void clear() {

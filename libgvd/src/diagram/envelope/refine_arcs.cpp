@@ -12,11 +12,11 @@ namespace {
 
 /// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
 /// a curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
-constexpr std::array<double, 2> kSamples{0.25, 0.75};
-constexpr double kShown = 0.5;
+constexpr std::array<double, 2> kSegmentSamples{0.25, 0.75};
+constexpr double kShownHeight = 0.5;
 
 /// Most halvings of an arc. A segment then has a tenth of a double's digits left for its length.
-constexpr int kMostHalvings = 40;
+constexpr int kMostArcHalvings = 40;
 
 constexpr int kMostSteps = 60;
 
@@ -64,7 +64,7 @@ void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, 
 bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, int halvings) {
   const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
   const double length = chord.norm();
-  if (halvings >= kMostHalvings || length <= tolerance_) return true;
+  if (halvings >= kMostArcHalvings || length <= tolerance_) return true;
   const bool is_flat = height_by_tangents(begin, end) <= tolerance_;
   const Vec2 guess = is_flat ? middle : likely_corner(begin, end).value_or(middle);
   const auto height = [&](const Vec2& p) { return std::abs(cross(p - begin.point, chord)) / length; };
@@ -78,7 +78,7 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
   const auto split = find_across(at_guess, chord / length);
   if (!split) return sampler_.band().is_all();
   if (!sampler_.band().contains(split->point)) return false;
-  if (!is_low && height(split->point) <= kShown * tolerance_ && is_near_quarters(begin, end)) return true;
+  if (!is_low && height(split->point) <= kShownHeight * tolerance_ && is_near_quarters(begin, end)) return true;
   if (!refine(begin, *split, halvings + 1)) return false;
   points_->push_back(distances_.layout().bary(split->point));
   return refine(*split, end, halvings + 1);
@@ -86,7 +86,7 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
 
 bool ArcRefiner::is_near_quarters(const BisectorPoint& begin, const BisectorPoint& end) const {
   BisectorSample last = begin.sample;
-  for (const double fraction : kSamples) {
+  for (const double fraction : kSegmentSamples) {
     const BisectorSample next = sampler_.sample(begin.point + fraction * (end.point - begin.point));
     if (!sampler_.is_near(next) || !sampler_.is_near_between(last, next)) return false;
     last = next;

@@ -64,8 +64,8 @@ FaceArc* ArcSeparator::most_intersecting(OpenFace& face) {
   const auto arcs = face.arcs();
   std::vector<int> counts(arcs.size(), 0);
   for (const auto& [first, second] : pairs) {
-    ++counts[static_cast<std::size_t>(first)];
-    ++counts[static_cast<std::size_t>(second)];
+    ++counts[first];
+    ++counts[second];
   }
   FaceArc* most = nullptr;
   int most_count = 0;

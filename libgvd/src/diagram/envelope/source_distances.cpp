@@ -10,7 +10,7 @@ namespace {
 
 /// Three distances that differ by less than this fraction of themselves are equal: a few units in the last place of
 /// sums of three terms.
-constexpr double kEqual = 1e-14;
+constexpr double kEqualDistance = 1e-14;
 
 /// Difference accepted where Newton's steps no longer improve it, as a fraction of the distance: the rounding of a
 /// point far from its images.
@@ -27,7 +27,7 @@ constexpr double kCrossingError = 4e-14;
 /// method starts there.
 constexpr double kNearlyEqual = 1e-6;
 
-constexpr int kNewtonSteps = 40, kHalvings = 6;
+constexpr int kMostNewtonSteps = 40, kStepHalvings = 6;
 
 /// Moves a point that lies on a side, or a little beyond it, inside the face.
 Bary moved_inside(Bary bary) {
@@ -45,7 +45,7 @@ struct ThreePaths {
   FaceSource::Path a, b, c;
   Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
   double size() const { return error().cwiseAbs().maxCoeff(); }
-  bool are_equal() const { return !(size() > kEqual * a.distance); }
+  bool are_equal() const { return !(size() > kEqualDistance * a.distance); }
   /// Newton's step to the point where the three are equally long, if they keep their last straight pieces.
   Vec2 newton_step() const {
     const Vec2 u = direction(p, a.from), v = direction(p, b.from), w = direction(p, c.from);
@@ -67,7 +67,7 @@ void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
   std::sort(order_.begin(), order_.end());
   sources_.clear();
-  for (const auto& [generator, index] : order_) sources_.push_back(found_[static_cast<std::size_t>(index)]);
+  for (const auto& [generator, index] : order_) sources_.push_back(found_[index]);
   bring_nearest_forward();
 }
 
@@ -122,8 +122,8 @@ std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) co
   if (best.source == nullptr) return std::nullopt;
   const int side = Mesh::corner(best.source->halfedge);
   if (best.source->is_corner) return side;
-  const Vec2 start = layout_->corner[static_cast<std::size_t>(side)];
-  const Vec2 along = layout_->corner[static_cast<std::size_t>((side + 1) % 3)] - start;
+  const Vec2 start = layout_->corner[side];
+  const Vec2 along = layout_->corner[(side + 1) % 3] - start;
   return side + std::clamp((best.source->entry(p) - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
 }
 
@@ -134,12 +134,12 @@ std::optional<Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, G
   ThreePaths paths = paths_to(layout_->at(start));
   const double longest =
       (layout_->corner[1] - layout_->corner[0]).norm() + (layout_->corner[2] - layout_->corner[1]).norm();
-  for (int i = 0; i < kNewtonSteps && !paths.are_equal(); ++i) {
+  for (int i = 0; i < kMostNewtonSteps && !paths.are_equal(); ++i) {
     Vec2 step = paths.newton_step();
     if (!step.allFinite()) break;
     if (step.norm() > longest) step *= longest / step.norm();
     ThreePaths next = paths_to(paths.p + step);
-    for (int half = 0; half < kHalvings && !(next.size() < paths.size()); ++half) {
+    for (int half = 0; half < kStepHalvings && !(next.size() < paths.size()); ++half) {
       step *= 0.5;
       next = paths_to(paths.p + step);
     }

@@ -45,7 +45,7 @@ IdVector<BranchPointId, std::vector<GeneratorId>> cells_at_branch_points(const D
 void check_branch_points(const Diagram& diagram, Violations& violations) {
   auto cells = cells_at_branch_points(diagram);
   for (std::size_t i = 0; i < diagram.branch_points.size(); ++i) {
-    const BranchPointId id(static_cast<std::int64_t>(i));
+    const BranchPointId id(i);
     auto named = diagram.branch_points[id].generators;
     if (cells[id].size() < 3) violations.add(5, "branch point", i, "fewer than three bisectors end at it");
     std::sort(named.begin(), named.end());
@@ -58,7 +58,7 @@ void check_branch_points(const Diagram& diagram, Violations& violations) {
 
 void check_bisectors(const Mesh& mesh, const Diagram& diagram, Violations& violations) {
   for (std::size_t i = 0; i < diagram.bisectors.size(); ++i) {
-    const Bisector& b = diagram.bisectors[BisectorId(static_cast<std::int64_t>(i))];
+    const Bisector& b = diagram.bisectors[BisectorId(i)];
     if (b.points.size() < 2 || !b.left.valid() || !b.right.valid() || b.left == b.right) {
       violations.add(3, "bisector", i, "does not separate two cells, or has fewer than two points");
       continue;

@@ -23,8 +23,7 @@ class GeneratorCheck {
     if (is_in_cell_within_face(p, g)) return true;
     if (p.kind() != SurfacePoint::Kind::edge) return false;
     const HalfedgeId h = halfedge(p), twin = mesh_.twin(h);
-    return twin.valid() &&
-           is_in_cell_within_face(edge_point(twin, p.bary[static_cast<std::size_t>(Mesh::corner(h))]), g);
+    return twin.valid() && is_in_cell_within_face(edge_point(twin, p.bary[Mesh::corner(h)]), g);
   }
 
  private:
@@ -62,7 +61,7 @@ class GeneratorCheck {
 void check_generators(const Mesh& mesh, const Diagram& diagram, Violations& violations) {
   const GeneratorCheck check(mesh, diagram);
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     if (!check.is_in_cell(diagram.generators[i], g)) violations.add(1, "generator", i, "lies outside its cell");
     // An area of 0 is sound: the faces around the generator may have none.
     if (!(diagram.cells[g].area >= 0)) violations.add(1, "cell", i, "its area is negative or not a number");

@@ -36,11 +36,11 @@ struct Sample {
 }
 
 /// The samples along all bisectors. Neighbouring panels share the sample between them.
-class Sampling {
+class BisectorSampling {
  public:
-  Sampling(const Mesh& mesh, const Diagram& diagram, int panels) : mesh_(mesh), panels_(panels) {
+  BisectorSampling(const Mesh& mesh, const Diagram& diagram, int panels) : mesh_(mesh), panels_(panels) {
     for (std::size_t i = 0; i < diagram.bisectors.size(); ++i) {
-      const BisectorId id(static_cast<std::int64_t>(i));
+      const BisectorId id(i);
       check(id, diagram);
       if (diagram.bisectors[id].left != diagram.bisectors[id].right) add(id, diagram.bisectors[id]);
     }
@@ -151,7 +151,7 @@ double integrate(const Panel& panel, const std::vector<Sample>& samples) {
 ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, const ExactDistances& exact,
                                    const ErrorMeasureOptions& options) {
   if (options.panels < 1) throw Error(ErrorCode::invalid_option, "the number of panels must be 1 or more");
-  Sampling sampling(mesh, diagram, options.panels);
+  BisectorSampling sampling(mesh, diagram, options.panels);
   measure(diagram, exact, sampling.samples);
   ErrorMeasure result;
   for (const Panel& panel : sampling.all_panels) {

@@ -9,7 +9,7 @@ ReachedFaces::ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& ge
   std::int32_t count = 0;
   for (const std::int32_t c : component_) count = std::max(count, c + 1);
   has_generator_.assign(static_cast<std::size_t>(count), 0);
-  for (const SurfacePoint& g : generators) has_generator_[static_cast<std::size_t>(component_[g.face])] = 1;
+  for (const SurfacePoint& g : generators) has_generator_[component_[g.face]] = 1;
 }
 
 }  // namespace gvd

@@ -15,7 +15,7 @@ class ReachedFaces {
   /// Every generator must lie in a face of the mesh.
   ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 
-  bool contains(FaceId f) const { return has_generator_[static_cast<std::size_t>(component_[f])] != 0; }
+  bool contains(FaceId f) const { return has_generator_[component_[f]] != 0; }
 
  private:
   IdVector<FaceId, std::int32_t> component_;

@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::int32_t kNone = -1;
+constexpr std::int32_t kNoPiece = -1;
 
 /// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: every set
 /// is a loop.
@@ -20,7 +20,7 @@ class LoopCounter {
         traced_(traced),
         generators_(working.generator_vertices().size()),
         sets_(0),
-        at_crossing_(traced.crossings.size(), {kNone, kNone}),
+        at_crossing_(traced.crossings.size(), {kNoPiece, kNoPiece}),
         at_branch_(traced.faces.branches.size()) {}
 
   IdVector<GeneratorId, std::int32_t> count() {
@@ -52,7 +52,7 @@ class LoopCounter {
       if (end.crossing.valid()) {
         unite_at(end.crossing, g, side);
       } else {
-        unite(at_branch_[end.branch].try_emplace(g, kNone).first->second, side);
+        unite(at_branch_[end.branch].try_emplace(g, kNoPiece).first->second, side);
       }
     }
   }
@@ -61,7 +61,7 @@ class LoopCounter {
     const HalfedgeId h = mesh_.halfedge(e);
     GeneratorId g = traced_.labels.label[mesh_.from(h)];
     std::int32_t interval = add(g);
-    unite(at_vertex_.try_emplace(mesh_.from(h), kNone).first->second, interval);
+    unite(at_vertex_.try_emplace(mesh_.from(h), kNoPiece).first->second, interval);
     for (std::int32_t k = 0; k < traced_.crossings.count(e); ++k) {
       const CrossingId id(traced_.crossings.first(e).value() + k);
       unite_at(id, g, interval);
@@ -69,7 +69,7 @@ class LoopCounter {
       interval = add(g);
       unite_at(id, g, interval);
     }
-    unite(at_vertex_.try_emplace(mesh_.to(h), kNone).first->second, interval);
+    unite(at_vertex_.try_emplace(mesh_.to(h), kNoPiece).first->second, interval);
   }
 
   void unite_at(CrossingId id, GeneratorId g, std::int32_t member) {
@@ -77,7 +77,7 @@ class LoopCounter {
   }
 
   void unite(std::int32_t& first, std::int32_t member) {
-    if (first == kNone) {
+    if (first == kNoPiece) {
       first = member;
     } else {
       sets_.unite(first, member);

@@ -13,7 +13,7 @@ CellComponents::CellComponents(const WorkingMesh& working, const TracedDiagram& 
       sets_(0),
       crossed_index_(static_cast<std::size_t>(mesh_.face_count()), -1) {
   for (std::size_t g = 0; g < working.generator_vertices().size(); ++g) {
-    add_member(GeneratorId(static_cast<std::int64_t>(g)), FaceId());
+    add_member(GeneratorId(g), FaceId());
   }
   find_unanchored_vertices();
   const auto& arcs = traced.faces.arcs;
@@ -75,7 +75,7 @@ void CellComponents::add_face(FaceId f, std::span<const FaceArc> arcs) {
   std::int32_t current = member_of_interval_.back();
   std::size_t next = 0;
   for (int corner = 0; corner < 3; ++corner) {
-    sets_.unite(current, member_of(mesh_.vertices(f)[static_cast<std::size_t>(corner)]));
+    sets_.unite(current, member_of(mesh_.vertices(f)[corner]));
     first_interval_.push_back(static_cast<std::int32_t>(interval_pieces_.size()));
     interval_pieces_.push_back(current);
     for (; next < boundary_.size() && boundary_[next].corner == corner; ++next) {
@@ -127,7 +127,7 @@ void CellComponents::unite_across_edges() {
 
 std::int32_t CellComponents::piece_along(HalfedgeId h, std::int32_t interval) const {
   const auto index = static_cast<std::size_t>(3 * crossed_index_[Mesh::face(h)] + Mesh::corner(h));
-  return interval_pieces_[static_cast<std::size_t>(first_interval_[index] + interval)];
+  return interval_pieces_[first_interval_[index] + interval];
 }
 
 IdVector<GeneratorId, std::int32_t> CellComponents::count_components() {

@@ -27,7 +27,7 @@ IdVector<FaceId, std::int32_t> count_by_face(const Mesh& mesh, const Crossings& 
 std::vector<FaceId> crossed_faces(const IdVector<FaceId, std::int32_t>& counts) {
   std::vector<FaceId> faces;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const FaceId f(static_cast<std::int64_t>(i));
+    const FaceId f(i);
     if (counts[f] > 0) faces.push_back(f);
   }
   return faces;

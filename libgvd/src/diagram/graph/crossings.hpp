@@ -71,8 +71,8 @@ struct BoundaryCrossing {
   /// Barycentric coordinates in the face.
   std::array<double, 3> bary() const {
     std::array<double, 3> result{0, 0, 0};
-    result[static_cast<std::size_t>(corner)] = 1 - t;
-    result[static_cast<std::size_t>((corner + 1) % 3)] = t;
+    result[corner] = 1 - t;
+    result[(corner + 1) % 3] = t;
     return result;
   }
 };

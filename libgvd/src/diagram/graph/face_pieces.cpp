@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoInterval = -1;
 
 /// Most corners of a piece in a face with one arc or one branch point.
 constexpr std::size_t kUsualCorners = 5;
@@ -24,9 +24,9 @@ class PieceTracer {
     index_arcs();
     index_crossings();
     result_.pieces.clear();
-    result_.piece_of_interval.assign(boundary_.size(), kNone);
+    result_.piece_of_interval.assign(boundary_.size(), kNoInterval);
     for (std::size_t interval = 0; interval < boundary_.size(); ++interval) {
-      if (result_.piece_of_interval[interval] == kNone) trace_from(interval);
+      if (result_.piece_of_interval[interval] == kNoInterval) trace_from(interval);
     }
   }
 
@@ -59,7 +59,7 @@ class PieceTracer {
     const auto number = static_cast<int>(result_.pieces.size());
     std::vector<Bary>& corners = result_.pieces.emplace_back(WorkingPiece{boundary_[first].next, {}}).corners;
     corners.reserve(kUsualCorners);
-    for (std::size_t interval = first; result_.piece_of_interval[interval] == kNone;) {
+    for (std::size_t interval = first; result_.piece_of_interval[interval] == kNoInterval;) {
       result_.piece_of_interval[interval] = number;
       follow_interval(interval, corners);
       interval = follow_arcs((interval + 1) % boundary_.size(), corners);
@@ -73,7 +73,7 @@ class PieceTracer {
     const int last = to.corner + (wraps ? 3 : 0);
     for (int corner = from.corner + 1; corner <= last; ++corner) {
       Bary bary{0, 0, 0};
-      bary[static_cast<std::size_t>(corner % 3)] = 1;
+      bary[corner % 3] = 1;
       corners.push_back(bary);
     }
   }

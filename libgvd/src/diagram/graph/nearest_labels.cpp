@@ -1,18 +1,16 @@
 #include "diagram/graph/nearest_labels.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "gvd/diagram_steps.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Labeller {
  public:
@@ -33,7 +31,7 @@ class Labeller {
   std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_surely_supported) const {
     std::vector<VertexId> unsupported;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const VertexId v(static_cast<std::int64_t>(i));
+      const VertexId v(i);
       if (result_.label[v].valid() && !is_surely_supported(v) && !is_supported(v)) unsupported.push_back(v);
     }
     return unsupported;
@@ -106,7 +104,7 @@ void take_nearest(const WorkingMesh& working, const GeneratorTable& table, Neare
   }
   // A generator owns its vertex even if its symbolic offset is larger than the distance to the next generator.
   for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     const VertexId v = working.vertex(g);
     result.label[v] = g;
     result.distance[v] = table.distance(table.find(v, g)).distance;

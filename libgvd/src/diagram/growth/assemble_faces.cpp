@@ -12,7 +12,7 @@ namespace gvd {
 namespace {
 
 /// Progress is reported once in so many faces.
-constexpr std::size_t kProgressStride = 1 << 10;
+constexpr std::size_t kFaceStride = 1 << 10;
 
 /// A face and the distance forms of the generators whose cells lie along its boundary.
 struct FaceForms {
@@ -37,7 +37,7 @@ struct FaceForms {
 /// Sets the distance of the branch points from `first_branch` on: the mean over the cells at each.
 void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
   for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
-    const BranchPointId id(static_cast<std::int64_t>(b));
+    const BranchPointId id(b);
     FaceBranch& branch = diagram.branches[id];
     double sum = 0;
     int arcs = 0;
@@ -72,7 +72,7 @@ void assemble_faces(const GrowthInput& input, const Crossings& crossings, const 
   const std::vector<FaceId> faces = crossed_faces(input.mesh(), crossings);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const FaceId f = faces[i];
-    if (i % kProgressStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
+    if (i % kFaceStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
     boundary_crossings(input.mesh(), crossings, f, boundary);
     if (boundary.size() == 2) {  // most faces: one arc, which depends on no distance

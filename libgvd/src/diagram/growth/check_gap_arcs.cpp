@@ -36,7 +36,7 @@ class GapArcCheck {
 
   /// Position of a node of the arc, in the plane of the arc's face.
   Vec2 position_of(const GapArc& arc, int node_index) const {
-    const GapNode& node = grown_.nodes[static_cast<std::size_t>(node_index)];
+    const GapNode& node = grown_.nodes[node_index];
     const FaceLayout layout(mesh_, arc.face);
     if (node.kind == GapNode::Kind::branch) return layout.at(node.bary);
     const Crossing& c = node.kind == GapNode::Kind::rim ? crossings_[node.rim] : node.crossing;

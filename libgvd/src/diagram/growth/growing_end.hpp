@@ -48,8 +48,8 @@ inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec
   std::optional<Exit> first;
   double soonest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const Vec2& a = corner[static_cast<std::size_t>(i)];
-    const Vec2 along = corner[static_cast<std::size_t>((i + 1) % 3)] - a;
+    const Vec2& a = corner[i];
+    const Vec2 along = corner[(i + 1) % 3] - a;
     const double outward = cross(direction, along);  // > 0: the ray crosses this edge from inside to outside
     if (!(outward > 0)) continue;
     const double to_edge = std::max(0.0, intersect_lines(end.start, direction, a, along).s);

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+
+#include "gvd/vec.hpp"
 
 namespace gvd {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f, GeneratorId g) {
   const Mesh& mesh = input.mesh();

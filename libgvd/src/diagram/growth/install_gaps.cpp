@@ -91,8 +91,7 @@ class GapInstaller {
       ends[n] = at(traced_.faces.branches.push_back({node.face, node.bary, node.distance}));
     }
     for (const GapArc& arc : grown.arcs) {
-      traced_.faces.arcs.push_back({arc.face, ends[static_cast<std::size_t>(arc.begin)],
-                                    ends[static_cast<std::size_t>(arc.end)], arc.left, arc.right});
+      traced_.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
     }
     for (const auto& [v, g] : grown.labels) {
       traced_.labels.label[v] = g;

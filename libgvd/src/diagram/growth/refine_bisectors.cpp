@@ -8,7 +8,7 @@ namespace gvd {
 namespace {
 
 /// Progress is reported once in so many faces.
-constexpr std::size_t kProgressStride = 1 << 12;
+constexpr std::size_t kRefineStride = 1 << 12;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<CrossingEstimate> refine_bisectors(const GrowthInput& input, const C
   std::vector<BoundaryCrossing> boundary;
   const std::vector<FaceId> faces = crossed_faces(mesh, crossings);
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    if (k % kProgressStride == 0) report_progress(progress, steps::kRefinement, double(k) / double(faces.size()));
+    if (k % kRefineStride == 0) report_progress(progress, steps::kRefinement, double(k) / double(faces.size()));
     const FaceId f = faces[k];
     boundary_crossings(mesh, crossings, f, boundary);
     if (boundary.size() != 2) continue;

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <tuple>
 
 #include "diagram/assembly/distance_form.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Progress is reported once in so many edges.
-constexpr std::size_t kProgressStride = 1 << 10;
+constexpr std::size_t kRoughStride = 1 << 10;
 
 /// Shortest interval of a cell inside an edge, relative to the edge. The march's distances are off by about a hundredth
 /// of an edge, so shorter intervals have no meaning.
@@ -211,7 +209,7 @@ Crossings find_rough_crossings(const GrowthInput& input, const Progress& progres
   RoughEdgeEnvelope envelope(input);
   const std::vector<EdgeId> edges = edges_near_bisectors(input);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i % kProgressStride == 0) report_progress(progress, steps::kCrossings, double(i) / double(edges.size()));
+    if (i % kRoughStride == 0) report_progress(progress, steps::kCrossings, double(i) / double(edges.size()));
     envelope.find(edges[i], false, crossings);
   }
   return Crossings(input.mesh().edge_count(), std::move(crossings));

@@ -10,8 +10,7 @@ MidpointDistances::MidpointDistances(const GeneratorTable& table, std::int32_t f
     const FaceId f(i);
     table.for_each(f, [&](const TableEntry& entry) {
       const auto d = table.corner_distances(entry);
-      of_entry_[static_cast<std::size_t>(table.find(f, entry.generator))] = {0.5 * (d[0] + d[1]), 0.5 * (d[1] + d[2]),
-                                                                             0.5 * (d[2] + d[0])};
+      of_entry_[table.find(f, entry.generator)] = {0.5 * (d[0] + d[1]), 0.5 * (d[1] + d[2]), 0.5 * (d[2] + d[0])};
     });
   }
 }
@@ -19,7 +18,7 @@ MidpointDistances::MidpointDistances(const GeneratorTable& table, std::int32_t f
 std::optional<std::array<double, 3>> MidpointDistances::find(FaceId f, GeneratorId g) const {
   const std::int32_t entry = table_.find(f, g);
   if (entry < 0) return std::nullopt;
-  return of_entry_[static_cast<std::size_t>(entry)];
+  return of_entry_[entry];
 }
 
 }  // namespace gvd

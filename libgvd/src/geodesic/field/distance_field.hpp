@@ -82,7 +82,7 @@ std::vector<EdgeId> find_edges(const Mesh& mesh, const ParallelChunks& parallel,
   return parallel.collect(edges, steps::kLabels, [&](const Chunk& chunk) {
     std::vector<EdgeId> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const EdgeId e(static_cast<std::int64_t>(i));
+      const EdgeId e(i);
       if (is_wanted(e)) found.push_back(e);
     }
     return found;

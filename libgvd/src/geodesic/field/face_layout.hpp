@@ -40,9 +40,7 @@ struct FaceLayout {
     return {1 - v - w, v, w};
   }
   /// Unit vector from corner i to the next one.
-  Vec2 side(int i) const {
-    return (corner[static_cast<std::size_t>((i + 1) % 3)] - corner[static_cast<std::size_t>(i)]).normalized();
-  }
+  Vec2 side(int i) const { return (corner[(i + 1) % 3] - corner[i]).normalized(); }
   /// Derivative of the barycentric coordinates in a direction, per mesh unit.
   Bary bary_rate(const Vec2& direction) const {
     Bary rate{};

@@ -37,10 +37,10 @@ class GeneratorTable {
       : distances_(static_cast<std::size_t>(vertices), VertexDistance{0, GeneratorId(), -1, HalfedgeId()}),
         entries_(static_cast<std::size_t>(faces), TableEntry{GeneratorId(), FaceId(), {-1, -1, -1}, -1, 0, false}) {}
 
-  VertexDistance& distance(std::int32_t index) { return distances_[static_cast<std::size_t>(index)]; }
-  const VertexDistance& distance(std::int32_t index) const { return distances_[static_cast<std::size_t>(index)]; }
-  TableEntry& entry(std::int32_t index) { return entries_[static_cast<std::size_t>(index)]; }
-  const TableEntry& entry(std::int32_t index) const { return entries_[static_cast<std::size_t>(index)]; }
+  VertexDistance& distance(std::int32_t index) { return distances_[index]; }
+  const VertexDistance& distance(std::int32_t index) const { return distances_[index]; }
+  TableEntry& entry(std::int32_t index) { return entries_[index]; }
+  const TableEntry& entry(std::int32_t index) const { return entries_[index]; }
 
   /// Index of generator g's distance at v, or -1. Cost: O(generators that reach v).
   std::int32_t find(VertexId v, GeneratorId g) const { return find_in(distances_, v.value(), g); }
@@ -79,15 +79,15 @@ class GeneratorTable {
  private:
   template <class T>
   static std::int32_t find_in(const std::vector<T>& items, std::int32_t head, GeneratorId g) {
-    if (!items[static_cast<std::size_t>(head)].generator.valid()) return -1;
-    for (std::int32_t i = head; i >= 0; i = items[static_cast<std::size_t>(i)].next) {
-      if (items[static_cast<std::size_t>(i)].generator == g) return i;
+    if (!items[head].generator.valid()) return -1;
+    for (std::int32_t i = head; i >= 0; i = items[i].next) {
+      if (items[i].generator == g) return i;
     }
     return -1;
   }
   template <class T>
   static std::int32_t add_to(std::vector<T>& items, std::int32_t head, const T& item) {
-    T& first = items[static_cast<std::size_t>(head)];
+    T& first = items[head];
     if (!first.generator.valid()) {
       first = item;
       return head;

@@ -2,25 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/bucket_queue.hpp"
 #include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/local_update.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
-constexpr double kBucketWidth = 1;
+constexpr double kMarchBucketWidth = 1;
 
 /// Bound on the number of buckets. Larger keys share the last bucket, which costs repeated events, not exactness.
-constexpr double kMaxBuckets = 1 << 16;
+constexpr double kMostMarchBuckets = 1 << 16;
 
 /// Least improvement of a distance that is propagated, relative to the distance: less is rounding.
 constexpr double kImprovement = 1e-13;
@@ -36,7 +34,7 @@ class Marcher {
         front_(front),
         progress_(progress),
         table_(mesh_.vertex_count(), mesh_.face_count()),
-        queue_(kBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
+        queue_(kMarchBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), working.generator_vertices().size())) {
     place_generators();
   }
@@ -56,13 +54,14 @@ class Marcher {
     double longest = 0;
     for (std::int32_t e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
     // One event raises a key by at most three edges.
-    return static_cast<std::size_t>(std::min(kMaxBuckets, 3 * longest / (kBucketWidth * mesh.mean_edge_length()) + 3));
+    return static_cast<std::size_t>(
+        std::min(kMostMarchBuckets, 3 * longest / (kMarchBucketWidth * mesh.mean_edge_length()) + 3));
   }
 
   /// Gives every generator its distances on the faces round its vertex, along their edges.
   void place_generators() {
     for (std::size_t i = 0; i < working_.generator_vertices().size(); ++i) {
-      const GeneratorId g(static_cast<std::int64_t>(i));
+      const GeneratorId g(i);
       const double offset = offset_.of(g);
       table_.add(working_.vertex(g), g, offset, HalfedgeId());
       for_each_outgoing(mesh_, working_.vertex(g), [&](HalfedgeId h) {

@@ -11,7 +11,7 @@ namespace {
 /// Least improvement of a distance that is propagated, relative to the distance: less is rounding. It doubles with
 /// every improvement of a vertex, so that no vertex has more than 44. Without that, updates in a chain of needles lower
 /// each other twice as often with each needle. A vertex of an ordinary mesh has less than ten improvements.
-constexpr double kImprovement = 1e-13;
+constexpr double kLeastGain = 1e-13;
 
 /// Events between two calls of the watch: some milliseconds.
 constexpr std::size_t kWatchStride = std::size_t{1} << 13;
@@ -88,7 +88,7 @@ void LocalMarch::reach(VertexId v, double distance) {
   if (node.run != run_) {
     node = {distance, run_, 0};
     reached_.push_back(v);
-  } else if (distance < node.distance * (1 - std::ldexp(kImprovement, node.improvements))) {
+  } else if (distance < node.distance * (1 - std::ldexp(kLeastGain, node.improvements))) {
     node.distance = distance;
     ++node.improvements;
   } else {
@@ -152,7 +152,7 @@ double LocalMarch::distance(const SurfacePoint& point) const {
     const double to_a = (p - mesh_.position(a)).norm(), to_b = (p - mesh_.position(b)).norm();
     const double distance_a = distance(a), distance_b = distance(b);
     if (nodes_[a].run == run_ && nodes_[b].run == run_) {
-      const double twice_area = s.twice_area * point.bary[static_cast<std::size_t>((i + 2) % 3)];
+      const double twice_area = s.twice_area * point.bary[(i + 2) % 3];
       best = std::min(
           best, update_by(front_, make_update_triangle(s.length[i], to_a, to_b, twice_area), distance_a, distance_b));
     } else {

@@ -14,7 +14,7 @@ namespace {
 /// value is that of the side within rounding.
 constexpr double kBesideFace = -1e-9;
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double kNoBound = -std::numeric_limits<double>::infinity();
 
 /// Corner 0 at the origin, corner 1 at (x1, 0), corner 2 at (x2, y2).
 struct Frame {
@@ -27,7 +27,7 @@ struct Frame {
 };
 
 /// The largest r for which a point p of the triangle has distance[i] + |p - corner i| = r for all three corners
-/// (the problem of Apollonius). kNone if there is no such r, NaN for a degenerate triangle.
+/// (the problem of Apollonius). kNoBound if there is no such r, NaN for a degenerate triangle.
 double solve_apollonius(const Frame& t, double side2, const std::array<double, 3>& distance) {
   // Let s = r - distance[0] and step i = distance[i] - distance[0]. Subtracting the circle round corner 0 from that
   // round corner i gives 2 p . corner i = |corner i|^2 - (step i)^2 + 2 (step i) s, hence p = u + v s.
@@ -38,7 +38,7 @@ double solve_apollonius(const Frame& t, double side2, const std::array<double, 3
   const double a = vx * vx + vy * vy - 1, b = ux * vx + uy * vy, c = ux * ux + uy * uy;
   const double q = -b - std::copysign(std::sqrt(std::max(0.0, b * b - a * c)), b);
   if (std::isnan(q)) return q;
-  double best = kNone;
+  double best = kNoBound;
   for (const double s : {q / a, c / q}) {
     if (s >= std::max({0.0, step1, step2}) && t.contains(ux + vx * s, uy + vy * s))
       best = std::max(best, distance[0] + s);

@@ -19,6 +19,7 @@
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_area.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {
@@ -32,8 +33,6 @@ constexpr double kFirstShare = 0.1;
 
 /// If some vertices coincide within rounding, sampling starts again with twice as many, at most this often.
 constexpr int kMaxAttempts = 4;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Inserts farthest vertices of a mesh one by one.
 class FarthestSampler {

@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::int64_t kProgressStride = 1 << 14;
+constexpr std::int64_t kSamplingStride = 1 << 14;
 
 struct LongEdge {
   double length;
@@ -41,7 +41,7 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
     if (!is_long && vertices >= options.min_vertices) break;
     queue.pop();
     if (top.length != copy_.length(top.edge)) continue;  // one half of an edge that was split
-    if (vertices % kProgressStride == 0) report_progress(progress, "splitting edges", share_done(options, top.length));
+    if (vertices % kSamplingStride == 0) report_progress(progress, "splitting edges", share_done(options, top.length));
     const std::int32_t before = copy_.edge_count();
     split(top.edge);
     queue.push({copy_.length(top.edge), top.edge});

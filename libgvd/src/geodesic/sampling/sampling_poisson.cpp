@@ -92,7 +92,7 @@ class PairFinder {
   /// Calls visit(j, distance) for every candidate j > i whose distance from i is below `diameter`.
   template <class Visit>
   void for_each_after(std::int32_t i, double diameter, Visit visit) {
-    march_.run(candidates_[static_cast<std::size_t>(i)], diameter);
+    march_.run(candidates_[i], diameter);
     for (const VertexId v : march_.reached()) {
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { visit_face(Mesh::face(h), i, diameter, visit); });
     }
@@ -107,9 +107,8 @@ class PairFinder {
       const std::int32_t j = lists_.items[k];
       if (j <= i) continue;
       // No path is shorter than the straight line through space.
-      if ((positions_[static_cast<std::size_t>(i)] - positions_[static_cast<std::size_t>(j)]).norm() >= diameter)
-        continue;
-      const double distance = march_.distance(candidates_[static_cast<std::size_t>(j)]);
+      if ((positions_[i] - positions_[j]).norm() >= diameter) continue;
+      const double distance = march_.distance(candidates_[j]);
       if (distance < diameter) visit(j, distance);
     }
   }
@@ -131,8 +130,8 @@ Neighbourhoods join(std::size_t candidates, const std::vector<Pair>& pairs) {
   for (std::size_t i = 0; i < candidates; ++i) result.begin[i + 1] += result.begin[i];
   std::vector<std::size_t> end(result.begin.begin(), result.begin.end() - 1);
   for (const Pair& p : pairs) {
-    result.neighbours[end[static_cast<std::size_t>(p.first)]++] = {p.second, p.weight};
-    result.neighbours[end[static_cast<std::size_t>(p.second)]++] = {p.first, p.weight};
+    result.neighbours[end[p.first]++] = {p.second, p.weight};
+    result.neighbours[end[p.second]++] = {p.first, p.weight};
   }
   return result;
 }
@@ -162,7 +161,7 @@ std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count, con
   for (std::size_t i = 0; i < candidates; ++i) {
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) weight[i] += double(lists.neighbours[k].weight);
   }
-  const auto key = [&](std::int32_t i) { return weight[static_cast<std::size_t>(i)]; };
+  const auto key = [&](std::int32_t i) { return weight[i]; };
   LazyMaxHeap heap(static_cast<std::int32_t>(candidates), key);
   std::vector<char> kept(candidates, 1);
   for (auto left = static_cast<std::int64_t>(candidates); left > count; --left) {
@@ -172,7 +171,7 @@ std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count, con
     kept[i] = 0;
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) {
       const Neighbour& n = lists.neighbours[k];
-      weight[static_cast<std::size_t>(n.candidate)] -= double(n.weight);
+      weight[n.candidate] -= double(n.weight);
     }
   }
   return kept;

@@ -38,7 +38,7 @@ std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, doub
 
 std::vector<FaceId> list_faces(const Mesh& mesh) {
   std::vector<FaceId> faces(static_cast<std::size_t>(mesh.face_count()));
-  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = FaceId(static_cast<std::int64_t>(i));
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = FaceId(i);
   return faces;
 }
 

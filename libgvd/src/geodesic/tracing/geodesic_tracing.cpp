@@ -105,8 +105,8 @@ class GeodesicWalker {
     }
     SurfacePoint entry{Mesh::face(twin), {0, 0, 0}};
     const auto i = static_cast<std::size_t>(Mesh::corner(twin));
-    entry.bary[i] = exit.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))];
-    entry.bary[(i + 1) % 3] = exit.bary[static_cast<std::size_t>(Mesh::corner(h))];
+    entry.bary[i] = exit.bary[Mesh::corner(Mesh::next(h))];
+    entry.bary[(i + 1) % 3] = exit.bary[Mesh::corner(h)];
     const Vec2 back = FaceLayout(mesh_, entry.face).side(Mesh::corner(twin));
     // The twin has the opposite direction, so both components change their sign.
     enter(entry, -forward * back - inward * Vec2(-back.y(), back.x()));

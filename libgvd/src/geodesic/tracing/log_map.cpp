@@ -5,19 +5,17 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/polar_update.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Largest number of sweeps after the march. On a flat patch every sweep finishes one more link of a chain of obtuse
 /// triangles; on scans nothing changes after three to five sweeps.

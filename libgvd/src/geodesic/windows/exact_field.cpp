@@ -109,7 +109,7 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
     const HalfedgeId h = halfedge(p);
     std::vector<EdgeSource> sources;
     collect_edge_sources(mesh, state_->field, h, sources);
-    const double t = p.bary[static_cast<std::size_t>(Mesh::corner(Mesh::next(h)))] * mesh.length(h);
+    const double t = p.bary[Mesh::corner(Mesh::next(h))] * mesh.length(h);
     if (const EdgeSource* best = nearest_source(sources, t, nearest.distance)) nearest.generator = best->generator;
   } else {
     std::vector<FaceSource> sources;

@@ -87,7 +87,7 @@ class PathTracer {
     if (best_.is_corner) return go_to(best_.halfedge);
     const FaceLayout layout(mesh_, Mesh::face(best_.halfedge));
     const int i = Mesh::corner(best_.halfedge);
-    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = layout.side(i);
+    const Vec2 origin = layout.corner[i], along = layout.side(i);
     const Vec2 image = best_.image - origin;
     const double length = mesh_.length(best_.halfedge), t = along.dot(best_.entry(best_point_) - origin);
     // In the frame of the opposite halfedge, the edge runs the other way.
@@ -114,8 +114,8 @@ class PathTracer {
 
   static SurfacePoint make_edge_point(HalfedgeId h, double t) {
     std::array<double, 3> bary{0, 0, 0};
-    bary[static_cast<std::size_t>(Mesh::corner(h))] = 1 - t;
-    bary[static_cast<std::size_t>((Mesh::corner(h) + 1) % 3)] = t;
+    bary[Mesh::corner(h)] = 1 - t;
+    bary[(Mesh::corner(h) + 1) % 3] = t;
     return make_surface_point(Mesh::face(h), bary);
   }
 

@@ -30,7 +30,7 @@ struct Polar {
   }
 };
 
-double corner_angle(const Mesh& mesh, HalfedgeId outgoing) {
+double angle_between_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
   const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
   const Vec3 other = mesh.position(mesh.from(Mesh::previous(outgoing))) - apex;
   return std::atan2(side.cross(other).norm(), side.dot(other));
@@ -43,7 +43,7 @@ double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, Fa
   double turn = 0;
   for (HalfedgeId h = from; h.valid();) {
     if (Mesh::face(h) == g) return start.distance(Polar(mesh, h, q), turn);
-    turn += corner_angle(mesh, h);
+    turn += angle_between_outgoing(mesh, h);
     h = next_outgoing(mesh, h);
     if (h == from) break;
   }

@@ -65,9 +65,7 @@ GeneratorEntry read_row(const Columns& columns, const Fields& fields, const List
     location.refuse(fmt::format("{}, but the header has {}; give as many as the header",
                                 counted(std::ssize(fields), "field", "fields"), columns.count));
   }
-  const auto field = [&](std::ptrdiff_t column) {
-    return column < 0 ? std::string_view() : fields[static_cast<std::size_t>(column)];
-  };
+  const auto field = [&](std::ptrdiff_t column) { return column < 0 ? std::string_view() : fields[column]; };
   const auto three = [&](const std::array<std::ptrdiff_t, 3>& c) {
     return std::array<std::string_view, 3>{field(c[0]), field(c[1]), field(c[2])};
   };

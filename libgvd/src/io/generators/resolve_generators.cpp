@@ -72,7 +72,7 @@ class Resolver {
     const std::vector<VertexId>* const map = options_.input_vertices;
     const std::int64_t count = map ? static_cast<std::int64_t>(map->size()) : mesh_.vertex_count();
     if (index >= count) refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
-    const VertexId v = map ? (*map)[static_cast<std::size_t>(index)] : VertexId(index);
+    const VertexId v = map ? (*map)[index] : VertexId(index);
     if (!v.valid()) refuse(fmt::format("vertex {} is in no face of the mesh; choose another", index));
     return vertex_point(mesh_, v);
   }

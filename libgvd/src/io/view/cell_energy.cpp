@@ -56,7 +56,7 @@ IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diag
   };
   const std::vector<Bary> whole{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (std::size_t i = 0; i < diagram.face_label.size(); ++i) {
-    const FaceId f(static_cast<std::int64_t>(i));
+    const FaceId f(i);
     if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], whole);
   }
   for (const FacePiece& piece : diagram.pieces) add(piece.face, piece.generator, piece.corners);

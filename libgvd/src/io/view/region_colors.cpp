@@ -11,7 +11,7 @@ namespace {
 using Pair = std::pair<GeneratorId, GeneratorId>;
 
 constexpr std::size_t kColors = kRegionPalette.size();
-constexpr std::size_t kNone = kColors;
+constexpr std::size_t kUncoloured = kColors;
 
 void add_pair(std::vector<Pair>& pairs, GeneratorId a, GeneratorId b) {
   if (a.valid() && b.valid() && a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
@@ -71,7 +71,7 @@ std::vector<Rgb> to_colors(const std::vector<std::size_t>& choice) {
 class Adaptation {
  public:
   Adaptation(const Neighbours& neighbours, const std::vector<Rgb>& before)
-      : neighbours_(neighbours), choice_(neighbours.size(), kNone), tries_(neighbours.size()) {
+      : neighbours_(neighbours), choice_(neighbours.size(), kUncoloured), tries_(neighbours.size()) {
     for (std::size_t label = 0; label < std::min(before.size(), choice_.size()); ++label) {
       const auto found = std::find(kRegionPalette.begin(), kRegionPalette.end(), before[label]);
       choice_[label] = static_cast<std::size_t>(found - kRegionPalette.begin());
@@ -111,7 +111,9 @@ class Adaptation {
     for (const std::size_t other : neighbours_[label]) ++around[choice_[other]];
     return around;
   }
-  bool clashes(std::size_t label) const { return choice_[label] == kNone || count_around(label)[choice_[label]] > 0; }
+  bool clashes(std::size_t label) const {
+    return choice_[label] == kUncoloured || count_around(label)[choice_[label]] > 0;
+  }
   /// The usual colour that the fewest neighbours have. What a label has had before counts as if a neighbour had it:
   /// colours would be passed round for ever.
   std::size_t choose(std::size_t label) const {
@@ -124,7 +126,7 @@ class Adaptation {
     return best;
   }
   void take(std::size_t label, std::size_t c) {
-    if (choice_[label] != kNone) --uses_[choice_[label]];
+    if (choice_[label] != kUncoloured) --uses_[choice_[label]];
     choice_[label] = c;
     ++uses_[c];
     ++tries_[label][c];
@@ -150,7 +152,7 @@ std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
 
 std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>& adjacent) {
   const Neighbours neighbours = list_neighbours(count, adjacent);
-  std::vector<std::size_t> choice(count, kNone);
+  std::vector<std::size_t> choice(count, kUncoloured);
   std::array<std::size_t, kColors> uses{};
   for (const std::size_t label : order_smallest_last(neighbours)) {
     std::array<std::size_t, kColors + 1> around{};

@@ -34,10 +34,14 @@ constexpr int kMaxLinks = 40;
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
+}  // namespace
+
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
+
+namespace {
 
 /// `name` is the file's, for messages. The reader of a pipe that goes away is no failure of ours: it has a code of its
 /// own.
@@ -46,6 +50,8 @@ using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
   if (error == EINTR) throw Error(ErrorCode::interrupted, fmt::format("interrupted while {} was written", name));
   throw Error(ErrorCode::unwritable_output, fmt::format("cannot write {}: {}", name, reason_of(error)));
 }
+
+}  // namespace
 
 /// A stream buffer that throws the reason of a failure, which a stream's badbit does not tell.
 class FileBuffer : public std::streambuf {
@@ -91,6 +97,8 @@ class FileBuffer : public std::streambuf {
   std::string step_;
   std::size_t unreported_ = 0;
 };
+
+namespace {
 
 /// Lets the exceptions of the buffer through.
 void throw_of_buffer(std::ostream& stream) { stream.exceptions(std::ios::badbit); }

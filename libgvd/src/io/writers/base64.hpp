@@ -40,7 +40,7 @@ class Base64Writer {
   void put_group() {
     const std::uint32_t group = group_ << 8 * (3 - count_);
     std::array<char, 4> quad{'=', '=', '=', '='};
-    for (int i = 0; i <= count_; ++i) quad[static_cast<std::size_t>(i)] = kDigits[group >> (18 - 6 * i) & 63];
+    for (int i = 0; i <= count_; ++i) quad[i] = kDigits[group >> (18 - 6 * i) & 63];
     out_.text({quad.data(), quad.size()});
     group_ = 0;
     count_ = 0;

@@ -60,16 +60,16 @@ class GlbWriter {
 
   void write(std::ostream& stream) {
     gltf_["buffers"] = {{{"byteLength", binary_bytes_}}};
-    std::string json = gltf_.dump();
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::uint64_t total = kHeadBytes + json.size() + binary_bytes_;
+    std::string text = gltf_.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::uint64_t total = kHeadBytes + text.size() + binary_bytes_;
     if (total > std::numeric_limits<std::uint32_t>::max()) {
       throw Error(ErrorCode::unwritable_output, "GLB holds 4 GiB and the mesh needs more; choose PLY or VTP");
     }
     ByteWriter out(stream);
     for (const std::uint32_t word : {kMagic, kVersion, static_cast<std::uint32_t>(total)}) out.binary(word);
-    for (const std::uint32_t word : {static_cast<std::uint32_t>(json.size()), kJsonChunk}) out.binary(word);
-    out.text(json);
+    for (const std::uint32_t word : {static_cast<std::uint32_t>(text.size()), kJsonChunk}) out.binary(word);
+    out.text(text);
     for (const std::uint32_t word : {static_cast<std::uint32_t>(binary_bytes_), kBinaryChunk}) out.binary(word);
     write_surface(out);
     write_bisectors(out);

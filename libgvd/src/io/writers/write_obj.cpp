@@ -26,7 +26,7 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   IdVector<VertexId, std::vector<Numbered>> known(static_cast<std::size_t>(mesh.mesh.vertex_count()));
   std::size_t count = 0;
   for (std::int32_t i = 0; i < mesh.mesh.halfedge_count(); ++i) {
-    const std::array<double, 2>& uv = (*mesh.corner_texture)[static_cast<std::size_t>(i)];
+    const std::array<double, 2>& uv = (*mesh.corner_texture)[i];
     std::vector<Numbered>& at = known[mesh.mesh.from(HalfedgeId(i))];
     auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
     if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {

@@ -36,8 +36,7 @@ class ObjParser {
       const bool is_known = index >= 0 && index < std::ssize(texture_vertices_);
       constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
       is_used = is_used || is_known;
-      texture_->coordinates.push_back(is_known ? texture_vertices_[static_cast<std::size_t>(index)]
-                                               : std::array<double, 2>{kNone, kNone});
+      texture_->coordinates.push_back(is_known ? texture_vertices_[index] : std::array<double, 2>{kNone, kNone});
     }
     if (!is_used) return std::nullopt;
     texture_->corners = std::move(soup_.corners);

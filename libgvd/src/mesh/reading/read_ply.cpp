@@ -174,9 +174,9 @@ class BodyParser {
       std::vector<MeshProperty> found = list_properties(element);
       for (std::int64_t i = 0; i < element.count; ++i) {
         read_element(element, i, [&](int p) {
-          MeshProperty* const property = found.empty() ? nullptr : &found[static_cast<std::size_t>(p)];
+          MeshProperty* const property = found.empty() ? nullptr : &found[p];
           if (property == nullptr || property->name.empty()) return false;
-          read_values(*property, element.properties[static_cast<std::size_t>(p)], i);
+          read_values(*property, element.properties[p], i);
           return true;
         });
       }
@@ -257,7 +257,7 @@ class BodyParser {
       read_element(element, i, [&](int p) {
         const auto axis = std::find(xyz.begin(), xyz.end(), p) - xyz.begin();
         if (axis == 3) return false;
-        const PlyProperty& property = element.properties[static_cast<std::size_t>(p)];
+        const PlyProperty& property = element.properties[p];
         position[axis] = source_.read(property.type, property);
         return true;
       });
@@ -271,7 +271,7 @@ class BodyParser {
   void read_faces(const PlyElement& element) {
     check_counts(0, static_cast<std::uint64_t>(element.count), name_);
     const int list = find_corner_list(element);
-    const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
+    const PlyProperty& property = element.properties[list];
     soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
     soup_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
     for (std::int64_t i = 0; i < element.count; ++i) {
@@ -289,7 +289,7 @@ class BodyParser {
   // -1 begins another strip. A triangle with a repeated corner only leads from one strip to the next.
   void read_strips(const PlyElement& element) {
     const int list = find_corner_list(element);
-    const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
+    const PlyProperty& property = element.properties[list];
     for (std::int64_t i = 0; i < element.count; ++i) {
       read_element(element, i, [&](int p) {
         if (p != list) return false;
@@ -362,7 +362,7 @@ std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::stri
   const PlyHeader header = parse_ply_header(bytes, name);
   for (const PlyElement& element : header.elements) {
     const int index = element.name == "vertex" || element.name == "face" ? element.find(property) : -1;
-    if (index < 0 || element.properties[static_cast<std::size_t>(index)].count_type) continue;
+    if (index < 0 || element.properties[index].count_type) continue;
     const auto read = [&](auto parser) { return parser.parse_property(element, static_cast<std::size_t>(index)); };
     SoupProperty found{element.name == "vertex", {}};
     found.values = header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))

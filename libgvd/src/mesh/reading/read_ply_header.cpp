@@ -140,7 +140,7 @@ class HeaderParser {
     if (vertex == none) text_.refuse("the header has no element 'vertex'");
     for (const std::string_view name : {"x", "y", "z"}) {
       const int at = vertex->find(name);
-      if (at < 0 || vertex->properties[static_cast<std::size_t>(at)].count_type) {
+      if (at < 0 || vertex->properties[at].count_type) {
         text_.refuse(fmt::format("the element 'vertex' has no number '{}'", name));
       }
     }
@@ -149,7 +149,7 @@ class HeaderParser {
       if (element.name != "face" && element.name != "tristrips") continue;
       has_faces = true;
       const int list = find_corner_list(element);
-      if (list < 0 || !element.properties[static_cast<std::size_t>(list)].count_type) {
+      if (list < 0 || !element.properties[list].count_type) {
         text_.refuse(fmt::format("the element '{}' has no list 'vertex_indices' or 'vertex_index'", element.name));
       }
     }

@@ -21,7 +21,7 @@ constexpr std::size_t kStlTriangle = 50;  // a normal, three vertices, two bytes
 /// The count in a binary STL's header. The file must hold kStlHeader bytes.
 std::uint32_t stl_triangle_count(std::string_view bytes) {
   std::uint32_t count = 0;
-  for (int i = 3; i >= 0; --i) count = count << 8 | static_cast<unsigned char>(bytes[static_cast<std::size_t>(80 + i)]);
+  for (int i = 3; i >= 0; --i) count = count << 8 | static_cast<unsigned char>(bytes[80 + i]);
   return count;
 }
 

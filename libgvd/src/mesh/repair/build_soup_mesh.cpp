@@ -29,7 +29,7 @@ constexpr double kHeightWithoutArea = 1e-15;
 std::vector<char> find_used_vertices(const WorkFaces& work) {
   std::vector<char> used(work.positions.size(), 0);
   for (const auto& face : work.faces) {
-    for (const std::int32_t v : face) used[static_cast<std::size_t>(v)] = 1;
+    for (const std::int32_t v : face) used[v] = 1;
   }
   return used;
 }
@@ -37,7 +37,7 @@ std::vector<char> find_used_vertices(const WorkFaces& work) {
 // Vertices in no polygon of the soup. Those that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
   std::vector<char> used(soup.positions.size(), 0);
-  for (const std::int32_t v : soup.corners) used[static_cast<std::size_t>(v)] = 1;
+  for (const std::int32_t v : soup.corners) used[v] = 1;
   const std::int64_t count = std::count(used.begin(), used.end(), 0);
   const std::int64_t first = std::find(used.begin(), used.end(), 0) - used.begin();
   log.add(DefectKind::unused_vertices, count, first,
@@ -60,11 +60,10 @@ CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
   std::vector<std::array<VertexId, 3>> faces;
   faces.reserve(work.faces.size());
   for (const auto& [a, b, c] : work.faces) {
-    faces.push_back({renumbered[static_cast<std::size_t>(a)], renumbered[static_cast<std::size_t>(b)],
-                     renumbered[static_cast<std::size_t>(c)]});
+    faces.push_back({renumbered[a], renumbered[b], renumbered[c]});
   }
   checked.mesh_vertex.reserve(weld.size());
-  for (const std::int32_t v : weld) checked.mesh_vertex.push_back(renumbered[static_cast<std::size_t>(v)]);
+  for (const std::int32_t v : weld) checked.mesh_vertex.push_back(renumbered[v]);
   checked.input_polygon = IdVector<FaceId, std::int32_t>(std::move(work.origin));
   work = {};  // its memory
   checked.mesh = Mesh(std::move(positions), std::move(faces));

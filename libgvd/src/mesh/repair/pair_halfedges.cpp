@@ -8,8 +8,8 @@ EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
   visit_edges(work, vertex_count, [&](const EdgeHalfedges& edge) {
     if (edge.size() > 2) nonmanifold_edges.add(edge);
     if (edge.size() != 2) return;
-    work.twin[static_cast<std::size_t>(edge[0])] = edge[1];
-    work.twin[static_cast<std::size_t>(edge[1])] = edge[0];
+    work.twin[edge[0]] = edge[1];
+    work.twin[edge[1]] = edge[0];
   });
   return nonmanifold_edges;
 }

@@ -11,11 +11,11 @@ namespace {
 
 /// Into the unit box round the first corner, so that no product overflows or underflows.
 std::vector<Vec3> scale(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
-  const Vec3& origin = positions[static_cast<std::size_t>(polygon[0])];
+  const Vec3& origin = positions[polygon[0]];
   std::vector<Vec3> space;
   double extent = 0;
   for (const std::int32_t v : polygon) {
-    space.push_back(positions[static_cast<std::size_t>(v)] - origin);
+    space.push_back(positions[v] - origin);
     extent = std::max(extent, space.back().cwiseAbs().maxCoeff());
   }
   for (Vec3& p : space) p /= extent;

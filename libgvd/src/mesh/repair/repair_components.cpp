@@ -15,8 +15,8 @@ struct Component {
 };
 
 double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>& positions) {
-  const auto& [a, b, c] = work.faces[static_cast<std::size_t>(f)];
-  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[static_cast<std::size_t>(v)]; };
+  const auto& [a, b, c] = work.faces[f];
+  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[v]; };
   return (at(b) - at(a)).cross(at(c) - at(a)).stableNorm();
 }
 
@@ -37,9 +37,9 @@ std::vector<Component> find_components(const WorkFaces& work, const std::vector<
       stack.pop_back();
       components.back().twice_area += twice_area(work, f, positions);
       for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        const std::int32_t twin = work.twin[static_cast<std::size_t>(h)];
-        if (twin < 0 || component[static_cast<std::size_t>(twin / 3)] >= 0) continue;
-        component[static_cast<std::size_t>(twin / 3)] = id;
+        const std::int32_t twin = work.twin[h];
+        if (twin < 0 || component[twin / 3] >= 0) continue;
+        component[twin / 3] = id;
         stack.push_back(twin / 3);
       }
     }
@@ -60,7 +60,7 @@ void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, std
     work.origin[to] = work.origin[f];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t twin = work.twin[3 * f + i];
-      work.twin[3 * to + i] = twin < 0 ? -1 : 3 * renumbered[static_cast<std::size_t>(twin / 3)] + twin % 3;
+      work.twin[3 * to + i] = twin < 0 ? -1 : 3 * renumbered[twin / 3] + twin % 3;
     }
   }
   work.faces.resize(static_cast<std::size_t>(count));
@@ -78,8 +78,8 @@ void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions,
   const auto largest =
       std::max_element(components.begin(), components.end(),
                        [](const Component& a, const Component& b) { return a.twice_area < b.twice_area; });
-  const std::int32_t face = work.origin[static_cast<std::size_t>(largest->first_face)];
-  if (one_sided[static_cast<std::size_t>(largest->first_face)]) {
+  const std::int32_t face = work.origin[largest->first_face];
+  if (one_sided[largest->first_face]) {
     refuse_soup(
         fmt::format("the largest component, that of face {}, has only one side, like a Moebius strip: cut it open",
                     face),
@@ -87,7 +87,7 @@ void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions,
   }
   const auto kept = static_cast<std::int32_t>(largest - components.begin());
   const std::int32_t dropped = components[kept == 0 && components.size() > 1 ? 1 : 0].first_face;
-  const std::int32_t first = work.origin[static_cast<std::size_t>(dropped)];
+  const std::int32_t first = work.origin[dropped];
   keep_faces(work, component, kept);
   const auto count = static_cast<std::int64_t>(components.size()) - 1;
   log.add(DefectKind::dropped_components, count, first,

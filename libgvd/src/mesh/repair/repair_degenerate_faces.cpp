@@ -51,7 +51,7 @@ struct Counts {
 void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, std::size_t p, WorkPolygons& work,
                     Counts& counts) {
   const std::size_t begin = work.corners.size();
-  for (const std::int32_t v : soup.polygon(p)) append_corner(work.corners, begin, weld[static_cast<std::size_t>(v)]);
+  for (const std::int32_t v : soup.polygon(p)) append_corner(work.corners, begin, weld[v]);
   close_ends(work.corners, begin);
   const std::size_t left = work.corners.size() - begin;
   const bool is_kept = left >= 3;

@@ -65,7 +65,7 @@ void visit_buckets(const WorkPolygons& polygons, std::size_t vertex_count, const
 bool is_pillow(const WorkPolygons& polygons, std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& degree) {
   const auto first = polygons.polygon(static_cast<std::size_t>(a));
   const auto second = polygons.polygon(static_cast<std::size_t>(b));
-  const auto alone = [&](std::int32_t v) { return degree[static_cast<std::size_t>(v)] == 2; };
+  const auto alone = [&](std::int32_t v) { return degree[v] == 2; };
   if (!std::all_of(first.begin(), first.end(), alone)) return false;
   const auto at = std::find(second.begin(), second.end(), first[0]) - second.begin();
   const auto next = second[static_cast<std::size_t>(at + 1) % second.size()];
@@ -91,7 +91,7 @@ void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, cons
     if (sorted[i].corners != sorted[first].corners) {
       first = i;
     } else if (!is_pillow(polygons, sorted[first].polygon, sorted[i].polygon, degree)) {
-      drop[static_cast<std::size_t>(sorted[i].polygon)] = 1;
+      drop[sorted[i].polygon] = 1;
     }
   }
 }
@@ -99,7 +99,7 @@ void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, cons
 // Per polygon 1 where it is a duplicate.
 std::vector<char> find_duplicates(const WorkPolygons& polygons, std::size_t vertex_count) {
   std::vector<std::int32_t> degree(vertex_count, 0);
-  for (const std::int32_t v : polygons.corners) ++degree[static_cast<std::size_t>(v)];
+  for (const std::int32_t v : polygons.corners) ++degree[v];
   std::vector<char> drop(polygons.count(), 0);
   std::vector<Keyed> keyed;
   visit_buckets(polygons, vertex_count, [&](std::span<const std::int32_t> bucket) {
@@ -122,7 +122,7 @@ void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, De
   const std::vector<char> drop = find_duplicates(polygons, vertex_count);
   const auto first_dropped = std::find(drop.begin(), drop.end(), 1);
   if (first_dropped == drop.end()) return;
-  const std::int64_t first = polygons.origin[static_cast<std::size_t>(first_dropped - drop.begin())];
+  const std::int64_t first = polygons.origin[first_dropped - drop.begin()];
   const std::int64_t count = std::count(drop.begin(), drop.end(), 1);
   log.add(DefectKind::duplicate_faces, count, first,
           fmt::format("{} the corners of another one, first face {}", counted(count, "face has", "faces have"), first),

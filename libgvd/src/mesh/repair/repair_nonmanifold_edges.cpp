@@ -30,7 +30,7 @@ struct Spoke {
 // The faces of an edge, counter-clockwise round it as seen from its larger vertex.
 std::vector<Spoke> sort_round_edge(const WorkFaces& work, std::span<const std::int32_t> halfedges,
                                    const std::vector<Vec3>& positions) {
-  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[static_cast<std::size_t>(v)]; };
+  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[v]; };
   const std::int32_t low = std::min(work.from(halfedges[0]), work.to(halfedges[0]));
   const std::int32_t high = std::max(work.from(halfedges[0]), work.to(halfedges[0]));
   const Vec3 axis = (at(high) - at(low)).stableNormalized();
@@ -54,8 +54,8 @@ void pair_inside(WorkFaces& work, const std::vector<Spoke>& spokes) {
     const Spoke& a = spokes[i];
     const Spoke& b = spokes[(i + 1) % spokes.size()];
     if (a.forward || !b.forward || a.halfedge / 3 == b.halfedge / 3) continue;
-    work.twin[static_cast<std::size_t>(a.halfedge)] = b.halfedge;
-    work.twin[static_cast<std::size_t>(b.halfedge)] = a.halfedge;
+    work.twin[a.halfedge] = b.halfedge;
+    work.twin[b.halfedge] = a.halfedge;
   }
 }
 
@@ -74,12 +74,12 @@ std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& nonmanifold_edges,
     for (std::size_t i = edge.begin; i < edge.end; ++i) current.push_back(nonmanifold_edges.halfedges[i]);
     const std::int32_t least = *std::min_element(current.begin(), current.end());
     if (first < 0 || least < first) std::tie(first, first_size) = std::pair(least, current.size());
-    for (const std::int32_t v : {work.from(least), work.to(least)}) on_cut_edge[static_cast<std::size_t>(v)] = 1;
-    std::erase_if(current, [&](std::int32_t h) { return one_sided[static_cast<std::size_t>(h / 3)] != 0; });
+    for (const std::int32_t v : {work.from(least), work.to(least)}) on_cut_edge[v] = 1;
+    std::erase_if(current, [&](std::int32_t h) { return one_sided[h / 3] != 0; });
     if (!current.empty()) pair_inside(work, sort_round_edge(work, current, positions));
   }
   if (count == 0) return on_cut_edge;
-  const std::int32_t face = work.origin[static_cast<std::size_t>(first / 3)];
+  const std::int32_t face = work.origin[first / 3];
   log.add(DefectKind::nonmanifold_edges, count, face,
           fmt::format("{} more than two faces, first the one between vertices {} and {} ({} faces, one is face {})",
                       counted(count, "edge has", "edges have"), std::min(work.from(first), work.to(first)),

@@ -23,12 +23,12 @@ class FanCutter {
   // The first fan of a vertex keeps it; the others get copies, in the order of their first corners.
   void cut(const std::vector<char>& on_cut_edge) {
     for (std::int32_t h = 0; h < work_.halfedge_count(); ++h) {
-      if (is_named_[static_cast<std::size_t>(h)]) continue;
+      if (is_named_[h]) continue;
       const std::int32_t v = work_.from(h);
       std::int32_t name = v;
-      char& fans = fans_[static_cast<std::size_t>(v)];
+      char& fans = fans_[v];
       if (fans > 0) name = add_copy(v);
-      if (fans == 1 && !on_cut_edge[static_cast<std::size_t>(v)]) count(v);
+      if (fans == 1 && !on_cut_edge[v]) count(v);
       if (fans < 2) ++fans;
       mark_fan(h, name);
     }
@@ -40,7 +40,7 @@ class FanCutter {
  private:
   std::int32_t add_copy(std::int32_t v) {
     work_.source.push_back(v);
-    work_.positions.push_back(Vec3(work_.positions[static_cast<std::size_t>(v)]));
+    work_.positions.push_back(Vec3(work_.positions[v]));
     if (work_.positions.size() > 0x7fffffff) refuse_soup("more vertices than 32-bit ids can count", v);
     return static_cast<std::int32_t>(work_.positions.size() - 1);
   }
@@ -55,19 +55,19 @@ class FanCutter {
     std::int32_t corner = h;
     do {
       set_name(corner, name);
-      corner = work_.twin[static_cast<std::size_t>(WorkFaces::previous(corner))];
+      corner = work_.twin[WorkFaces::previous(corner)];
     } while (corner >= 0 && corner != h);
     if (corner == h) return;
     corner = h;
-    while (work_.twin[static_cast<std::size_t>(corner)] >= 0) {
-      corner = WorkFaces::next(work_.twin[static_cast<std::size_t>(corner)]);
+    while (work_.twin[corner] >= 0) {
+      corner = WorkFaces::next(work_.twin[corner]);
       set_name(corner, name);
     }
   }
 
   void set_name(std::int32_t corner, std::int32_t name) {
-    work_.faces[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)] = name;
-    is_named_[static_cast<std::size_t>(corner)] = 1;
+    work_.faces[corner / 3][corner % 3] = name;
+    is_named_[corner] = 1;
   }
 
   WorkFaces& work_;

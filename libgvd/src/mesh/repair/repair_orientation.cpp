@@ -10,7 +10,7 @@ namespace gvd {
 namespace {
 
 // Faces that are connected through edges of two faces, in the order of a breadth-first search from the first one.
-struct Component {
+struct OrientedComponent {
   std::vector<std::int32_t> faces;
   std::int32_t flipped = 0;    // number of `faces` with the opposite orientation of the first
   std::int32_t conflict = -1;  // a face that would need both orientations
@@ -18,18 +18,18 @@ struct Component {
 
 // Finds the component of `start`. Sets side[f] to 0 where f has the orientation of `start`, to 1 where the opposite
 // one.
-Component walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
-  Component component;
+OrientedComponent walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
+  OrientedComponent component;
   component.faces.push_back(start);
-  side[static_cast<std::size_t>(start)] = 0;
+  side[start] = 0;
   for (std::size_t i = 0; i < component.faces.size(); ++i) {
     const std::int32_t f = component.faces[i];
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      const std::int32_t twin = work.twin[static_cast<std::size_t>(h)];
+      const std::int32_t twin = work.twin[h];
       if (twin < 0) continue;
       const bool same_direction = work.from(h) == work.from(twin);
-      const auto wanted = static_cast<signed char>(side[static_cast<std::size_t>(f)] ^ (same_direction ? 1 : 0));
-      signed char& other = side[static_cast<std::size_t>(twin / 3)];
+      const auto wanted = static_cast<signed char>(side[f] ^ (same_direction ? 1 : 0));
+      signed char& other = side[twin / 3];
       if (other < 0) {
         other = wanted;
         component.flipped += wanted;
@@ -44,21 +44,21 @@ Component walk_component(const WorkFaces& work, std::int32_t start, std::vector<
 
 // Reverses a face by swapping its last two corners: its halfedges 0, 1, 2 become 2, 1, 0.
 void flip(WorkFaces& work, std::int32_t f) {
-  auto& corners = work.faces[static_cast<std::size_t>(f)];
+  auto& corners = work.faces[f];
   std::swap(corners[1], corners[2]);
   const auto h = static_cast<std::size_t>(3 * f);
   std::swap(work.twin[h], work.twin[h + 2]);
   for (const std::size_t moved : {h, h + 2}) {
-    if (work.twin[moved] >= 0) work.twin[static_cast<std::size_t>(work.twin[moved])] = static_cast<std::int32_t>(moved);
+    if (work.twin[moved] >= 0) work.twin[work.twin[moved]] = static_cast<std::int32_t>(moved);
   }
 }
 
-void refuse_one_sided(const WorkFaces& work, const Component& component) {
+void refuse_one_sided(const WorkFaces& work, const OrientedComponent& component) {
   const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
-  const std::int32_t origin = work.origin[static_cast<std::size_t>(first)];
+  const std::int32_t origin = work.origin[first];
   refuse_soup(
       fmt::format("the component of face {} has only one side, like a Moebius strip (seen at face {}): cut it open",
-                  origin, work.origin[static_cast<std::size_t>(component.conflict)]),
+                  origin, work.origin[component.conflict]),
       origin);
 }
 
@@ -72,15 +72,15 @@ Orientations find_orientations(const WorkFaces& work, DefectPolicy policy) {
   std::vector<signed char> side(work.faces.size(), -1);
   for (std::size_t start = 0; start < work.faces.size(); ++start) {
     if (side[start] >= 0) continue;
-    const Component component = walk_component(work, static_cast<std::int32_t>(start), side);
+    const OrientedComponent component = walk_component(work, static_cast<std::int32_t>(start), side);
     if (component.conflict >= 0) {
       if (policy != DefectPolicy::largest) refuse_one_sided(work, component);
-      for (const std::int32_t f : component.faces) result.one_sided[static_cast<std::size_t>(f)] = 1;
+      for (const std::int32_t f : component.faces) result.one_sided[f] = 1;
       continue;
     }
     const bool against_first = 2 * static_cast<std::size_t>(component.flipped) > component.faces.size();
     for (const std::int32_t f : component.faces) {
-      result.to_flip[static_cast<std::size_t>(f)] = (side[static_cast<std::size_t>(f)] == 1) != against_first;
+      result.to_flip[f] = (side[f] == 1) != against_first;
     }
   }
   return result;
@@ -102,7 +102,7 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
     last = work.origin[f];
   }
   for (std::int32_t& h : nonmanifold_edges.halfedges) {
-    if (to_flip[static_cast<std::size_t>(h / 3)]) h = 3 * (h / 3) + 2 - h % 3;
+    if (to_flip[h / 3]) h = 3 * (h / 3) + 2 - h % 3;
   }
   log.add(DefectKind::inconsistent_orientation, count, first,
           fmt::format("{} against the orientation of most of their component, first face {}",

@@ -42,7 +42,7 @@ std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
     const Entry& a = entries[leader];
     const Entry& b = entries[i];
     if (a.x == b.x && a.y == b.y && a.z == b.z) {
-      weld[static_cast<std::size_t>(b.vertex)] = a.vertex;
+      weld[b.vertex] = a.vertex;
     } else {
       leader = i;
     }
@@ -63,8 +63,7 @@ ZeroEdges unite_zero_edges(const PolygonSoup& soup, UnionFind& welded) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const std::int32_t a = polygon[i];
       const std::int32_t b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-      if (a == b ||
-          !same_position(soup.positions[static_cast<std::size_t>(a)], soup.positions[static_cast<std::size_t>(b)])) {
+      if (a == b || !same_position(soup.positions[a], soup.positions[b])) {
         continue;
       }
       if (welded.find(a) == welded.find(b)) continue;

@@ -74,7 +74,7 @@ class Triangulator {
   /// Whether the two triangles of a quadrilateral must face the same way.
   enum class Quad { simple, crossing };
 
-  const Vec3& at(std::int32_t v) const { return positions_[static_cast<std::size_t>(v)]; }
+  const Vec3& at(std::int32_t v) const { return positions_[v]; }
 
   // Quality of the diagonal a-c: of the worse of its two triangles, twice the area over the sum of the squared sides. 0
   // where a triangle is flat, the two of a simple quadrilateral face different ways, or the diagonal is an edge

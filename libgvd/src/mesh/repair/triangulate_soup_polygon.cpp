@@ -11,9 +11,9 @@
 namespace gvd {
 namespace {
 
-class EarClipper {
+class SoupEarClipper {
  public:
-  EarClipper(std::span<const std::int32_t> polygon, const ProjectedPolygon& projected, const EdgeQuery& is_edge)
+  SoupEarClipper(std::span<const std::int32_t> polygon, const ProjectedPolygon& projected, const EdgeQuery& is_edge)
       : polygon_(polygon),
         space_(projected.space),
         plane_(projected.plane),
@@ -163,7 +163,7 @@ PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const st
   const ProjectedPolygon projected = project_polygon(polygon, positions);
   if (!projected.turns_once) return PolygonShape::self_crossing;
   const std::size_t before = triangles.size();
-  const PolygonShape shape = EarClipper(polygon, projected, is_edge).clip(triangles);
+  const PolygonShape shape = SoupEarClipper(polygon, projected, is_edge).clip(triangles);
   if (shape != PolygonShape::simple) triangles.resize(before);
   return shape;
 }

@@ -18,9 +18,7 @@ struct WorkFaces {
   std::vector<std::int32_t> source;  ///< after `cut_vertices`: per vertex, its vertex in the soup, -1 for a midpoint
   std::vector<Vec3> positions;       ///< after `cut_vertices`: per vertex, in mesh units
 
-  std::int32_t from(std::int32_t h) const {
-    return faces[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)];
-  }
+  std::int32_t from(std::int32_t h) const { return faces[h / 3][h % 3]; }
   std::int32_t to(std::int32_t h) const { return from(next(h)); }
   static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }

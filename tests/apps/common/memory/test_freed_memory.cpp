@@ -10,9 +10,9 @@
 #include "common/memory/heap_count.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_freed_memory {
 
-namespace {
+using namespace app;
 
 constexpr int kBlock = 8 << 20;
 static_assert(3 * kBlock < kKeptFreedBytes);
@@ -43,8 +43,6 @@ bool use_blocks() {
   return is_counted;
 }
 
-}  // namespace
-
 TEST_CASE("freed blocks are used again without faults of their pages") {
   keep_freed_memory();
   if (!use_blocks() || !kHasGlibc) return;
@@ -53,3 +51,5 @@ TEST_CASE("freed blocks are used again without faults of their pages") {
   // A block that the system provides anew has 2048 pages of 4 KiB. A few faults may come from elsewhere.
   CHECK(page_faults() - before < 2048);
 }
+
+}  // namespace gvd::test_freed_memory

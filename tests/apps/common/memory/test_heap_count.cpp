@@ -5,9 +5,9 @@
 #include "common/memory/heap_count.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_heap_count {
 
-namespace {
+using namespace app;
 
 constexpr std::int64_t kMegabyte = 1 << 20;
 
@@ -26,8 +26,6 @@ bool counts() {
   ::operator delete(block);
   return counted;
 }
-
-}  // namespace
 
 TEST_CASE("the heap is counted, and what is freed no longer") {
   if (!counts()) return;
@@ -78,3 +76,5 @@ TEST_CASE("a limit that is lifted in a thread holds again from the next one on")
   limit_heap(limit);
   CHECK_THROWS_AS(take(8 * kMegabyte), std::bad_alloc);
 }
+
+}  // namespace gvd::test_heap_count

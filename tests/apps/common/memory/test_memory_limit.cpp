@@ -2,16 +2,14 @@
 #include "common/memory/memory_limit.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
-using Catch::Matchers::Contains;
+namespace gvd::test_memory_limit {
 
-namespace {
+using namespace app;
+using Catch::Matchers::Contains;
 
 struct LimitOff {
   ~LimitOff() { limit_memory({}); }
 };
-
-}  // namespace
 
 TEST_CASE("bytes are written with the unit that suits them") {
   CHECK(format_bytes(0) == "0 bytes");
@@ -40,3 +38,5 @@ TEST_CASE("a shortage is described with what was in use and what helps") {
   limit_memory({});
   CHECK_THAT(describe_shortage(), Contains("--max-memory ends such a run sooner") && !Contains("generators"));
 }
+
+}  // namespace gvd::test_memory_limit

@@ -4,20 +4,17 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_check_options {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using gvd::test::kOutputFormats;
 using gvd::test::parse_options;
-
-namespace {
 
 std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
   CAPTURE(arguments);
   return test::refusal([&] { check_options(parse_options(arguments), kOutputFormats); }, code);
 }
-
-}  // namespace
 
 TEST_CASE("generators come from exactly one option") {
   CHECK_NOTHROW(check_options(parse_options({"a.obj", "--vertices", "1,2"}), kOutputFormats));
@@ -74,3 +71,5 @@ TEST_CASE("an option that does nothing is refused") {
   CHECK_NOTHROW(parse_options({"a.obj", "-n", "3", "-o", "a.ply", "-o", "-", "--output-format", "obj"}));
   CHECK_NOTHROW(parse_options({"a.obj", "--radius", "3", "--seed", "1"}));
 }
+
+}  // namespace gvd::test_check_options

@@ -6,20 +6,17 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_check_outputs {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using gvd::test::kOutputFormats;
 using gvd::test::parse_options;
-
-namespace {
 
 std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
   CAPTURE(arguments);
   return test::refusal([&] { check_outputs(parse_options(arguments), kOutputFormats); }, code);
 }
-
-}  // namespace
 
 TEST_CASE("every target has a known extension, a folder, and a name of its own") {
   const test::ScratchFolder scratch;
@@ -136,3 +133,5 @@ TEST_CASE("an option of a format that is not written names the option that choos
   CHECK_THAT(with({"-o", "-", "--output-format", "obj", "--ascii-ply"}), Contains("write one with --output-format or"));
   CHECK_THAT(with({"-o", "a.obj", "--ascii-ply"}), Contains("write one with -o or"));
 }
+
+}  // namespace gvd::test_check_outputs

@@ -4,14 +4,13 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_command_line {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 using gvd::test::parse_line;
-
-namespace {
 
 /// A command line with an option of each kind, and what it stored.
 struct Fixture {
@@ -44,8 +43,6 @@ struct Fixture {
   std::vector<std::string> files;
   bool flag = false;
 };
-
-}  // namespace
 
 TEST_CASE("values, lists and flags are stored") {
   Fixture fixture;
@@ -112,8 +109,6 @@ TEST_CASE("help and version are answers, even where a required argument is missi
   }
 }
 
-namespace {
-
 /// A fixture that has read a file of options, and the refusal of one that it can't read.
 struct ConfigFixture : Fixture {
   explicit ConfigFixture(const std::string& text) { test::write_text(path, text); }
@@ -133,8 +128,6 @@ struct ConfigFixture : Fixture {
   test::ScratchFolder scratch;
   std::string path = scratch / "a.toml";
 };
-
-}  // namespace
 
 TEST_CASE("a configuration file gives what the command line does not, the input too") {
   const std::string text = "even = 8\nfile = [\"x\", \"y\"]\nflag = true\ninput = 'a b'\n";
@@ -175,3 +168,5 @@ TEST_CASE("an error in a configuration file has line, column, key and what was e
   CHECK_THAT(refused("even = 2\nother = \"x\"\n"), Contains("even and other exclude each other"));
   CHECK_THAT(refused("even = [ 12\n"), StartsWith(":") && Contains("no TOML"));
 }
+
+}  // namespace gvd::test_command_line

@@ -7,18 +7,15 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_config_file {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-
-namespace {
 
 std::string refusal(const std::string& content) {
   return test::refusal([&] { parse_config(content, "a.toml"); });
 }
-
-}  // namespace
 
 TEST_CASE("entries have type, text and place, in the order of the file") {
   using Type = ConfigValue::Type;
@@ -96,3 +93,5 @@ TEST_CASE("a file that can't be read is refused by its name") {
   test::write_text(scratch / "a.toml", "n = 3\n");
   CHECK(read_config_file(scratch / "a.toml").at(0).place == scratch / "a.toml:1:1");
 }
+
+}  // namespace gvd::test_config_file

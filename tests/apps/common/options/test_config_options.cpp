@@ -2,11 +2,10 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
-using Catch::Matchers::Contains;
+namespace gvd::test_config_options {
 
-namespace {
+using namespace app;
+using Catch::Matchers::Contains;
 
 const std::deque<DeclaredOption> kDeclared{
     {{"INPUT", "", ""}, false, {}},
@@ -21,8 +20,6 @@ const std::deque<DeclaredOption> kDeclared{
 std::vector<GivenOption> find(const std::string& toml) {
   return find_config_options(parse_config(toml, "f"), kDeclared);
 }
-
-}  // namespace
 
 TEST_CASE("a key is any name of an option without its dashes") {
   CHECK(find("n = 3").at(0).option == &kDeclared[1]);
@@ -64,3 +61,5 @@ TEST_CASE("a key with control characters or of many letters makes a message of o
   CHECK_THROWS_WITH(find("\"a\\nb\" = 1"), Contains(": a b: is no option"));
   CHECK_THROWS_WITH(find("\"" + std::string(500, 'x') + "\" = 1"), Contains("xxx...: is no option"));
 }
+
+}  // namespace gvd::test_config_options

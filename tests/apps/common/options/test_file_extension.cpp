@@ -1,6 +1,8 @@
 #include "common/options/file_extension.hpp"
 #include "support/catch.hpp"
 
+namespace gvd::test_file_extension {
+
 using gvd::app::file_extension;
 
 TEST_CASE("an extension is in lower case and has no dot") {
@@ -12,3 +14,5 @@ TEST_CASE("an extension is in lower case and has no dot") {
     CHECK(file_extension(none).empty());
   }
 }
+
+}  // namespace gvd::test_file_extension

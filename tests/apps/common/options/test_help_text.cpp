@@ -1,7 +1,9 @@
 #include "common/options/help_text.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_help_text {
+
+using namespace app;
 
 TEST_CASE("words wrap before the width, and a longer word stands alone") {
   CHECK(wrap("one two three", 7, 2) == "one two\n  three");
@@ -25,3 +27,5 @@ TEST_CASE("options are listed in groups, with those of no group last") {
         "\nGeneral:\n"
         "  -q, --quiet             Say nothing but errors\n");
 }
+
+}  // namespace gvd::test_help_text

@@ -2,10 +2,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_merge_options {
 
-namespace {
+using namespace app;
 
 const DeclaredOption kCount{{"-n,--count", "", "", "", {}, {"--list"}}, false, {}};
 const DeclaredOption kList{{"--list", "", "", "", {}, {"-n"}}, false, {}};
@@ -42,8 +41,6 @@ std::string refusal(const std::vector<GivenOption>& options) {
 
 using Options = std::vector<const DeclaredOption*>;
 
-}  // namespace
-
 TEST_CASE("the line overrides the same option, what it excludes, and what needs that") {
   const std::vector<GivenOption> file{filed(kCount, "3"), filed(kSeed, "1"), filed(kMethod, "fast")};
   CHECK(left(given(kCount, "9"), file) == Options{&kSeed, &kMethod});
@@ -71,3 +68,5 @@ TEST_CASE("options that exclude each other, and options that do nothing, are ref
   CHECK(refusal({given(kQuiet, "true"), given(kVerbose, "false")}).empty());
   CHECK(refusal({given(kCount, "3"), given(kSeed, "1")}).empty());
 }
+
+}  // namespace gvd::test_merge_options

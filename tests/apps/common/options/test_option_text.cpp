@@ -1,7 +1,9 @@
 #include "common/options/option_text.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_option_text {
+
+using namespace app;
 
 TEST_CASE("names are split at commas") {
   CHECK(split_names("-n,--count") == std::vector<std::string>{"-n", "--count"});
@@ -25,3 +27,5 @@ TEST_CASE("texts of the user's are printable and short in messages, and keep the
   CHECK(printable("k\u00e4se", 3) == "k\u00e4...");
   CHECK(printable("k\u00e4se", 2) == "k...");
 }
+
+}  // namespace gvd::test_option_text

@@ -4,8 +4,9 @@
 #include "common/options/options_json.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_options_json {
+
+using namespace app;
 using gvd::test::parse_options;
 using Json = nlohmann::ordered_json;
 
@@ -46,3 +47,5 @@ TEST_CASE("options that are given have their values") {
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--method", "paper"}))["method"] == "paper");
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "random"}))["sampling"] == "random");
 }
+
+}  // namespace gvd::test_options_json

@@ -3,7 +3,9 @@
 #include "common/options/parse_number.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_parse_number {
+
+using namespace app;
 
 TEST_CASE("a number is the whole text, in any locale") {
   std::setlocale(LC_ALL, "de_DE.UTF-8");
@@ -29,3 +31,5 @@ TEST_CASE("a range holds its ends, and no NaN") {
   CHECK(parse_number_in("1e-300", kPositive) == 1e-300);
   for (const char* wrong : {"nan", "-nan", "inf", "1e999"}) CHECK(!parse_number_in(wrong, kNotNegative));
 }
+
+}  // namespace gvd::test_parse_number

@@ -1,6 +1,8 @@
 #include "common/options/parse_size.hpp"
 #include "support/catch.hpp"
 
+namespace gvd::test_parse_size {
+
 using Catch::Matchers::Contains;
 using gvd::app::parse_size;
 
@@ -32,3 +34,5 @@ TEST_CASE("sizes that no memory has are told as such") {
   }
   CHECK(parse_size("1048576T").bytes == std::int64_t{1} << 60);
 }
+
+}  // namespace gvd::test_parse_size

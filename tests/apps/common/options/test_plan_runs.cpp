@@ -1,7 +1,9 @@
 #include "common/options/plan_runs.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_plan_runs {
+
+using namespace app;
 
 TEST_CASE("each input has a run, with files of its name in the folder") {
   Options options;
@@ -23,3 +25,5 @@ TEST_CASE("without a folder the outputs are those of the command line") {
   options.output.files = {"a.obj"};
   CHECK(plan_runs(options).front().output.files == std::vector<std::string>{"a.obj"});
 }
+
+}  // namespace gvd::test_plan_runs

@@ -4,8 +4,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_register_options {
+
+using namespace app;
 using gvd::test::parse_options;
 
 TEST_CASE("the defaults are the contract's") {
@@ -129,3 +130,5 @@ TEST_CASE("a list of vertices has one index between each two commas") {
     CHECK_THROWS_AS(parse_vertex_list(wrong), Error);
   }
 }
+
+}  // namespace gvd::test_register_options

@@ -1,15 +1,13 @@
 #include "common/options/suggest_name.hpp"
 #include "support/catch.hpp"
 
-using gvd::app::suggest_name;
+namespace gvd::test_suggest_name {
 
-namespace {
+using gvd::app::suggest_name;
 
 const std::vector<std::string> kNames{"-n",     "--count", "--sampling",      "--seed",   "--generators",
                                       "--view", "-o",      "--output-format", "--output", "--radius",
                                       "--cut",  "-h",      "--help",          "--method", "--threads"};
-
-}  // namespace
 
 TEST_CASE("a misspelt option is told from few letters that differ") {
   CHECK(suggest_name("--smapling", kNames) == "--sampling");  // a swap
@@ -59,3 +57,5 @@ TEST_CASE("what is like no option gets no suggestion") {
   CHECK(!suggest_name("--seed", {}));
   CHECK(!suggest_name(std::string(1 << 24, 's'), kNames));  // at once
 }
+
+}  // namespace gvd::test_suggest_name

@@ -3,12 +3,11 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_typed_options {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using gvd::test::parse_line;
-
-namespace {
 
 enum class Colour { red, green };
 
@@ -26,8 +25,6 @@ struct Fixture {
   Colour colour = Colour::red;
   std::string name;
 };
-
-}  // namespace
 
 TEST_CASE("numbers, choices and texts are stored") {
   Fixture fixture;
@@ -67,3 +64,5 @@ TEST_CASE("help shows the type of each option") {
     CHECK_THAT(help, Contains(part));
   }
 }
+
+}  // namespace gvd::test_typed_options

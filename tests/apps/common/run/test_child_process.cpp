@@ -7,7 +7,9 @@
 #include "common/run/interrupt.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_child_process {
+
+using namespace app;
 
 TEST_CASE("a child process gives its exit code and its answer, and keeps what it changes") {
   int changed = 0;
@@ -52,3 +54,5 @@ TEST_CASE("a signal that asks this process to end is passed on to its child") {
   CHECK(end.answer == "asked");
   install_signal_handlers();
 }
+
+}  // namespace gvd::test_child_process

@@ -5,11 +5,10 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
-using gvd::test::kFormats;
+namespace gvd::test_command {
 
-namespace {
+using namespace app;
+using gvd::test::kFormats;
 
 int run(
     std::vector<std::string> arguments, const std::function<void(Run&)>& body = [](Run&) {}) {
@@ -19,8 +18,6 @@ int run(
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   return command.run(static_cast<int>(argv.size()), argv.data(), body);
 }
-
-}  // namespace
 
 TEST_CASE("usage errors exit with 2") {
   const std::vector<std::vector<std::string>> wrong{
@@ -107,3 +104,5 @@ TEST_CASE("a signal cancels the work at the next step or progress call, with exi
           CHECK(run.timed("step", [] { return 3; }) == 3);
         }) == 0);
 }
+
+}  // namespace gvd::test_command

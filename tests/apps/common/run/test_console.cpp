@@ -1,7 +1,9 @@
 #include "common/run/console.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_console {
+
+using namespace app;
 using Catch::Matchers::Contains;
 
 TEST_CASE("a bar fits its terminal") {
@@ -30,3 +32,5 @@ TEST_CASE("a bar shows what its step has found, and the time left") {
   CHECK_THAT(bar, Catch::Matchers::StartsWith("relaxation 12/100, energy 0.0012 [#"));
   CHECK_THAT(bar, Catch::Matchers::EndsWith("]  50 %  42 s left"));
 }
+
+}  // namespace gvd::test_console

@@ -4,8 +4,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_interrupt {
+
+using namespace app;
 
 TEST_CASE("a signal raises the flag, and installing the handlers clears it") {
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -39,3 +40,5 @@ TEST_CASE("a second signal has its usual effect") {
   CHECK(now.sa_handler == SIG_DFL);
   install_signal_handlers();
 }
+
+}  // namespace gvd::test_interrupt

@@ -3,8 +3,9 @@
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_name_options {
+
+using namespace app;
 using Catch::Matchers::EndsWith;
 
 TEST_CASE("a message that ends with advice of the library names the option") {
@@ -30,3 +31,5 @@ TEST_CASE("the library gives the advice that names --on-defect") {
     CHECK_THAT(name_options(error.what()), EndsWith("allow its repair with --on-defect repair"));
   }
 }
+
+}  // namespace gvd::test_name_options

@@ -6,8 +6,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_outcome {
+
+using namespace app;
 
 TEST_CASE("work that returns is done, and what it throws becomes a code and a message") {
   CHECK(run_guarded([] {}).exit_code == 0);
@@ -45,3 +46,5 @@ TEST_CASE("an outcome has its words") {
   CHECK(run_guarded([] { throw Error(ErrorCode::unreadable_input, "x"); }).summary == "unreadable input");
   CHECK(run_guarded([] { throw std::bad_alloc(); }).summary == "out of memory");
 }
+
+}  // namespace gvd::test_outcome

@@ -1,7 +1,9 @@
 #include "common/run/result_table.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_result_table {
+
+using namespace app;
 
 TEST_CASE("results stand in columns, with a column for each figure that a run has") {
   const std::vector<RunResult> results{{"a.ply", "done", {30, std::nullopt, 1.5}, 0.125},
@@ -19,3 +21,5 @@ TEST_CASE("columns are as wide as the letters in them, whatever bytes these take
   CHECK(lines[1] == "\u00fc.off   done          1  0.00 s");
   CHECK(lines[2] == "ab.off  done          1  0.00 s");
 }
+
+}  // namespace gvd::test_result_table

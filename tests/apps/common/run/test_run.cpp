@@ -6,10 +6,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_run {
 
-namespace {
+using namespace app;
 
 nlohmann::json report_of(Run& run) {
   std::ostringstream out;
@@ -21,8 +20,6 @@ struct Fixture {
   Console console{"gvd-test", {}, true, false};
   Run run{"gvd-test", {}, console};
 };
-
-}  // namespace
 
 TEST_CASE("a timed step returns its result, and its time is reported even where it throws") {
   install_signal_handlers();
@@ -57,3 +54,5 @@ TEST_CASE("the peak of memory is that of the process and never falls") {
   CHECK(peak_memory_bytes() >= before);
   CHECK(peak_memory_bytes() > static_cast<std::int64_t>(large.size()));
 }
+
+}  // namespace gvd::test_run

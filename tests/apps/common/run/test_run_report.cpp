@@ -8,11 +8,10 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
-using Json = nlohmann::ordered_json;
+namespace gvd::test_run_report {
 
-namespace {
+using namespace app;
+using Json = nlohmann::ordered_json;
 
 using Names = std::vector<std::string>;
 
@@ -82,8 +81,6 @@ struct Filled {
   }
   RunReport report{"gvd-segment", make_options()};
 };
-
-}  // namespace
 
 TEST_CASE("a report has the contract's keys in its order") {
   const Json json = to_json(Filled().report);
@@ -174,3 +171,5 @@ TEST_CASE("a stream that fails is an error") {
   out.setstate(std::ios::badbit);
   CHECK_THROWS_AS(Filled().report.write(out), Error);
 }
+
+}  // namespace gvd::test_run_report

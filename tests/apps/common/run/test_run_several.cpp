@@ -9,10 +9,9 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_run_several {
 
-namespace {
+using namespace app;
 
 std::vector<Options> quiet_runs(const std::vector<std::string>& inputs) {
   std::vector<Options> runs;
@@ -22,8 +21,6 @@ std::vector<Options> quiet_runs(const std::vector<std::string>& inputs) {
   }
   return runs;
 }
-
-}  // namespace
 
 TEST_CASE("a run that fails does not stop the others, and the first failure is the exit code") {
   install_signal_handlers();
@@ -94,3 +91,5 @@ TEST_CASE("runs that an interruption leaves out are not done, even if the last o
   CHECK(gvd::test::read_text(scratch / "b").empty());
   install_signal_handlers();
 }
+
+}  // namespace gvd::test_run_several

@@ -11,10 +11,9 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_standard_output {
 
-namespace {
+using namespace app;
 
 /// Standard output leads to another file while this object lives.
 class Redirected {
@@ -46,8 +45,6 @@ void write_much(std::ostream& out) {
   for (int i = 0; i < 64; ++i) out << std::string(1 << 16, 'x');
 }
 
-}  // namespace
-
 TEST_CASE("standard output gets what is written, whole") {
   const test::ScratchFolder scratch;
   {
@@ -76,3 +73,5 @@ TEST_CASE("a failed write has its reason, and a reader that is gone an exception
   CHECK(test::refusal([] { write_standard_output(write_much); }, ErrorCode::reader_gone) ==
         "the reader of standard output is gone");
 }
+
+}  // namespace gvd::test_standard_output

@@ -7,18 +7,15 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_step_times {
 
-namespace {
+using namespace app;
 
 nlohmann::ordered_json times_of(Run& run) {
   std::ostringstream out;
   run.report().write(out);
   return nlohmann::ordered_json::parse(out.str())["timings_ms"];
 }
-
-}  // namespace
 
 TEST_CASE("alternating steps are reported once each, as sums, in the order of their first starts") {
   install_signal_handlers();
@@ -50,3 +47,5 @@ TEST_CASE("steps that never start are not reported, and none starts after a sign
   CHECK_THROWS_AS(StepTimes(run), Error);
   install_signal_handlers();
 }
+
+}  // namespace gvd::test_step_times

@@ -12,11 +12,11 @@
 #include "common/run/termination.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
-using namespace gvd::test;
-using Catch::Matchers::Contains;
+namespace gvd::test_termination {
 
-namespace {
+using namespace app;
+using namespace test;
+using Catch::Matchers::Contains;
 
 struct Ended {
   ChildEnd end;
@@ -44,8 +44,6 @@ void throw_in_destructor(const std::function<void()>& fail) {
   };
   const Guard guard{fail};
 }
-
-}  // namespace
 
 TEST_CASE("an exception that nothing may catch ends the process with one line and an exit code") {
   const Ended memory = terminate_in([] { throw_in_destructor([] { throw std::bad_alloc(); }); });
@@ -79,3 +77,5 @@ TEST_CASE("a request that was refused is in the line") {
   CHECK(ended.end.exit_code == 5);
   CHECK_THAT(ended.err, Contains("out of memory") && Contains("beyond --max-memory 1 MiB"));
 }
+
+}  // namespace gvd::test_termination

@@ -1,7 +1,9 @@
 #include "common/run/time_left.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd::app;
+namespace gvd::test_time_left {
+
+using namespace app;
 
 TEST_CASE("the time left is that of the part that is left") {
   TimeLeft left;
@@ -29,3 +31,5 @@ TEST_CASE("the time left has a unit that suits it") {
   CHECK(format_time_left(7200) == "2 h left");
   CHECK(format_time_left(1e30) == "999 h left");
 }
+
+}  // namespace gvd::test_time_left

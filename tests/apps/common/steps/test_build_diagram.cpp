@@ -3,8 +3,9 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_build_diagram {
+
+using namespace app;
 using gvd::test::QuietRun;
 
 TEST_CASE("a diagram is computed as the options say, timed and reported") {
@@ -25,3 +26,5 @@ TEST_CASE("a diagram is computed as the options say, timed and reported") {
     CHECK(report["timings_ms"].contains("diagram"));
   }
 }
+
+}  // namespace gvd::test_build_diagram

@@ -6,7 +6,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_diagram_members {
 
 TEST_CASE("an open diagram becomes an object with one more member") {
   const Mesh mesh = test::make_grid(1, 1);
@@ -30,3 +30,5 @@ TEST_CASE("a stream that has failed is an error at the end") {
   out.setstate(std::ios::badbit);
   CHECK_THROWS_AS(app::finish(out), Error);
 }
+
+}  // namespace gvd::test_diagram_members

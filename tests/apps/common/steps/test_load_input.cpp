@@ -4,12 +4,11 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_load_input {
+
+using namespace app;
 using Catch::Matchers::StartsWith;
 using gvd::test::QuietRun;
-
-namespace {
 
 Options input(const std::string& path) {
   Options options;
@@ -21,8 +20,6 @@ CheckedMesh load(const Options& options) {
   QuietRun quiet(options);
   return load_input(quiet.run);
 }
-
-}  // namespace
 
 TEST_CASE("a loaded mesh is reported with its defects") {
   const test::ScratchFolder scratch;
@@ -70,3 +67,5 @@ TEST_CASE("a format that can't hold the mesh is refused when the mesh is loaded"
   options.output.files = {scratch / "a.ply"};
   CHECK_NOTHROW(load(options));
 }
+
+}  // namespace gvd::test_load_input

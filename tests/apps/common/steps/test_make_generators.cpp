@@ -5,12 +5,11 @@
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_make_generators {
+
+using namespace app;
 using Catch::Matchers::Contains;
 using gvd::test::QuietRun;
-
-namespace {
 
 /// The generators of a run on the torus, and what it reports.
 struct Made {
@@ -30,8 +29,6 @@ struct Made {
   CheckedMesh input;
   std::vector<SurfacePoint> points;
 };
-
-}  // namespace
 
 TEST_CASE("a number of generators gives exactly as many, by every kind of sampling, and reports them") {
   for (const SamplingKind kind :
@@ -86,3 +83,5 @@ TEST_CASE("a position in a file is snapped, within the distance that is allowed"
   options.max_snap = 0.5 * distance;
   CHECK_THROWS_AS(Made(options), Error);
 }
+
+}  // namespace gvd::test_make_generators

@@ -8,13 +8,12 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-using namespace gvd::app;
+namespace gvd::test_write_outputs {
+
+using namespace app;
 using gvd::test::QuietRun;
 using gvd::test::read_text;
 using gvd::test::ScratchFolder;
-
-namespace {
 
 const Mesh kGrid = test::make_grid(2, 2);
 
@@ -26,8 +25,6 @@ Options with_files(const std::vector<std::string>& files) {
   options.output.files = files;
   return options;
 }
-
-}  // namespace
 
 TEST_CASE("each file is written in its format, a command's own format before the shared one") {
   const ScratchFolder scratch;
@@ -86,3 +83,5 @@ TEST_CASE("the report tells the peak of memory, and is not written after a signa
   write_report_file(quiet.run);
   CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["peak_memory_bytes"] > 1000000);
 }
+
+}  // namespace gvd::test_write_outputs

@@ -11,9 +11,7 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_nearest_paths {
 
 /// The paths from some generators, and the input's faces that they leave whole.
 struct Setup {
@@ -87,8 +85,6 @@ SampledEnergy sample(const Mesh& mesh, const std::vector<SurfacePoint>& generato
   return sum;
 }
 
-}  // namespace
-
 TEST_CASE("nearest paths: distance and logarithm are those of the traced shortest path") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
@@ -100,7 +96,7 @@ TEST_CASE("nearest paths: distance and logarithm are those of the traced shortes
       std::mt19937 random(seed);
       int disagreeing = 0;
       for (int i = 0; i < 200; ++i) {
-        const FaceId f(static_cast<std::int64_t>(random() % static_cast<unsigned>(mesh.face_count())));
+        const FaceId f(random() % static_cast<unsigned>(mesh.face_count()));
         const Bary at = random_bary(random);
         if (setup.working.is_split(f)) continue;
         paths.enter(f);
@@ -170,3 +166,5 @@ TEST_CASE("nearest paths: from the nearest image comes the shortest path, and no
     }
   }
 }
+
+}  // namespace gvd::test_nearest_paths

@@ -3,7 +3,7 @@
 #include "geodesic/windows/field/block_list.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_block_list {
 
 TEST_CASE("a block list keeps its items, also those of lists that are appended") {
   BlockList<int> all;
@@ -13,7 +13,7 @@ TEST_CASE("a block list keeps its items, also those of lists that are appended")
   const std::size_t first = all.append(std::move(more));
   REQUIRE(first >= 1000);
   CHECK(all.size() == first + 300);
-  for (int i = 0; i < 1000; ++i) REQUIRE(all[static_cast<std::size_t>(i)] == i);
+  for (int i = 0; i < 1000; ++i) REQUIRE(all[i] == i);
   for (int i = 0; i < 300; ++i) REQUIRE(all[first + static_cast<std::size_t>(i)] == -i);
 }
 
@@ -48,3 +48,5 @@ TEST_CASE("items that are added while a block is taken come after it") {
   CHECK(taken == std::vector<int>{0, 1, 2, 3, 4, 100, 101});
   CHECK(queue.empty());
 }
+
+}  // namespace gvd::test_block_list

@@ -3,9 +3,7 @@
 #include "geodesic/windows/field/edge_windows.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_edge_windows {
 
 Window on(int halfedge, int generator) { return {0, 1, 0, 1, 0, GeneratorId(generator), HalfedgeId(halfedge)}; }
 
@@ -14,8 +12,6 @@ std::vector<int> generators_on(const EdgeWindows& windows, HalfedgeId h) {
   windows.for_each(h, [&](const Window& w) { found.push_back(w.generator.value()); });
   return found;
 }
-
-}  // namespace
 
 TEST_CASE("windows of several lists are found by face and by halfedge, in their order") {
   const Progress silent;
@@ -53,3 +49,5 @@ TEST_CASE("each window has its own departure, in whichever list it was kept") {
     }
   }
 }
+
+}  // namespace gvd::test_edge_windows

@@ -7,7 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/propagate.hpp"
 
-using namespace gvd;
+namespace gvd::test_make_generator_table {
 
 TEST_CASE("the table of exact distances has each vertex's nearest generator, and no distance that is too short") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
@@ -26,3 +26,5 @@ TEST_CASE("the table of exact distances has each vertex's nearest generator, and
   }
   for (int f = 0; f < mesh.face_count(); ++f) CHECK(table.reached(FaceId(f)));
 }
+
+}  // namespace gvd::test_make_generator_table

@@ -9,7 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/propagate.hpp"
 
-using namespace gvd;
+namespace gvd::test_window_distances {
 
 TEST_CASE("edges are contested where a bisector crosses them, in ascending order") {
   // The bisector of two opposite corners of a square is its other diagonal.
@@ -47,3 +47,5 @@ TEST_CASE("the sources of an edge are those of the field") {
     for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k].distance(0.5) == expected[k].distance(0.5));
   }
 }
+
+}  // namespace gvd::test_window_distances

@@ -7,15 +7,11 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_departure {
 
 constexpr double kPi = std::numbers::pi;
 /// Three roundings of an angle.
 constexpr double kRounding = 1e-8;
-
-}  // namespace
 
 TEST_CASE("departure: an angle within a sector of any vertex of up to five half turns") {
   for (double side = 0; side < 4.9 * kPi; side += 0.0931) {
@@ -62,3 +58,5 @@ TEST_CASE("corner angles: each side follows the one before at the angle of their
     }
   }
 }
+
+}  // namespace gvd::test_departure

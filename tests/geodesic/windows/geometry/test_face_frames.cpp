@@ -6,9 +6,7 @@
 #include "geodesic/windows/geometry/face_frames.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_frames {
 
 /// An even number of equal triangles round vertex 0 with the given total angle; their outer vertices alternate up and
 /// down. In an open fan the last triangle is not joined to the first one, and the vertex lies on the boundary.
@@ -34,8 +32,6 @@ Mesh make_fan(int corners, double total, bool closed) {
 VertexKind kind_in_fan(int corners, double half_turns, bool closed) {
   return FaceFrames(make_fan(corners, half_turns * std::numbers::pi, closed)).kind[VertexCopyId(0)];
 }
-
-}  // namespace
 
 // Rounding decides on which side of a multiple of pi the sum of the angles falls, so each case tries many fans.
 
@@ -86,7 +82,7 @@ TEST_CASE("a needle keeps the digits of its angles, whichever corner comes first
       INFO(width << " " << turn);
       const std::array<Vec3, 3> corner{Vec3(0, 0, 0), width * across, width * across + along};
       std::vector<Vec3> positions;
-      for (int i = 0; i < 3; ++i) positions.push_back(corner[static_cast<std::size_t>((i + turn) % 3)]);
+      for (int i = 0; i < 3; ++i) positions.push_back(corner[(i + turn) % 3]);
       const FaceFrames frames(Mesh(positions, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
       const FaceFrame& f = frames.frame[FaceId(0)];
       const auto at = [&](int i) { return static_cast<std::size_t>((i - turn + 3) % 3); };
@@ -111,3 +107,5 @@ TEST_CASE("a face without area has angles with a sine above zero, however short 
     }
   }
 }
+
+}  // namespace gvd::test_face_frames

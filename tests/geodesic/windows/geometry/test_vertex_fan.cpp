@@ -6,9 +6,7 @@
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_vertex_fan {
 
 /// A flat fan of six equilateral triangles round vertex 0, face i between the directions i and i + 1 times 60 degrees.
 Mesh make_hexagon() {
@@ -22,8 +20,6 @@ Mesh make_hexagon() {
 }
 
 Rotation rotation(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-}  // namespace
 
 TEST_CASE("straight through a flat vertex is the opposite direction, on both sides") {
   const Mesh mesh = make_hexagon();
@@ -86,3 +82,5 @@ TEST_CASE("a vertex sends a window between the points at which its rays meet the
   CHECK(window_from_vertex(f, {outgoing, &middle, nullptr}, path).end == Approx(0.5));
   CHECK(window_from_vertex(f, {outgoing, nullptr, &middle}, path).begin == Approx(0.5));
 }
+
+}  // namespace gvd::test_vertex_fan

@@ -3,7 +3,7 @@
 #include "geodesic/windows/geometry/window.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_window {
 
 TEST_CASE("the distances of a window are those from its image, and from its generator") {
   const Window w{1, 3, 0, 1, 10, GeneratorId(0), HalfedgeId(0)};
@@ -20,3 +20,5 @@ TEST_CASE("the least distance to a window's interval is at the image's foot, or 
   CHECK(least(0) == std::sqrt(5.0));
   CHECK(least(4) == std::sqrt(5.0));
 }
+
+}  // namespace gvd::test_window

@@ -9,15 +9,11 @@
 #include "geodesic/windows/propagation/distance_labels.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_window_filters {
 
 Window make_window(double begin, double end, double x, double depth, double offset = 0) {
   return {begin, end, x, depth, offset, GeneratorId(0), HalfedgeId(0)};
 }
-
-}  // namespace
 
 TEST_CASE("a window that a filter drops is beaten at every point of the interval") {
   std::mt19937 random(5);
@@ -171,3 +167,5 @@ TEST_CASE("a vertex without a label takes one provisionally") {
   CHECK_FALSE(labels.has_other_label(v, GeneratorId(3)));
   CHECK(labels.is_improved_by(v, 1e9, GeneratorId(5)));
 }
+
+}  // namespace gvd::test_window_filters

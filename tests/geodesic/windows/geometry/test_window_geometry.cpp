@@ -5,15 +5,11 @@
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_window_geometry {
 
 Window make_window(double begin, double end, double x, double depth) {
   return {begin, end, x, depth, 0, GeneratorId(0), HalfedgeId(0)};
 }
-
-}  // namespace
 
 TEST_CASE("an apex between two windows that rounding has parted is grazed") {
   // The image is 1e-8 of the edge away from it, where 1e-16 of the edge is an angle of 1e-8.
@@ -78,3 +74,5 @@ TEST_CASE("a window that crosses a face keeps the distances to the points that i
   CHECK(left_count > 400);
   CHECK(right_count > 400);
 }
+
+}  // namespace gvd::test_window_geometry

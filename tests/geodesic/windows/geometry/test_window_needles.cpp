@@ -13,10 +13,9 @@
 #include "support/propagate.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using test::propagate;
+namespace gvd::test_window_needles {
 
-namespace {
+using test::propagate;
 
 /// A tube of n rings of six vertices, of radius `radius` and length 1.
 Mesh make_tube(int rings, double radius) {
@@ -60,8 +59,6 @@ Mesh make_spindle(int sides, double radius) {
   }
   return test::make_mesh(std::move(positions), faces);
 }
-
-}  // namespace
 
 TEST_CASE("windows do not wind round thin tubes for ever, and stay few where all paths tie") {
   const auto carried_a_face = [](const Mesh& mesh) {
@@ -120,15 +117,13 @@ TEST_CASE("vertices behind faces without area are reached") {
   }
 }
 
-namespace {
-
 /// Distances from vertex g along paths over those points of edges that are the nearest to some vertex. They are upper
 /// bounds; on a mesh whose vertices lie on one line, they are exact.
 std::vector<double> measure_by_graph(const Mesh& mesh, int g) {
   std::vector<Vec3> points = mesh.positions();
   std::vector<std::vector<std::size_t>> on_face(static_cast<std::size_t>(mesh.face_count()));
   for (int f = 0; f < mesh.face_count(); ++f) {
-    for (const VertexId v : mesh.vertices(FaceId(f))) on_face[static_cast<std::size_t>(f)].push_back(v.index());
+    for (const VertexId v : mesh.vertices(FaceId(f))) on_face[f].push_back(v.index());
   }
   for (int e = 0; e < mesh.edge_count(); ++e) {
     const HalfedgeId h = mesh.halfedge(EdgeId(e));
@@ -142,7 +137,7 @@ std::vector<double> measure_by_graph(const Mesh& mesh, int g) {
     }
   }
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
-  distance[static_cast<std::size_t>(g)] = 0;
+  distance[g] = 0;
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& face : on_face) {
@@ -165,12 +160,10 @@ void check_by_graph(const Mesh& mesh) {
     const WindowField field = propagate(mesh, {VertexId(g)});
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       INFO("from " << g << " to " << v);
-      CHECK(field.distance[VertexId(v)] == Approx(expected[static_cast<std::size_t>(v)]).margin(1e-11));
+      CHECK(field.distance[VertexId(v)] == Approx(expected[v]).margin(1e-11));
     }
   }
 }
-
-}  // namespace
 
 TEST_CASE("distances between points of one line, over faces without area") {
   for (unsigned seed = 1; seed <= 12; ++seed) {
@@ -191,8 +184,6 @@ TEST_CASE("paths go round a boundary vertex whose corners are folded flat") {
       std::move(positions),
       {{1, 4, 0}, {0, 8, 1}, {4, 5, 0}, {5, 6, 0}, {2, 7, 6}, {7, 0, 6}, {8, 9, 1}, {3, 10, 9}, {10, 1, 9}}));
 }
-
-namespace {
 
 /// The surface of a box, n by n squares a side, `height` thick and turned by an angle with the sine 0.6.
 Mesh make_turned_box(int n, double height) {
@@ -222,8 +213,6 @@ Mesh make_turned_box(int n, double height) {
   }
   return test::make_mesh(std::move(positions), faces);
 }
-
-}  // namespace
 
 TEST_CASE("a box that is pressed flat has the distances of one that is nearly flat") {
   const auto make_box = [](double height) {
@@ -311,3 +300,5 @@ TEST_CASE("paths round a spindle are found past needles that share a vertex") {
     }
   }
 }
+
+}  // namespace gvd::test_window_needles

@@ -5,9 +5,7 @@
 #include "support/recording_target.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_face_crossing {
 
 constexpr std::uint32_t kAtBegin = WindowHistory::kAtBegin, kAtEnd = WindowHistory::kAtEnd;
 
@@ -42,8 +40,6 @@ struct Setup {
 };
 
 const VertexCopyId kApex(2);
-
-}  // namespace
 
 TEST_CASE("a window that covers the apex offers it a path, and continues on both sides") {
   Setup setup;
@@ -143,3 +139,5 @@ TEST_CASE("on meshes with needles, only the window with the shortest path to the
   CHECK(setup.cross(0, 1, 0.2).windows.size() == 1);
   CHECK(setup.cross(0, 1, 0.5).windows.size() == 2);  // the same path again
 }
+
+}  // namespace gvd::test_face_crossing

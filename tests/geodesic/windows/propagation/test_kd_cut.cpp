@@ -5,9 +5,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_kd_cut {
 
 void check_boxes(const std::vector<Vec3>& points) {
   for (const std::int32_t boxes : {1, 2, 3, 7, 64}) {
@@ -22,8 +20,6 @@ void check_boxes(const std::vector<Vec3>& points) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("boxes hold about as many points each") {
   check_boxes(test::make_bumpy_sphere(4, 1).positions());
   // A grid, row by row: every 64th point would lie in its first column.
@@ -33,3 +29,5 @@ TEST_CASE("boxes hold about as many points each") {
   // No coordinate tells these apart.
   check_boxes(std::vector<Vec3>(1000, Vec3(1, 2, 3)));
 }
+
+}  // namespace gvd::test_kd_cut

@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
+namespace gvd::test_mesh_partitions {
 
 TEST_CASE("every partition has vertex copies of its own") {
   for (const auto& [name, mesh] : test::small_family()) {
@@ -17,7 +17,7 @@ TEST_CASE("every partition has vertex copies of its own") {
       IdVector<VertexCopyId, PartitionId> partition_of_copy(partitions.copy_count());
       for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
         const HalfedgeId h(i);
-        const VertexCopyId copy = frames.frame[Mesh::face(h)].vertex[static_cast<std::size_t>(Mesh::corner(h))];
+        const VertexCopyId copy = frames.frame[Mesh::face(h)].vertex[Mesh::corner(h)];
         REQUIRE(copy.index() < partitions.copy_count());
         REQUIRE(partitions.vertex(copy) == mesh.from(h));
         REQUIRE(frames.kind[copy] == before.kind[first_copy(mesh.from(h))]);
@@ -45,3 +45,5 @@ TEST_CASE("the number of partitions follows the number of faces, up to a bound")
   CHECK(count(100) == 8);
   CHECK(count(801) == 1);
 }
+
+}  // namespace gvd::test_mesh_partitions

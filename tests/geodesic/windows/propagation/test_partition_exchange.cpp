@@ -4,9 +4,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_partition_exchange {
 
 struct Received {
   std::vector<FaceId> faces;
@@ -52,8 +50,6 @@ struct Setup {
   Mailboxes mailboxes;
   IdVector<SharedCopyId, LastSent> last_sent;
 };
-
-}  // namespace
 
 TEST_CASE("a path to a shared vertex reaches all of its other copies") {
   Setup setup;
@@ -116,3 +112,5 @@ TEST_CASE("a shared vertex sends again for a path that is shorter beyond roundin
   CHECK(exchange.record_sending(v, {1 - 1e-13, GeneratorId(0), {}}));
   CHECK(exchange.record_sending(v, {1, GeneratorId(1), {}}));
 }
+
+}  // namespace gvd::test_partition_exchange

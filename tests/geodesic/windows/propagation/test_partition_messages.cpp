@@ -4,7 +4,7 @@
 #include "geodesic/windows/propagation/partition_messages.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_partition_messages {
 
 TEST_CASE("messages come a round later, in the order of the senders") {
   Mailboxes mailboxes(3);
@@ -37,3 +37,5 @@ TEST_CASE("mailboxes know the least key of what has come") {
   mailboxes.deliver();
   CHECK(std::isinf(mailboxes.least_key()));
 }
+
+}  // namespace gvd::test_partition_messages

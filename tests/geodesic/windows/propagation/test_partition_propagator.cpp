@@ -9,9 +9,7 @@
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_partition_propagator {
 
 constexpr std::int32_t kOnePartition = 1000;
 
@@ -107,8 +105,6 @@ Border find_border(const Setup& setup) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("one partition finds Euclid's distances from a vertex of the plane, which sends windows once") {
   for (const int generator : {0, 10, 41}) {
@@ -301,7 +297,7 @@ TEST_CASE("the order in which the partitions work changes no label and no bit of
     auto setup = std::make_unique<Setup>(test::make_jittered_grid(12, 12, 0, 1), 20);  // many vertices tie
     const std::array<int, 4> generators{0, 12, 84, 156};
     for (std::size_t g = 0; g < generators.size(); ++g) {
-      setup->start(VertexId(generators[g]), GeneratorId(static_cast<std::int64_t>(g)));
+      setup->start(VertexId(generators[g]), GeneratorId(g));
     }
     setup->run(reversed);
     return setup;
@@ -323,3 +319,5 @@ TEST_CASE("the order in which the partitions work changes no label and no bit of
     }
   }
 }
+
+}  // namespace gvd::test_partition_propagator

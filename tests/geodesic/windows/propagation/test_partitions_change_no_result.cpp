@@ -16,9 +16,7 @@
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_partitions_change_no_result {
 
 /// Sizes of partitions: as many of them as there can be, some, and one.
 constexpr std::array<std::int32_t, 4> kPartitionFaces{1, 20, 150, 1 << 20};
@@ -51,8 +49,6 @@ double nearest_distance(const Mesh& mesh, const WindowField& field, FaceId f, co
   nearest_source(sources, at, distance);
   return distance;
 }
-
-}  // namespace
 
 TEST_CASE("partitions change no distance") {
   for (const auto& [name, input] : test::small_family()) {
@@ -193,3 +189,5 @@ TEST_CASE("propagation in partitions can be cancelled between rounds") {
     }
   }
 }
+
+}  // namespace gvd::test_partitions_change_no_result

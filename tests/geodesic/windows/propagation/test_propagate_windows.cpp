@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 
@@ -14,10 +13,9 @@
 #include "support/propagate.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-using test::propagate;
+namespace gvd::test_propagate_windows {
 
-namespace {
+using test::propagate;
 
 struct Nearest {
   double distance;
@@ -41,8 +39,6 @@ Nearest nearest_on_edge(const Mesh& mesh, const WindowField& field, HalfedgeId h
   if (best) nearest.generator = best->generator;
   return nearest;
 }
-
-}  // namespace
 
 TEST_CASE("a component without a generator has no distances") {
   const Mesh mesh = test::make_two_components();
@@ -154,3 +150,5 @@ TEST_CASE("each rule keeps the number of windows down") {
   // 1.78; 7.0 where windows that were split at flat vertices are not joined again.
   CHECK(carried_a_face(test::make_grid(40, 40)) < 1.8);
 }
+
+}  // namespace gvd::test_propagate_windows

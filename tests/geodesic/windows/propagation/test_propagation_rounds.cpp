@@ -5,9 +5,7 @@
 #include "geodesic/windows/propagation/propagation_rounds.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_propagation_rounds {
 
 constexpr double kWidth = 1;
 
@@ -60,8 +58,6 @@ class Relay {
   std::vector<double> settled_;
 };
 
-}  // namespace
-
 TEST_CASE("rounds go on until no partition and no message waits, and skip empty buckets") {
   for (const double step : {0.25, 1.0, 3.0, 7.0}) {
     CAPTURE(step);
@@ -98,3 +94,5 @@ TEST_CASE("an exception from the report ends the rounds") {
   CHECK_THROWS_AS(rounds.run([] { throw 7; }), int);
   CHECK(partitions[0]->taken.size() == 1);
 }
+
+}  // namespace gvd::test_propagation_rounds

@@ -9,9 +9,7 @@
 #include "support/recording_target.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_pseudo_sources {
 
 /// `count` equilateral triangles round vertex 0, which has the total angle count * pi / 3. A closed fan, of 6 triangles
 /// or more, has outer vertices that alternate up and down; an open one, of 5 or fewer, is flat. Vertex 0 is corner 2 of
@@ -61,8 +59,6 @@ double covered_angle(const test::RecordingTarget& found) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("a generator sends a window through each of its faces, and a path to each of its neighbours") {
   const Setup setup(8, true);
@@ -139,3 +135,5 @@ TEST_CASE("a window is joinable at the ends where its ray runs along a side to a
     CHECK(sent.history.joinable_ends == (begin | end));
   }
 }
+
+}  // namespace gvd::test_pseudo_sources

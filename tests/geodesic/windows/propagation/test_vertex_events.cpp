@@ -2,7 +2,7 @@
 #include "geodesic/windows/propagation/vertex_events.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
+namespace gvd::test_vertex_events {
 
 TEST_CASE("vertex events are found by their ids, which are used again") {
   VertexEvents events;
@@ -27,3 +27,5 @@ TEST_CASE("a queue item is a halfedge or a vertex event") {
     CHECK(event.event() == VertexEventId(i));
   }
 }
+
+}  // namespace gvd::test_vertex_events

@@ -3,9 +3,7 @@
 #include "geodesic/windows/propagation/waiting_windows.hpp"
 #include "support/catch.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_waiting_windows {
 
 using Heads = IdVector<HalfedgeId, std::int32_t>;
 constexpr std::uint32_t kAtBegin = WindowHistory::kAtBegin, kAtEnd = WindowHistory::kAtEnd;
@@ -19,8 +17,6 @@ std::vector<PropagatedWindow> take_all(WaitingWindows& waiting, HalfedgeId h) {
   waiting.take(h, [&](const PropagatedWindow& w) { taken.push_back(w); });
   return taken;
 }
-
-}  // namespace
 
 TEST_CASE("waiting windows take windows again after their memory was released") {
   Heads first(2, -1);
@@ -121,3 +117,5 @@ TEST_CASE("thin windows that join make one that holds both, in whatever order th
     CHECK_FALSE(taken[0].history.cycle_check_face.valid());  // only some of the paths have crossed it
   }
 }
+
+}  // namespace gvd::test_waiting_windows

@@ -5,9 +5,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_window_pruning {
 
 constexpr double kNever = 0, kSettled = std::numeric_limits<double>::infinity();
 
@@ -55,8 +53,6 @@ struct Setup {
   PartitionExchange exchange;
   WindowPruning pruning;
 };
-
-}  // namespace
 
 TEST_CASE("no window is kept, or all are, if the options say so") {
   Setup none(KeepWindows::none), all(KeepWindows::all);
@@ -117,3 +113,5 @@ TEST_CASE("a face is settled only when no window to come can hold a shorter path
   setup.pruning.mark_edge(h);
   CHECK(setup.finish().size() == 2000);
 }
+
+}  // namespace gvd::test_window_pruning

@@ -10,9 +10,7 @@
 #include "support/propagate.hpp"
 #include "support/tiny_meshes.hpp"
 
-using namespace gvd;
-
-namespace {
+namespace gvd::test_window_rounding {
 
 /// Squares along both axes. A straight path from the origin crosses at most twice as many faces as the larger number.
 constexpr int kAlong = 500, kAcross = 60;
@@ -63,8 +61,6 @@ long double largest_image_error(const Mesh& strip, const WindowField& field) {
   return worst;
 }
 
-}  // namespace
-
 TEST_CASE("rounding moves images over 1000 faces by less than a quarter of kSameImage, and lengths by less than ties") {
   for (const auto& [shift, width] : {std::pair(0.0, 1.0), std::pair(0.0, 0.13), std::pair(0.0, 0.37),
                                      std::pair(0.2, 1.0), std::pair(0.2, 0.05), std::pair(0.2, 20.0)}) {
@@ -77,3 +73,5 @@ TEST_CASE("rounding moves images over 1000 faces by less than a quarter of kSame
     CHECK(largest_image_error(strip, field) < 0.25L * kSameImage);
   }
 }
+
+}  // namespace gvd::test_window_rounding

@@ -24,7 +24,7 @@ double tangent_angle(const WorkingMesh& working, const TangentFan& fan, Halfedge
 
 Departures::Departures(const WorkingMesh& working, const std::vector<SurfacePoint>& generators) {
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(static_cast<std::int64_t>(i));
+    const GeneratorId g(i);
     const TangentFan fan(working.input(), generators[i]);
     planes_.push_back({tangent_angle(working, fan, working.mesh().halfedge(working.vertex(g))), fan.scale()});
   }

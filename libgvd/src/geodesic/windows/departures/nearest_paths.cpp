@@ -29,10 +29,10 @@ void NearestPaths::enter(FaceId f) {
 }
 
 void NearestPaths::add_corner(int i) {
-  const VertexId v = mesh_.vertices(face_)[static_cast<std::size_t>(i)];
+  const VertexId v = mesh_.vertices(face_)[i];
   if (!field_.label[v].valid()) return;
-  images_.push_back({corner_[static_cast<std::size_t>(i)], Vec2::Zero(), Vec2::Zero(), field_.distance[v],
-                     field_.label[v], i, kCorner, false, Vec2::Zero()});
+  images_.push_back(
+      {corner_[i], Vec2::Zero(), Vec2::Zero(), field_.distance[v], field_.label[v], i, kCorner, false, Vec2::Zero()});
 }
 
 void NearestPaths::add_window(std::size_t number) {
@@ -111,7 +111,7 @@ Vec2 NearestPaths::log(Image& image, const Vec2& ray, double distance) const {
   }
   if (!is_direct) return distance * image.direction;
   // The ray is turned from the face into the tangent plane, as the side is.
-  const Vec2& side = side_[static_cast<std::size_t>(image.side)];
+  const Vec2& side = side_[image.side];
   return side.dot(ray) * image.direction + cross(side, ray) * turned_left(image.direction);
 }
 
@@ -120,16 +120,16 @@ Vec2 NearestPaths::direction(const Image& image) const {
   if (image.window != kCorner) {
     departure = field_.windows.departure(image.window);
   } else if (image.offset > 0) {
-    departure = field_.departure[mesh_.vertices(face_)[static_cast<std::size_t>(image.side)]];
+    departure = field_.departure[mesh_.vertices(face_)[image.side]];
   } else {
-    departure = from_side(image, side_[static_cast<std::size_t>(image.side)]);
+    departure = from_side(image, side_[image.side]);
   }
   return departures_.direction(image.generator, departure);
 }
 
 /// The departure of a ray of a direct window, or from a generator in a corner of the face.
 Departure NearestPaths::from_side(const Image& image, const Vec2& ray) const {
-  const Vec2& side = side_[static_cast<std::size_t>(image.side)];
+  const Vec2& side = side_[image.side];
   const Departure of_side = image.window != kCorner ? field_.windows.departure(image.window)
                                                     : field_.angles.side(Mesh::halfedge(face_, image.side));
   return of_side + Departure::of_angle(std::atan2(cross(side, ray), side.dot(ray)));

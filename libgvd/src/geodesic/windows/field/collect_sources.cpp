@@ -34,16 +34,15 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
     const HalfedgeId h = w.halfedge;
     if (!mesh.twin(h).valid()) return;  // the boundary: the paths leave the face
     const int i = Mesh::corner(h);
-    const Vec2 origin = layout.corner[static_cast<std::size_t>(i)], along = side[static_cast<std::size_t>(i)],
-               inwards(-along.y(), along.x());
+    const Vec2 origin = layout.corner[i], along = side[i], inwards(-along.y(), along.x());
     const Vec2 image = origin + w.x * along - w.depth * inwards;
     sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, w.generator, h, false,
                        w.distance(w.begin), w.distance(w.end)});
   });
   for (int i = 0; i < 3; ++i) {
-    const VertexId v = mesh.vertices(f)[static_cast<std::size_t>(i)];
+    const VertexId v = mesh.vertices(f)[i];
     if (!field.label[v].valid()) continue;
-    const Vec2 at = layout.corner[static_cast<std::size_t>(i)];
+    const Vec2 at = layout.corner[i];
     const double d = field.distance[v];
     sources.push_back({at, at, at, d, field.label[v], Mesh::halfedge(f, i), true, d, d});
   }

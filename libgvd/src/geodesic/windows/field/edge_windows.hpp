@@ -42,7 +42,7 @@ class EdgeWindows {
     order_.resize(static_cast<std::size_t>(first_[faces]));
     parallel.run(ranges.size(), end, [&](std::size_t list) {
       for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) {
-        order_[static_cast<std::size_t>(first_[face(i)]++)] = static_cast<std::int32_t>(i);
+        order_[first_[face(i)]++] = static_cast<std::int32_t>(i);
       }
     });
     for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
@@ -56,7 +56,7 @@ class EdgeWindows {
     return {static_cast<std::size_t>(first_[f.index()]), static_cast<std::size_t>(first_[f.index() + 1])};
   }
   /// The window of this number.
-  const Window& operator[](std::size_t number) const { return windows_[static_cast<std::size_t>(order_[number])]; }
+  const Window& operator[](std::size_t number) const { return windows_[order_[number]]; }
   /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
   void prefetch_window(std::size_t number) const {
     if (number >= order_.size()) return;
@@ -65,14 +65,14 @@ class EdgeWindows {
     if (departures_.size() > 0) prefetch(&departures_[i]);
   }
   /// Its departure. Only if departures were recorded.
-  Departure departure(std::size_t number) const { return departures_[static_cast<std::size_t>(order_[number])]; }
+  Departure departure(std::size_t number) const { return departures_[order_[number]]; }
 
   /// Calls visit(const Window&) for the windows on the three halfedges of face f: those that enter it, and on the
   /// boundary those that end there.
   template <class Visit>
   void for_each(FaceId f, Visit visit) const {
     for (std::int32_t i = first_[f.index()]; i < first_[f.index() + 1]; ++i) {
-      visit(windows_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])]);
+      visit(windows_[order_[i]]);
     }
   }
   /// The same for one halfedge.

@@ -12,7 +12,7 @@ namespace gvd {
 namespace {
 
 /// Progress is reported once every so many faces.
-constexpr std::int32_t kProgressStride = 1 << 12;
+constexpr std::int32_t kTableStride = 1 << 12;
 
 /// Generator g's distance at v, lowered to `distance`; returns its index in the table.
 std::int32_t lower(GeneratorTable& table, VertexId v, GeneratorId g, double distance) {
@@ -43,7 +43,7 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
   std::vector<FaceSource> sources;
   for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
-    if (i % kProgressStride == 0) report_progress(progress, steps::kTables, double(i) / mesh.face_count());
+    if (i % kTableStride == 0) report_progress(progress, steps::kTables, double(i) / mesh.face_count());
     const FaceLayout layout(mesh, f);
     collect_face_sources(mesh, field, f, layout, sources);
     while (!sources.empty()) {

@@ -13,7 +13,7 @@ std::vector<EdgeId> WindowDistances::contested_edges(const ParallelChunks& paral
   const auto faces = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kScanChunk);
   parallel.run(faces.size(), steps::kLabels, [&](std::size_t chunk) {
     for (std::size_t f = faces[chunk].begin; f < faces[chunk].end; ++f) {
-      field_.windows.for_each(FaceId(static_cast<std::int64_t>(f)), [&](const Window& w) {
+      field_.windows.for_each(FaceId(f), [&](const Window& w) {
         const GeneratorId label = field_.label[mesh_.from(w.halfedge)];
         if (w.generator != label) has_other[w.halfedge.index()] = 1;
       });

@@ -12,7 +12,7 @@ CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const Par
   const auto faces = cut_into_chunks(static_cast<std::size_t>(mesh.face_count()), kScanChunk);
   parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
     for (std::size_t i = faces[chunk].begin; i < faces[chunk].end; ++i) {
-      const FaceId face(static_cast<std::int64_t>(i));
+      const FaceId face(i);
       const FaceFrame& f = frames.frame[face];
       for (std::size_t k = 0; k < 3; ++k) {
         corner_[Mesh::halfedge(face, static_cast<int>(k))] = Departure::of_angle(std::atan2(f.sine[k], f.cosine[k]));

@@ -70,7 +70,7 @@ double twice_area_from_short_sides(const std::array<Vec3, 3>& side, const std::a
 }
 
 /// Faces whose frames one thread makes at a time.
-constexpr std::size_t kChunkFaces = 1 << 12;
+constexpr std::size_t kFramesPerChunk = 1 << 12;
 
 }  // namespace
 
@@ -100,10 +100,10 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
 
 FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
     : frame(static_cast<std::size_t>(mesh.face_count())), kind(static_cast<std::size_t>(mesh.vertex_count())) {
-  const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kChunkFaces);
+  const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kFramesPerChunk);
   parallel.run(chunks.size(), {steps::kDistances}, [&](std::size_t i) {
     for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) {
-      const FaceId face(static_cast<std::int64_t>(f));
+      const FaceId face(f);
       frame[face] = make_face_frame(mesh, face);
     }
   });

@@ -55,8 +55,8 @@ std::int32_t KdCut::cut(std::span<Sample> samples, std::int32_t first_box, std::
   nodes_.push_back({axis, split.point[axis], split.index, 0, 0});
   const std::int32_t lower = cut(samples.first(below), first_box, boxes_below);
   const std::int32_t upper = cut(samples.subspan(below), first_box + boxes_below, boxes - boxes_below);
-  nodes_[static_cast<std::size_t>(node)].below = lower;
-  nodes_[static_cast<std::size_t>(node)].above = upper;
+  nodes_[node].below = lower;
+  nodes_[node].above = upper;
   return node;
 }
 

@@ -20,7 +20,7 @@ class KdCut {
   std::int32_t box(const Vec3& p, std::size_t i) const {
     std::int32_t node = root_;
     while (node >= 0) {
-      const Node& n = nodes_[static_cast<std::size_t>(node)];
+      const Node& n = nodes_[node];
       const double x = p[n.axis];
       node = x < n.split || (x == n.split && i < n.split_index) ? n.below : n.above;
     }

@@ -44,7 +44,7 @@ std::vector<MeshPartitions::ForeignCorner> MeshPartitions::find_foreign_corners(
     const std::uint8_t partition = partition_of_vertex[vertices[0]];
     partitions_[f.index()] = partition;
     for (int corner = 1; corner < 3; ++corner) {
-      const VertexId v = vertices[static_cast<std::size_t>(corner)];
+      const VertexId v = vertices[corner];
       if (partition_of_vertex[v] == partition) continue;
       corners.push_back({v, PartitionId(partition), Mesh::halfedge(f, corner)});
     }

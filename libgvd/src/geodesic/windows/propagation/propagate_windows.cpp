@@ -102,8 +102,7 @@ WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& gen
   report_progress(progress, steps::kDistances, 0);
   Propagation propagation(mesh, options, progress);
   for (std::size_t g = 0; g < generators.size(); ++g) {
-    propagation.start(generators[g], GeneratorId(static_cast<std::int64_t>(g)),
-                      options.offsets.empty() ? 0 : options.offsets[g]);
+    propagation.start(generators[g], GeneratorId(g), options.offsets.empty() ? 0 : options.offsets[g]);
   }
   return propagation.run();
 }

@@ -1,1 +1,0 @@
-// The source of the targets that precompile headers. It holds nothing.
