@@ -22,15 +22,16 @@ SOUPS_FIRST ?= 1000
 SOUPS_COUNT ?= 10000
 BATTERY_SEEDS ?= 1:21
 PAPER_RUNS  ?= 3
-PAPER_MODELS ?= $(wildcard $(addprefix $(or $(GVD_SHARED),../shared)/,models reference))
+PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures test fuzz soups battery test-runs build bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures figures test fuzz soups battery test-runs build bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
+	@echo "make figures   measure the figures of the documents again, and write them"
 	@echo "make test      build and run every test"
 	@echo "make fuzz      damaged files for every reader: FUZZ_SECONDS for each ($(FUZZ_SECONDS))"
 	@echo "make soups     random soups and generators through everything: SOUPS_COUNT seeds ($(SOUPS_COUNT))"
@@ -41,7 +42,7 @@ help:
 	@echo "make bench-lloyd  time relaxations and measure their energies, beside the goals: LLOYD_BENCH_FLAGS"
 	@echo "make bench-remesh  measure remeshes, beside the figures of other programs: REMESH_BENCH_FLAGS"
 	@echo "make why-exact compare labels by Euclidean, edge and heat distances with the exact ones"
-	@echo "make paper     measure section 5 of the paper: PAPER_RUNS runs ($(PAPER_RUNS)), meshes of PAPER_MODELS ($(PAPER_MODELS))"
+	@echo "make paper     measure section 5 of the paper: PAPER_RUNS runs ($(PAPER_RUNS)), on the meshes of the folders PAPER_MODELS"
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make sanitize-threads  run the tests of threads under the thread sanitizer"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
@@ -63,6 +64,13 @@ demo:
 pictures: build
 	@$(install_deps) pictures
 	@scripts/make_pictures.sh $(BUILD)/bin $(BUILD)/pictures docs/pictures
+
+# Some figures need models that are not in data/: see scripts/figures.py.
+figures:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench gvd-why-exact
+	@scripts/figures.py write $(BUILD)/bin
 
 test:
 	@$(install_deps) build test
@@ -163,7 +171,7 @@ lint:
 	@scripts/check_names.py
 	@scripts/check_includes.py
 	@scripts/check_sizes.py
-	@$(configure) development build-lint -DGVD_PRECOMPILE_HEADERS=OFF
+	@$(configure) development build-lint -DGVD_UNITY=OFF
 	@run-clang-tidy -quiet -p build-lint -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'
 
 clean:
