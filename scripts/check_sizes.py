@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Fails where functions, classes or parameter lists have grown beyond what CONTRIBUTING.md allows, or tests are too few.
+"""Fails where functions or classes have grown too long, files are too short or too many, or tests are too few.
 
-    scripts/check_sizes.py [--list]     --list names the functions of more than 25 lines too
+    scripts/check_sizes.py [--list]     --list names the functions of more than 25 lines and all files below 40, too
 
-The limits hold for all sources but the tests, whose functions are not counted. Needs universal-ctags.
+The limits hold for all sources but the tests, which are only counted. CONTRIBUTING.md gives the reasons. Needs universal-ctags.
 """
 import json
 import pathlib
+import statistics
 import subprocess
 import sys
 
@@ -18,6 +19,18 @@ MOST_FUNCTION_LINES = 45
 MOST_CLASS_LINES = 200
 MOST_PARAMETERS = 5
 TEST_LINES_PER_LINE = 0.7
+
+# A house of splinters is as hard to read as one of long functions: files have a floor, and their number a ceiling.
+MOST_FILES = 540
+SHORT_FILE_LINES = 40
+SHARE_OF_SHORT_FILES = 0.15
+MEDIAN_SOURCE_LINES = 120
+MOST_FOLDERS = 45
+MOST_READMES = 25
+# Lines of C++ below these folders.
+MOST_LINES = {("libgvd", "apps", "bench"): 46000, ("apps",): 4300, ("apps/common",): 2800}
+SHARE_OF_COMMENTS = 0.15
+CASTS_PER_THOUSAND_LINES = 6
 
 # A class of more lines says why in the comment above it, in a sentence that begins like this.
 REASON = "Long because"
@@ -93,12 +106,66 @@ def check_tests(names):
             ] if ratio < TEST_LINES_PER_LINE else []
 
 
+def read_lines(names):
+    return {name: (ROOT / name).read_text().splitlines() for name in names}
+
+
+def check_files(lines):
+    """Number and length of files and folders; `lines` are those of each source outside the tests."""
+    short = sorted(name for name in lines if len(lines[name]) < SHORT_FILE_LINES)
+    median = statistics.median(len(lines[name]) for name in lines if name.endswith(".cpp"))
+    folders = {str(pathlib.PurePath(name).parent) for name in lines}
+    print(f"{len(lines)} files, {len(short) / len(lines):.1%} below {SHORT_FILE_LINES} lines; median .cpp {median:.0f} lines; "
+          f"{len(folders)} folders")
+    if "--list" in sys.argv[1:]:
+        print("\n".join(f"{name} has {len(lines[name])} lines" for name in short))
+    findings = []
+    if len(lines) > MOST_FILES:
+        findings.append(f"{len(lines)} files (at most {MOST_FILES}): a helper with one caller lives in its caller's file")
+    if len(short) > SHARE_OF_SHORT_FILES * len(lines):
+        findings.append(f"{len(short)} files have less than {SHORT_FILE_LINES} lines (at most {SHARE_OF_SHORT_FILES:.0%} of all)")
+        findings += [f"{name} has {len(lines[name])} lines" for name in short if name.endswith(".cpp")]
+    if median < MEDIAN_SOURCE_LINES:
+        findings.append(f"the median .cpp has {median:.0f} lines (at least {MEDIAN_SOURCE_LINES}): a file holds a whole step")
+    if len(folders) > MOST_FOLDERS:
+        findings.append(f"{len(folders)} folders (at most {MOST_FOLDERS}): one with less than eight sources lies in its parent")
+    return findings
+
+
+def check_lines(lines):
+    """Lines in all, and the shares of comments and casts."""
+    findings = []
+    for folders, most in MOST_LINES.items():
+        count = sum(len(text) for name, text in lines.items() if name.startswith(tuple(f"{f}/" for f in folders)))
+        print(f"{count} lines in {', '.join(folders)}")
+        if count > most:
+            findings.append(f"{', '.join(folders)}: {count} lines (at most {most})")
+    everything = [line.strip() for text in lines.values() for line in text]
+    comments = sum(line.startswith("//") for line in everything) / len(everything)
+    casts = 1000 * sum(line.count("static_cast") for line in everything) / len(everything)
+    print(f"{comments:.1%} comments; {casts:.1f} static_cast per 1000 lines")
+    if comments < SHARE_OF_COMMENTS:
+        findings.append(f"{comments:.1%} of the lines are comments (at least {SHARE_OF_COMMENTS:.0%}): open each .cpp with its idea")
+    if casts >= CASTS_PER_THOUSAND_LINES:
+        findings.append(f"{casts:.1f} static_cast per 1000 lines (below {CASTS_PER_THOUSAND_LINES}): loops have ranges of ids")
+    return findings
+
+
+def check_readmes():
+    listed = subprocess.check_output(["git", "ls-files", "README.md", "**/README.md"], cwd=ROOT, text=True).split()
+    listed = [name for name in listed if (ROOT / name).exists()]
+    print(f"{len(listed)} READMEs")
+    return [f"{len(listed)} READMEs (at most {MOST_READMES}): one for a library or a large subject"
+            ] if len(listed) > MOST_READMES else []
+
+
 def main():
     names = sources()
     tags = read_tags([name for name in names if not name.startswith("tests/")])
     findings = check_functions([t for t in tags if t["kind"] == "function"])
     findings += check_classes([t for t in tags if t["kind"] in ("class", "struct")])
-    findings += check_tests(names)
+    lines = read_lines([name for name in names if not name.startswith("tests/")])
+    findings += check_files(lines) + check_lines(lines) + check_readmes() + check_tests(names)
     for finding in findings:
         print(finding)
     print(f"{len(findings)} findings")
