@@ -133,16 +133,16 @@ def check_files(lines):
 
 
 def check_lines(lines):
-    """Lines in all, and the shares of comments and casts."""
+    """Lines in all, the share of comments in the lines that are not blank, and casts."""
     findings = []
     for folders, most in MOST_LINES.items():
         count = sum(len(text) for name, text in lines.items() if name.startswith(tuple(f"{f}/" for f in folders)))
         print(f"{count} lines in {', '.join(folders)}")
         if count > most:
             findings.append(f"{', '.join(folders)}: {count} lines (at most {most})")
-    everything = [line.strip() for text in lines.values() for line in text]
+    everything = [line.strip() for text in lines.values() for line in text if line.strip()]
     comments = sum(line.startswith("//") for line in everything) / len(everything)
-    casts = 1000 * sum(line.count("static_cast") for line in everything) / len(everything)
+    casts = 1000 * sum(line.count("static_cast") for line in everything) / sum(map(len, lines.values()))
     print(f"{comments:.1%} comments; {casts:.1f} static_cast per 1000 lines")
     if comments < SHARE_OF_COMMENTS:
         findings.append(f"{comments:.1%} of the lines are comments (at least {SHARE_OF_COMMENTS:.0%}): open each .cpp with its idea")
