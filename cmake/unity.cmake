@@ -1,15 +1,21 @@
 # Unity builds: several sources in one translation unit, so that the headers of other projects are parsed once for all of
 # them (docs/notes/build-time.md has what that gains). No two sources of a target may use one name for different things.
 #
-#   GVD_UNITY  OFF: a translation unit for each source. A missing include shows, and one changed source builds quickly.
-option(GVD_UNITY "Compile several sources as one translation unit" ON)
+#   GVD_UNITY  OFF: a translation unit for each source. A missing include shows, and one changed source builds quickly;
+#              TESTS: the same, but for the tests.
+set(GVD_UNITY ON CACHE STRING "Compile several sources as one translation unit: ON, OFF, or TESTS for those of the tests alone")
+set_property(CACHE GVD_UNITY PROPERTY STRINGS ON OFF TESTS)
 
 # Sources in a unit. More of them gain little, and leave processors idle at the end.
 set(GVD_UNITY_BATCH 12)
 
-# gvd_unite(TARGETS...): compiles the sources of TARGETS in units, where GVD_UNITY is ON.
+# gvd_unite([FOR_TESTS] TARGETS...): compiles the sources of TARGETS in units, where GVD_UNITY says so.
 function(gvd_unite)
+  cmake_parse_arguments(arg "FOR_TESTS" "" "" ${ARGN})
+  if(GVD_UNITY STREQUAL "TESTS" AND NOT arg_FOR_TESTS)
+    return()
+  endif()
   if(GVD_UNITY)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${GVD_UNITY_BATCH})
+    set_target_properties(${arg_UNPARSED_ARGUMENTS} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${GVD_UNITY_BATCH})
   endif()
 endfunction()
