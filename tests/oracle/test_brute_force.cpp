@@ -5,8 +5,7 @@
 #include "support/catch.hpp"
 #include "support/exact_fields.hpp"
 #include "support/meshes.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 
 namespace gvd::test_brute_force {
 
@@ -28,9 +27,9 @@ TEST_CASE("a label is right within the tolerance and wrong beyond it") {
 }
 
 TEST_CASE("brute force by the exact solver and by the reference give the same labels") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  const test::Reference eight = test::read_reference(*shared / "reference", "eight.m10");
+  const auto found = test::find_reference("eight.m10");
+  if (!found) return;
+  const test::Reference& eight = *found;
   std::vector<SurfacePoint> generators;
   for (const VertexId v : eight.generators) generators.push_back(vertex_point(eight.mesh, v));
   const test::Nearest nearest = test::compute_nearest(test::exact_vertex_fields(eight.mesh, generators));

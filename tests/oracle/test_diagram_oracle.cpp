@@ -11,10 +11,9 @@
 #include "support/exact_fields.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/models.hpp"
 #include "support/planar_voronoi.hpp"
 #include "support/random.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
 #include "support/sound_diagram.hpp"
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
@@ -162,10 +161,8 @@ TEST_CASE("few labels differ from the brute force by exact distances, and by lit
 }
 
 TEST_CASE("few labels differ from those of the reference distances") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+  for (const std::string& name : test::list_references()) {
+    const test::Reference reference = test::read_reference(name);
     for (const Front front : test::kFronts) {
       INFO(name << ", " << test::name(front));
       CHECK(wrong_share(reference.distances, compute_sound(reference.mesh, reference.generator_points(), front)) <=
@@ -175,9 +172,9 @@ TEST_CASE("few labels differ from those of the reference distances") {
 }
 
 TEST_CASE("E on spot with 30 generators: the paper's figure with planar fronts, a third of it with circles") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  const test::Reference spot = test::read_reference(*shared / "reference", "spot.m30");
+  const auto found = test::find_reference("spot.m30");
+  if (!found) return;
+  const test::Reference& spot = *found;
   const double circle =
       verify_diagram(spot.mesh, compute_sound(spot.mesh, spot.generator_points(), Front::circle)).error_integral;
   const double planar =

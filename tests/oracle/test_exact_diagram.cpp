@@ -14,8 +14,7 @@
 #include "support/exact_fields.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 
 namespace gvd::test_exact_diagram {
 
@@ -43,10 +42,8 @@ double worst_of(const std::vector<double>& actual, const std::vector<double>& ex
 }
 
 TEST_CASE("an exact field of one generator has the reference's distances at every vertex") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+  for (const std::string& name : test::list_references()) {
+    const test::Reference reference = test::read_reference(name);
     for (std::size_t g = 0; g < reference.generators.size(); g += 4) {
       INFO(name << ", generator " << g);
       const ExactField field(reference.mesh, {vertex_point(reference.mesh, reference.generators[g])});
@@ -58,11 +55,9 @@ TEST_CASE("an exact field of one generator has the reference's distances at ever
 }
 
 TEST_CASE("an exact diagram has the reference's nearest distance at every vertex, and a label that has it") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
+  for (const std::string& name : test::list_references()) {
     INFO(name);
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+    const test::Reference reference = test::read_reference(name);
     const Diagram diagram = test::compute_sound_exact(reference.mesh, reference.generator_points());
     const auto nearest = nearest_distances(reference);
     CHECK(worst_of(diagram.vertex_distance.raw(), nearest) <= kRelative);
@@ -76,11 +71,9 @@ TEST_CASE("an exact diagram has the reference's nearest distance at every vertex
 }
 
 TEST_CASE("on the reference meshes the bisectors are off by less than 1e-5 of the mean distance") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
+  for (const std::string& name : test::list_references()) {
     INFO(name);
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+    const test::Reference reference = test::read_reference(name);
     const Diagram diagram = test::compute_sound_exact(reference.mesh, reference.generator_points());
     CHECK(verify_diagram(reference.mesh, diagram).error_mean < 1e-5 * mean(nearest_distances(reference)));
   }

@@ -7,8 +7,7 @@
 #include "support/catch.hpp"
 #include "support/exact_fields.hpp"
 #include "support/meshes.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 #include "support/simple_obj.hpp"
 
 namespace gvd::test_exact_distances {
@@ -31,10 +30,8 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count, unsigned se
 }
 
 TEST_CASE("exact distances agree with the reference's") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+  for (const std::string& name : test::list_references()) {
+    const test::Reference reference = test::read_reference(name);
     const std::size_t count =
         std::min<std::size_t>(reference.mesh.face_count() > 10000 ? 2 : 4, reference.generators.size());
     std::vector<SurfacePoint> generators;
@@ -93,8 +90,8 @@ TEST_CASE("on an open cylinder the distance is that of the unrolled strip") {
 
 TEST_CASE("distances are symmetric on every family, and where thin faces and flat parts are hard") {
   std::vector<test::NamedMesh> meshes = test::small_family();
-  if (const auto shared = test::shared_folder()) {
-    meshes.push_back({"rotor", test::read_simple_obj(*shared / "reference" / "rotor.m15.obj")});
+  if (const auto rotor = test::find_model("rotor.m15.obj")) {
+    meshes.push_back({"rotor", test::read_simple_obj(*rotor)});
   }
   for (const auto& [name, mesh] : meshes) {
     INFO(name);

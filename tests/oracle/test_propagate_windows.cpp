@@ -9,8 +9,7 @@
 #include "support/exact_fields.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 
 namespace gvd::test_propagate_windows {
 
@@ -20,11 +19,9 @@ double relative_difference(double actual, double expected) {
 }
 
 TEST_CASE("windows give the reference's distances, one run a generator") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
+  for (const std::string& name : test::list_references()) {
     INFO(name);
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+    const test::Reference reference = test::read_reference(name);
     double worst = 0;
     for (std::size_t g = 0; g < reference.generators.size(); ++g) {
       const WindowField field =
@@ -38,11 +35,9 @@ TEST_CASE("windows give the reference's distances, one run a generator") {
 }
 
 TEST_CASE("windows of all generators at once give the nearest distance, and a label that has it") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  for (const std::string& name : test::list_references(*shared / "reference")) {
+  for (const std::string& name : test::list_references()) {
     INFO(name);
-    const test::Reference reference = test::read_reference(*shared / "reference", name);
+    const test::Reference reference = test::read_reference(name);
     for (const auto& [keep, partition_faces] :
          {std::pair{KeepWindows::none, 8192}, std::pair{KeepWindows::near_bisectors, 300},
           std::pair{KeepWindows::all, 8192}}) {

@@ -8,8 +8,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
-#include "support/reference.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
@@ -109,14 +108,13 @@ TEST_CASE("nearest distances at the vertices agree with the reference distances"
     Front front;
     double mean, under;
   };
-  const auto shared = test::shared_folder();
-  if (!shared) return;
   for (const Bound& bound :
        {Bound{"spot.m30", Front::circle, 0.0026, 0.065}, Bound{"spot.m30", Front::planar, 0.05, 0.002},
         Bound{"rotor.m15", Front::circle, 0.0028, 0.087}, Bound{"rotor.m15", Front::planar, 0.063, 0},
         Bound{"eight.m10", Front::circle, 0.0032, 0.02}, Bound{"plate.m12", Front::circle, 2e-5, 0.008}}) {
-    const test::Reference reference = test::read_reference(*shared / "reference", bound.name);
-    const NearestError error = nearest_error(reference, bound.front);
+    const auto reference = test::find_reference(bound.name);
+    if (!reference) continue;
+    const NearestError error = nearest_error(*reference, bound.front);
     INFO(bound.name << ", " << test::name(bound.front));
     CHECK(error.mean <= bound.mean);
     CHECK(error.under <= bound.under + 1e-9);
@@ -124,9 +122,9 @@ TEST_CASE("nearest distances at the vertices agree with the reference distances"
 }
 
 TEST_CASE("the domination test leaves few generators per face") {
-  const auto shared = test::shared_folder();
-  if (!shared) return;
-  const test::Reference spot = test::read_reference(*shared / "reference", "spot.m30");
+  const auto found = test::find_reference("spot.m30");
+  if (!found) return;
+  const test::Reference& spot = *found;
   std::vector<SurfacePoint> generators;
   for (const VertexId v : spot.generators) generators.push_back(vertex_point(spot.mesh, v));
   for (const Front front : kFronts) {
