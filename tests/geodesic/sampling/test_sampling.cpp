@@ -79,7 +79,7 @@ TEST_CASE("random points are uniform by area") {
   Vec3 mean = Vec3::Zero();
   for (const SurfacePoint& p : points) {
     const Vec3 x = position(grid, p);
-    ++columns[x.x()];
+    ++columns[static_cast<std::size_t>(x.x())];
     mean += x / 20000;
     REQUIRE(p.kind() == SurfacePoint::Kind::face);
   }

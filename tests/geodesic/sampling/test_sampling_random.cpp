@@ -74,7 +74,7 @@ TEST_CASE("seeded random numbers lie from 0 up to 1 and fill that evenly") {
       REQUIRE(x >= 0);
       REQUIRE(x < 1);
       REQUIRE(std::ldexp(x, 53) == std::floor(std::ldexp(x, 53)));
-      ++count[x * kBins];
+      ++count[static_cast<std::size_t>(x * kBins)];
     }
     double chi_square = 0;
     for (const int n : count) chi_square += (n - kCount / kBins) * double(n - kCount / kBins) / (kCount / kBins);

@@ -3,8 +3,6 @@
 
 namespace gvd::test_base64 {
 
-using namespace test;
-
 struct Text {
   void text(std::string_view digits) { all.append(digits); }
   std::string all;
