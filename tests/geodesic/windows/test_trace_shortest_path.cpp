@@ -4,9 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "geodesic/windows/field/collect_sources.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/trace_shortest_path.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

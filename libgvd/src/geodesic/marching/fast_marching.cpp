@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "base/bucket_queue.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
-#include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/local_update.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"

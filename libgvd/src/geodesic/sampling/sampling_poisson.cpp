@@ -1,8 +1,6 @@
 // Blue noise by sample elimination: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with
 // geodesic distances. Start from several random candidates for each point. Remove the candidate with the largest
 // weight, again and again, until `count` points are left.
-#include "geodesic/sampling/sampling_poisson.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +8,9 @@
 
 #include "base/lazy_max_heap.hpp"
 #include "geodesic/marching/local_march.hpp"
+#include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_area.hpp"
 #include "mesh/vertex_ring.hpp"

@@ -1,12 +1,10 @@
-#include "geodesic/windows/trace_shortest_path.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "geodesic/tracing/locate_in_face.hpp"
-#include "geodesic/windows/field/collect_sources.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

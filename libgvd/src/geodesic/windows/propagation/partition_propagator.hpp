@@ -3,21 +3,65 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "base/bucket_queue.hpp"
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/block_list.hpp"
-#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/block_list.hpp"
+#include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
 #include "geodesic/windows/propagation/pseudo_sources.hpp"
-#include "geodesic/windows/propagation/queue_item.hpp"
-#include "geodesic/windows/propagation/vertex_events.hpp"
 #include "geodesic/windows/propagation/waiting_windows.hpp"
 #include "geodesic/windows/propagation/window_pruning.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window_filters.hpp"
+#include "gvd/ids.hpp"
 
 namespace gvd {
+
+using VertexEventId = Id<struct VertexEventTag>;
+
+/// What waits in the queue of a partition: a halfedge with waiting windows, or a vertex event.
+class QueueItem {
+ public:
+  explicit QueueItem(HalfedgeId h) : value_(h.value()) {}
+  explicit QueueItem(VertexEventId event) : value_(~event.value()) {}
+
+  bool is_halfedge() const { return value_ >= 0; }
+  HalfedgeId halfedge() const { return HalfedgeId(value_); }
+  VertexEventId event() const { return VertexEventId(~value_); }
+
+ private:
+  std::int32_t value_;  // a halfedge, or the complement of an event's id
+};
+static_assert(sizeof(QueueItem) == 4);
+
+/// The vertex events that wait in the queue of a partition. Ids of events that were taken are used again.
+class VertexEvents {
+ public:
+  VertexEventId add(const VertexEvent& event) {
+    if (free_.empty()) free_.push_back(events_.push_back({}));
+    const VertexEventId id = free_.back();
+    free_.pop_back();
+    events_[id] = event;
+    return id;
+  }
+  VertexEvent take(VertexEventId id) {
+    free_.push_back(id);
+    return events_[id];
+  }
+  /// Gives the memory back. No event may wait.
+  void release() {
+    events_ = {};
+    free_ = {};
+  }
+
+ private:
+  IdVector<VertexEventId, VertexEvent> events_;
+  std::vector<VertexEventId> free_;
+};
 
 /// The propagation in one partition of the mesh: its queue, and the rules by which paths and windows enter it.
 ///

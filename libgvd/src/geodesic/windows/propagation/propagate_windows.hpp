@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/propagation/partition_messages.hpp"
+#include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {

@@ -4,14 +4,12 @@
 #include <cstdint>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/geometry/corner_angles.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
-#include "geodesic/windows/geometry/window_filters.hpp"
-#include "geodesic/windows/propagation/distance_labels.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
-#include "geodesic/windows/propagation/partition_messages.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_filters.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {

@@ -3,13 +3,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geodesic/windows/geometry/corner_angles.hpp"
-#include "geodesic/windows/geometry/vertex_fan.hpp"
+#include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
-#include "geodesic/windows/propagation/vertex_events.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
 
 namespace gvd {
+
+/// A pseudo-source or a generator that a path has reached, and that will send windows.
+struct VertexEvent {
+  VertexCopyId vertex;
+  bool all_round;  ///< into all directions: a generator, or an ambiguous vertex
+  VertexPath path;
+};
 
 /// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or where
 /// shortest paths that arrive can continue (VertexFan).

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/window_limit.hpp"
-#include "geodesic/windows/geometry/window.hpp"
+#include "geodesic/windows/block_list.hpp"
+#include "geodesic/windows/window.hpp"
 
 namespace gvd {
 

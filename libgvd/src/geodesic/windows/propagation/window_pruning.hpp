@@ -4,10 +4,10 @@
 #include <cstddef>
 
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/edge_windows.hpp"
-#include "geodesic/windows/geometry/vertex_fan.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window_field.hpp"
 
 namespace gvd {
 
