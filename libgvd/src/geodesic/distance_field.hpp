@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
@@ -85,12 +84,11 @@ class DistanceField {
 /// The edges of a mesh for which `is_wanted(EdgeId)` is true, ascending. Throws: gvd::Error (interrupted).
 template <class Wanted>
 std::vector<EdgeId> find_edges(const Mesh& mesh, const ParallelChunks& parallel, const Wanted& is_wanted) {
-  const auto edges = cut_into_chunks(static_cast<std::size_t>(mesh.edge_count()), kScanChunk);
+  const auto edges = cut_into_chunks(mesh.edge_count(), kScanChunk);
   return parallel.collect(edges, steps::kLabels, [&](const Chunk& chunk) {
     std::vector<EdgeId> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const EdgeId e(i);
-      if (is_wanted(e)) found.push_back(e);
+      if (is_wanted(EdgeId(i))) found.emplace_back(i);
     }
     return found;
   });

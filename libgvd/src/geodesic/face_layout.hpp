@@ -24,8 +24,7 @@ struct FaceLayout {
   static constexpr double kLeastHeight = 1e-12;
 
   FaceLayout(const Mesh& mesh, FaceId f) {
-    const double l0 = mesh.length(Mesh::halfedge(f, 0)), l1 = mesh.length(Mesh::halfedge(f, 1)),
-                 l2 = mesh.length(Mesh::halfedge(f, 2));
+    const auto& [l0, l1, l2] = mesh.shape(f).length;
     // Computed from the vectors of the sides: the law of cosines cancels where side 0 is much shorter than the others.
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
@@ -58,13 +57,13 @@ struct FaceLayout {
 inline std::optional<Vec2> locate_in_face(const Mesh& mesh, FaceId f, const SurfacePoint& point) {
   const FaceLayout layout(mesh, f);
   if (point.face == f) return layout.at(point.bary);
+  const auto& corners = mesh.vertices(f);
   Vec2 at = Vec2::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     if (point.bary[i] == 0) continue;
-    std::size_t k = 0;
-    while (k < 3 && mesh.vertices(f)[k] != mesh.vertices(point.face)[i]) ++k;
-    if (k == 3) return std::nullopt;
-    at += point.bary[i] * layout.corner[k];
+    const auto found = std::find(corners.begin(), corners.end(), mesh.vertices(point.face)[i]);
+    if (found == corners.end()) return std::nullopt;
+    at += point.bary[i] * layout.corner[found - corners.begin()];
   }
   return at;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,8 +35,8 @@ struct TableEntry {
 class GeneratorTable {
  public:
   GeneratorTable(std::int32_t vertices, std::int32_t faces)
-      : distances_(static_cast<std::size_t>(vertices), VertexDistance{0, GeneratorId(), -1, HalfedgeId()}),
-        entries_(static_cast<std::size_t>(faces), TableEntry{GeneratorId(), FaceId(), {-1, -1, -1}, -1, 0, false}) {}
+      : distances_(vertices, VertexDistance{0, GeneratorId(), -1, HalfedgeId()}),
+        entries_(faces, TableEntry{GeneratorId(), FaceId(), {-1, -1, -1}, -1, 0, false}) {}
 
   VertexDistance& distance(std::int32_t index) { return distances_[index]; }
   const VertexDistance& distance(std::int32_t index) const { return distances_[index]; }
@@ -53,6 +54,14 @@ class GeneratorTable {
   }
   std::int32_t add(FaceId f, GeneratorId g, const std::array<std::int32_t, 3>& corner, double key) {
     return add_to(entries_, f.value(), TableEntry{g, f, corner, -1, key, false});
+  }
+
+  /// Lowers generator g's distance at v to `distance`, or adds it, without a halfedge. Returns its index.
+  std::int32_t lower(VertexId v, GeneratorId g, double distance) {
+    const std::int32_t index = find(v, g);
+    if (index < 0) return add(v, g, distance, HalfedgeId());
+    distances_[index].distance = std::min(distances_[index].distance, distance);
+    return index;
   }
 
   bool reached(VertexId v) const { return distances_[v.index()].generator.valid(); }

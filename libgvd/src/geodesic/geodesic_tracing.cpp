@@ -1,10 +1,15 @@
-// Straight lines on the surface. The next face is unfolded across the edge that the line crosses.
+// The exponential map: straight lines on the surface.
+//
+// Idea: a line is straight in the plane of its face. At an edge, the next face is unfolded into that plane, so the line
+// keeps its angle with the edge. At a vertex it continues with equal angles on both sides.
+// Source: Polthier and Schmies, Straightest geodesics on polyhedral surfaces, 1998.
+// Invariant: the current point lies in its face, the direction is a unit vector in that face's layout, and the line
+// never leaves through a side that contains the point.
 #include "gvd/geodesic_tracing.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/barycentric.hpp"
@@ -12,6 +17,7 @@
 #include "geodesic/tangent_fan.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "mesh/point_views.hpp"
 
 namespace gvd {
 namespace {
@@ -55,9 +61,9 @@ class GeodesicWalker {
   void cross_face() {
     const FaceLayout layout(mesh_, point_.face);
     const Bary rate = layout.bary_rate(direction_);
-    double step = std::numeric_limits<double>::infinity();
-    std::size_t side = 3;  // the side opposite to this corner; 3: none
-    for (std::size_t i = 0; i < 3; ++i) {
+    double step = kInfinity;
+    int side = 3;  // the side opposite to this corner; 3: none
+    for (int i = 0; i < 3; ++i) {
       if (on_side_[i] || !(rate[i] < 0) || -point_.bary[i] / rate[i] >= step) continue;
       step = -point_.bary[i] / rate[i];
       side = i;
@@ -66,7 +72,7 @@ class GeodesicWalker {
     left_ -= step;
     Bary bary = moved(rate, step);
     bary[side] = 0;
-    leave(make_surface_point(point_.face, normalized(bary)), layout, static_cast<int>(side));
+    leave(make_surface_point(point_.face, normalized(bary)), layout, side);
   }
 
   Bary moved(const Bary& rate, double step) const {
@@ -94,8 +100,7 @@ class GeodesicWalker {
   void leave(const SurfacePoint& exit, const FaceLayout& layout, int side) {
     trace_.points.push_back(exit);
     if (exit.kind() == SurfacePoint::Kind::vertex) return leave_through_vertex(exit);
-    const HalfedgeId h = Mesh::next(Mesh::halfedge(point_.face, side));
-    const HalfedgeId twin = mesh_.twin(h);
+    const HalfedgeId h = Mesh::next(Mesh::halfedge(point_.face, side)), twin = mesh_.twin(h);
     const Vec2 along = layout.side(Mesh::corner(h));
     const double forward = along.dot(direction_), inward = cross(along, direction_);
     if (!twin.valid()) {
@@ -103,13 +108,9 @@ class GeodesicWalker {
       walking_ = false;
       return;
     }
-    SurfacePoint entry{Mesh::face(twin), {0, 0, 0}};
-    const auto i = static_cast<std::size_t>(Mesh::corner(twin));
-    entry.bary[i] = exit.bary[Mesh::corner(Mesh::next(h))];
-    entry.bary[(i + 1) % 3] = exit.bary[Mesh::corner(h)];
-    const Vec2 back = FaceLayout(mesh_, entry.face).side(Mesh::corner(twin));
+    const Vec2 back = FaceLayout(mesh_, Mesh::face(twin)).side(Mesh::corner(twin));
     // The twin has the opposite direction, so both components change their sign.
-    enter(entry, -forward * back - inward * Vec2(-back.y(), back.x()));
+    enter(*find_view_across(mesh_, exit), -forward * back - inward * turned_left(back));
   }
 
   void leave_through_vertex(const SurfacePoint& exit) {

@@ -7,7 +7,7 @@
 
 namespace gvd {
 
-/// Tiny distance by generator id that decides ties.
+/// Tiny distance by generator id that decides ties. Every tie between distances is decided here.
 ///
 /// On symmetric models two generators are equally far from every point of an edge or a face. Rounding would decide such
 /// a tie differently from point to point. Where every distance of generator g is longer by of(g), the lower id wins it
@@ -18,20 +18,20 @@ struct SymbolicOffset {
   double step = 0;         ///< between generators that follow each other by id, mesh units, >= 0
   std::int32_t first = 0;  ///< the offset of generator 0, in steps
 
-  double of(GeneratorId g) const { return static_cast<double>(g.value() + first) * step; }
+  double of(GeneratorId g) const { return (g.value() + first) * step; }
 
   /// Largest offset of a marched distance, in mean edge lengths. It stays in the distances until they are returned. Far
   /// above rounding, which is 1e-16 times a distance of up to 1e5 edges; far below any visible length.
   static constexpr double kOfMeanEdge = 1e-9;
   static SymbolicOffset of_marching(double mean_edge_length, std::size_t generators) {
-    return {kOfMeanEdge * mean_edge_length / static_cast<double>(generators), 1};
+    return {kOfMeanEdge * mean_edge_length / double(generators), 1};
   }
 
   /// Largest offset of a source in an envelope, as a fraction of the bounding box's diagonal. A tenth of the error
   /// allowed to a crossing (1e-12 of the diagonal); far above rounding where generators are few.
   static constexpr double kOfDiagonal = 1e-13;
   static SymbolicOffset of_envelope(double bbox_diagonal, std::size_t generators) {
-    return {kOfDiagonal * bbox_diagonal / static_cast<double>(generators), 0};
+    return {kOfDiagonal * bbox_diagonal / double(generators), 0};
   }
 };
 

@@ -1,3 +1,10 @@
+// The tangent plane of a surface point, cut into one sector for each of its faces.
+//
+// Idea: round a vertex the angles of the corners follow each other. Where they do not add up to 2 pi, one factor scales
+// them all, so that a direction has an opposite one. Inside a face and on an edge the factor is 1.
+// Source: Polthier and Schmies (1998).
+// Invariant: the sectors follow each other counter-clockwise from tangent angle 0, without gaps, and have the widths of
+// their faces' corners times `scale_`.
 #include "geodesic/tangent_fan.hpp"
 
 #include <cmath>
@@ -24,22 +31,14 @@ double normalized_angle(double angle) {
 }
 
 TangentFan::TangentFan(const Mesh& mesh, const SurfacePoint& point) {
-  switch (point.kind()) {
-    case SurfacePoint::Kind::face:
-      add_face(point);
-      break;
-    case SurfacePoint::Kind::edge:
-      add_edge(mesh, point);
-      break;
-    case SurfacePoint::Kind::vertex:
-      add_vertex(mesh, vertex(mesh, point));
-      break;
+  if (point.kind() == SurfacePoint::Kind::vertex) {
+    add_vertex(mesh, vertex(mesh, point));
+  } else if (point.kind() == SurfacePoint::Kind::edge) {
+    add_edge(mesh, point);
+  } else {
+    total_ = 2 * kPi;
+    sectors_.push_back({point, 0, total_, Vec2(1, 0)});
   }
-}
-
-void TangentFan::add_face(const SurfacePoint& point) {
-  total_ = 2 * kPi;
-  sectors_.push_back({point, 0, total_, Vec2(1, 0)});
 }
 
 void TangentFan::add_edge(const Mesh& mesh, const SurfacePoint& point) {
@@ -87,9 +86,7 @@ std::optional<FaceDirection> TangentFan::face_direction(double angle) const {
   while (i > 0 && sectors_[i].begin > angle) --i;
   const TangentSector& s = sectors_[i];
   const Vec2 local = unit_vector(std::min(angle - s.begin, s.width) / scale_);
-  const Vec2 direction(s.reference.x() * local.x() - s.reference.y() * local.y(),
-                       s.reference.x() * local.y() + s.reference.y() * local.x());
-  return FaceDirection{s.point, direction};
+  return FaceDirection{s.point, local.x() * s.reference + local.y() * turned_left(s.reference)};
 }
 
 double TangentFan::angle(FaceId face, const Vec2& direction) const {

@@ -45,7 +45,6 @@ class TangentFan {
   double angle(FaceId face, const Vec2& direction) const;
 
  private:
-  void add_face(const SurfacePoint& point);
   void add_edge(const Mesh& mesh, const SurfacePoint& point);
   void add_vertex(const Mesh& mesh, VertexId v);
 

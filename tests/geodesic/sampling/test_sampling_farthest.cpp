@@ -198,7 +198,7 @@ struct Triangle {
     return std::abs(b.x() * c.y() - b.y() * c.x());
   }
   double bound(const std::array<double, 3>& distance) const {
-    return compute_face_distance_bound({side(0), side(1), side(2)}, twice_area(), distance);
+    return compute_face_distance_bound({{side(0), side(1), side(2)}, twice_area()}, distance);
   }
   /// The largest value on a grid of points.
   double brute_force(const std::array<double, 3>& distance, int n) const {

@@ -88,9 +88,7 @@ TEST_CASE("faces are drawn as often as their areas say, and faces without area n
   const std::vector<double> bases{0, 1, 3, 0, 0.5, 0};
   const Mesh mesh = make_row(bases);
   const AreaSampler sampler(mesh, list_faces(mesh));
-  CHECK(sampler.size() == bases.size());
   const double sum = std::accumulate(bases.begin(), bases.end(), 0.0);
-  CHECK(sampler.area() == sum / 2);
   const std::vector<int> count = count_draws(mesh, sampler, 0, bases.size());
   for (std::size_t i = 0; i < bases.size(); ++i) {
     CAPTURE(i);

@@ -27,6 +27,11 @@ inline UpdateTriangle make_update_triangle(double base, double side_a, double si
   return {base, inverse, side_a, side_b, x, twice_area * inverse};
 }
 
+/// The frame of a face on the halfedge of corner `side`.
+inline UpdateTriangle make_update_triangle(const FaceShape& s, std::size_t side) {
+  return make_update_triangle(s.length[side], s.length[(side + 2) % 3], s.length[(side + 1) % 3], s.twice_area);
+}
+
 /// Distance at D along the edges A D and B D: the length of a path of the surface, hence an upper bound.
 inline double update_along_edges(const UpdateTriangle& t, double distance_a, double distance_b) {
   return std::min(distance_a + t.side_a, distance_b + t.side_b);
@@ -73,6 +78,11 @@ inline double update_planar(const UpdateTriangle& t, double distance_a, double d
   return distance_a + slope * t.x + cosine * t.height;
 }
 
+/// The update by a front of either shape.
+inline double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
+  return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
+}
+
 /// The two halves of a face, cut by the median from corner C to the opposite edge A B. They do not depend on the
 /// generator.
 struct MedianHalves {
@@ -94,8 +104,7 @@ inline MedianHalves make_median_halves(const FaceShape& shape, std::size_t side)
 inline double auxiliary_distance(const MedianHalves& halves, const std::array<double, 3>& corner, std::size_t side,
                                  Front front) {
   const double a = corner[side], b = corner[(side + 1) % 3], c = corner[(side + 2) % 3];
-  const auto update = front == Front::circle ? update_circle : update_planar;
-  return std::min(update(halves.at_a, c, a), update(halves.at_b, c, b));
+  return std::min(update_by(front, halves.at_a, c, a), update_by(front, halves.at_b, c, b));
 }
 
 }  // namespace gvd

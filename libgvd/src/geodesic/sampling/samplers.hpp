@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -45,14 +44,13 @@ std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions
 /// An upper bound on the distance of every point p of a triangle, from the distances of its corners: the maximum over p
 /// of min over corners i of distance[i] + |p - corner i|.
 ///
-/// Inputs:  lengths of the sides 0-1, 1-2, 2-0, twice the area, distances; mesh units. The distances of two corners
-///   differ by at most the length of their side (triangle inequality).
+/// Inputs:  distances in mesh units. Those of two corners differ by at most the length of their side (triangle
+///   inequality).
 /// Returns: mesh units; in [largest distance, largest distance + longest side / sqrt(3)].
 /// Properties: (1) non-decreasing in each distance; (2) symmetric in the corners; (3) attained if the path to each corner
 ///   continues the segment from p to that corner.
 /// Cost: O(1), a square root.
-double compute_face_distance_bound(const std::array<double, 3>& length, double twice_area,
-                                   const std::array<double, 3>& distance);
+double compute_face_distance_bound(const FaceShape& face, const std::array<double, 3>& distance);
 
 /// The nearest of the generators inserted so far, at every vertex.
 ///
@@ -61,14 +59,12 @@ double compute_face_distance_bound(const std::array<double, 3>& length, double t
 class NearestField {
  public:
   NearestField(const Mesh& mesh, Front front)
-      : march_(mesh, front),
-        distance_(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity()),
-        label_(static_cast<std::size_t>(mesh.vertex_count())) {}
+      : march_(mesh, front), distance_(mesh.vertex_count(), kInfinity), label_(mesh.vertex_count()) {}
 
   /// Adds the next generator. Cost: O(k log k) for the k vertices that are nearest to it.
   GeneratorId insert(const SurfacePoint& point) {
     const GeneratorId g(count_++);
-    march_.run(point, std::numeric_limits<double>::infinity(), &distance_);
+    march_.run(point, kInfinity, &distance_);
     for (const VertexId v : march_.reached()) {
       const double d = march_.distance(v);
       if (!(d < distance_[v])) continue;

@@ -1,3 +1,8 @@
+// Spreads generators over the surface: checks the options, and calls the sampler that they name.
+//
+// Source: the papers named in gvd/sampling.hpp; drawing vertices is the beginning of a shuffle by Fisher and Yates.
+// Invariant: a sampler is called only with options that it can satisfy in number, so that it fails only where the mesh
+// has no room.
 #include "gvd/sampling.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "geodesic/sampling/samplers.hpp"
@@ -57,7 +61,7 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
 
 double even_spacing(double area, std::int64_t count) {
   // Each point has two triangles of area sqrt(3) / 4 times the square of the side.
-  return std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(count)));
+  return std::sqrt(2 * area / (std::numbers::sqrt3 * double(count)));
 }
 
 double even_count(double area, double spacing) {
@@ -69,15 +73,12 @@ std::int64_t max_splits(const Mesh& mesh, std::int64_t count) {
 }
 
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
-  std::vector<std::int32_t> order(static_cast<std::size_t>(mesh.vertex_count()));
-  std::iota(order.begin(), order.end(), 0);
+  const IdRange<VertexId> all = mesh.vertices();
+  std::vector<VertexId> order(all.begin(), all.end());
   SeededRandom random(seed);
-  std::vector<VertexId> drawn;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    std::swap(order[i], order[i + random.below(order.size() - i)]);
-    drawn.emplace_back(order[i]);
-  }
-  return drawn;
+  for (std::int64_t i = 0; i < count; ++i) std::swap(order[i], order[i + random.below(order.size() - i)]);
+  order.resize(count);
+  return order;
 }
 
 std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {

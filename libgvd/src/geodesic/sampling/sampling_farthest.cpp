@@ -1,5 +1,10 @@
-// Farthest-point sampling by incremental insertion: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for
-// progressive image sampling, 1997; on surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
+// Farthest points and coverings, by inserting one generator after the other.
+//
+// Idea: a field keeps the nearest generator of every vertex, and a heap the vertex that is farthest from it. For a
+// covering the heap keeps faces, by an upper bound of the distance of their points.
+// Source: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for progressive image sampling, 1997; on
+// surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
+// Invariant: distances only fall, so the keys in the heap are upper bounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,8 +43,8 @@ class FarthestSampler {
       : mesh_(mesh), field_(mesh, options.front), faces_(sort_by_component()), random_(options.seed) {
     field_.watch_insertions([this, &progress = options.progress](std::size_t reached) {
       // Insertion i reaches about one vertex in i.
-      const double chosen = static_cast<double>(chosen_.size());
-      const double part = (chosen + 1) * static_cast<double>(reached) / static_cast<double>(mesh_.vertex_count());
+      const double chosen = double(chosen_.size());
+      const double part = (chosen + 1) * double(reached) / mesh_.vertex_count();
       report_progress(progress, "sampling", share_(chosen + std::min(1.0, part)));
     });
   }
@@ -56,7 +61,7 @@ class FarthestSampler {
     const AreaSampler sampler(mesh_, faces_);
     for (std::size_t c = 0; c + 1 < first_face_.size() && std::ssize(chosen_) < count; ++c) {
       const FaceId f = sampler.draw_face(random_, first_face_[c], first_face_[c + 1]);
-      insert(mesh_.vertices(f)[static_cast<std::size_t>(3 * random_.real())]);
+      insert(mesh_.vertices(f)[int(3 * random_.real())]);
     }
   }
 
@@ -111,10 +116,8 @@ class FarthestSampler {
 
   /// No point of the face is farther than this from its nearest generator.
   double distance_bound(FaceId f) const {
-    const auto length = [&](int corner) { return mesh_.length(Mesh::halfedge(f, corner)); };
     const auto& [a, b, c] = mesh_.vertices(f);
-    return compute_face_distance_bound({length(0), length(1), length(2)}, 2 * mesh_.area(f),
-                                       {field_.distance(a), field_.distance(b), field_.distance(c)});
+    return compute_face_distance_bound(mesh_.shape(f), {field_.distance(a), field_.distance(b), field_.distance(c)});
   }
 
   const Mesh& mesh_;
@@ -136,7 +139,7 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const Sampling
   sampler.set_share(share);
   sampler.start_components(options.count);
   sampler.insert_farthest([&](double distance) {
-    report_progress(options.progress, "sampling", share(static_cast<double>(sampler.chosen().size())));
+    report_progress(options.progress, "sampling", share(double(sampler.chosen().size())));
     return std::ssize(sampler.chosen()) < options.count && distance > least;
   });
   std::vector<SurfacePoint> points;
@@ -151,7 +154,7 @@ std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const Sampling
 /// faces.
 double least_covering_radius(const Mesh& mesh) {
   double length = 0;
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));
+  for (const EdgeId e : mesh.edges()) length += mesh.length(e);
   const double splits = kMaxSamplingVertices;
   const double by_length = length / (splits + mesh.edge_count());
   const double by_area = std::sqrt(4 / std::numbers::sqrt3 * compute_area(mesh) / (2 * splits + mesh.face_count()));
@@ -173,7 +176,7 @@ constexpr double kSuggestedFactor = 3;
 /// value is that of the side within rounding.
 constexpr double kBesideFace = -1e-9;
 
-constexpr double kNoBound = -std::numeric_limits<double>::infinity();
+constexpr double kNoBound = -kInfinity;
 
 /// Corner 0 at the origin, corner 1 at (x1, 0), corner 2 at (x2, y2).
 struct Frame {
@@ -231,7 +234,7 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
   // A tenth for the first ones. Then the number of generators grows with the inverse square of the bound, and the work
   // with its logarithm.
   double done = 0;
-  const auto components = static_cast<double>(sampler.component_count());
+  const double components = double(sampler.component_count());
   sampler.set_share(
       [&](double inserted) { return std::max(done, kFirstShare * std::min(1.0, inserted / components)); });
   sampler.start_components(std::numeric_limits<std::int64_t>::max());
@@ -250,8 +253,8 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
 // The value is the minimum of three convex functions whose gradients have length 1 and point away from the corners. At
 // a local maximum inside the triangle all three are equal; on a side, two are; at a corner, the value is at most the
 // corner's distance.
-double compute_face_distance_bound(const std::array<double, 3>& length, double twice_area,
-                                   const std::array<double, 3>& distance) {
+double compute_face_distance_bound(const FaceShape& face, const std::array<double, 3>& distance) {
+  const auto& length = face.length;
   const double largest = *std::max_element(distance.begin(), distance.end());
   const double limit = largest + *std::max_element(length.begin(), length.end()) / std::numbers::sqrt3;
   double on_sides = largest;
@@ -259,7 +262,7 @@ double compute_face_distance_bound(const std::array<double, 3>& length, double t
     on_sides = std::max(on_sides, 0.5 * (distance[i] + distance[(i + 1) % 3] + length[i]));
   }
   const double x2 = apex_foot(length[0], length[2], length[1]);
-  const double inside = solve_apollonius({length[0], x2, twice_area / length[0]}, length[2], distance);
+  const double inside = solve_apollonius({length[0], x2, face.twice_area / length[0]}, length[2], distance);
   if (std::isnan(inside) || on_sides > limit) return limit;
   return std::clamp(inside, on_sides, limit);
 }

@@ -1,3 +1,10 @@
+// What the propagation needs of each face and vertex, in one place for the cache.
+//
+// Idea: cosines and sines of the corners come from the sides' vectors, and the total angle of a vertex from products of
+// them. So no window needs a division by a length, and no vertex an inverse function.
+// Source: the kinds of vertices are those of Mitchell, Mount and Papadimitriou (1987): shortest paths bend only at
+// saddles and at reflex vertices of the boundary.
+// Invariant: where rounding hides what a vertex is, its kind is the one that sends more windows than needed.
 #include "geodesic/windows/face_frames.hpp"
 
 #include <algorithm>
@@ -19,7 +26,7 @@ struct AngleSum {
   void add(double c, double s, double least_sine_of_face) {
     const double turned_cosine = cosine * c - sine * s, turned_sine = sine * c + cosine * s;
     // One angle is at most pi, so it crosses at most one multiple of pi. The sine changes its sign there.
-    half_turns += static_cast<std::int32_t>((turned_sine < 0) != (sine < 0));
+    half_turns += (turned_sine < 0) != (sine < 0) ? 1 : 0;
     cosine = turned_cosine;
     sine = turned_sine;
     least_sine = std::min(least_sine, least_sine_of_face);
@@ -65,8 +72,8 @@ constexpr double kAccurateHeight = 1e-4;
 /// Twice the area of a face that is lower, from its two shortest sides. Its error is 1e-16 of their product. So the
 /// angles of a needle keep all digits. Never zero unless a side has no length.
 double twice_area_from_short_sides(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
-  const auto longest = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
-  const std::size_t i = (longest + 1) % 3, j = (longest + 2) % 3;
+  const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
+  const auto i = (longest + 1) % 3, j = (longest + 2) % 3;
   return std::max(side[i].cross(side[j]).stableNorm(), kLeastSine * length[i] * length[j]);
 }
 
@@ -85,8 +92,8 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
   const double longest = std::max({shape.length[0], shape.length[1], shape.length[2]});
   const bool is_accurate = shape.twice_area > kAccurateHeight * longest * longest;
   const double twice_area = is_accurate ? shape.twice_area : twice_area_from_short_sides(side, shape.length);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t before = (i + 2) % 3;
+  for (int i = 0; i < 3; ++i) {
+    const int before = (i + 2) % 3;
     // Computed from the sides' vectors: the law of cosines would lose the digits of a needle's lengths.
     const double product = shape.length[i] * shape.length[before];
     // Two generators can lie at one point: a side without length counts as perpendicular to the others.
@@ -94,19 +101,16 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
     frame.cosine[i] = product > 0 ? -side[i].dot(side[before]) * scale : 0;
     frame.sine[i] = product > 0 ? twice_area * scale : 1;
     frame.vertex[i] = first_copy(corners[i]);
-    frame.twin[i] = mesh.twin(Mesh::halfedge(f, static_cast<int>(i)));
+    frame.twin[i] = mesh.twin(Mesh::halfedge(f, i));
   }
   return frame;
 }
 
 FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
-    : frame(static_cast<std::size_t>(mesh.face_count())), kind(static_cast<std::size_t>(mesh.vertex_count())) {
+    : frame(mesh.face_count()), kind(mesh.vertex_count()) {
   const std::vector<Chunk> chunks = cut_into_chunks(frame.size(), kFramesPerChunk);
   parallel.run(chunks.size(), {steps::kDistances}, [&](std::size_t i) {
-    for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) {
-      const FaceId face(f);
-      frame[face] = make_face_frame(mesh, face);
-    }
+    for (std::size_t f = chunks[i].begin; f < chunks[i].end; ++f) frame[FaceId(f)] = make_face_frame(mesh, FaceId(f));
   });
   IdVector<VertexCopyId, AngleSum> total(kind.size());
   for (const FaceFrame& f : frame) {
@@ -118,8 +122,7 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
   }
   has_needles = least_sine < kNeedleSine;
   has_thin_faces = least_sine < kThinSine;
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const VertexId v(i);
+  for (const VertexId v : mesh.vertices()) {
     kind[first_copy(v)] = kind_of(total[first_copy(v)], mesh.is_boundary(v));
   }
 }
@@ -127,14 +130,13 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
 FaceFrames::FaceFrames(const Mesh& mesh) : FaceFrames(mesh, ParallelChunks(1, {})) {}
 
 CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel)
-    : mesh_(&mesh), corner_(static_cast<std::size_t>(mesh.halfedge_count())) {
-  const auto faces = cut_into_chunks(static_cast<std::size_t>(mesh.face_count()), kScanChunk);
+    : mesh_(&mesh), corner_(mesh.halfedge_count()) {
+  const auto faces = cut_into_chunks(mesh.face_count(), kScanChunk);
   parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
     for (std::size_t i = faces[chunk].begin; i < faces[chunk].end; ++i) {
-      const FaceId face(i);
-      const FaceFrame& f = frames.frame[face];
-      for (std::size_t k = 0; k < 3; ++k) {
-        corner_[Mesh::halfedge(face, static_cast<int>(k))] = Departure::of_angle(std::atan2(f.sine[k], f.cosine[k]));
+      const FaceFrame& f = frames.frame[FaceId(i)];
+      for (int k = 0; k < 3; ++k) {
+        corner_[Mesh::halfedge(FaceId(i), k)] = Departure::of_angle(std::atan2(f.sine[k], f.cosine[k]));
       }
     }
   });

@@ -1,7 +1,12 @@
+// The logarithm of any point: the distance to its nearest generator, and the direction in which the path leaves it.
+//
+// Idea: windows carry the angle at which their paths leave the generator. In the plane of a face, a ray from an image
+// differs from the window's side by an angle that the tangent plane shares. So the direction needs no tracing back.
+// Source: docs/developer/lloyd.md, "Departures"; the tangent planes are scaled as Polthier and Schmies (1998) do.
+// Invariant: `images_` are those that reach the face entered last, corners first, windows in their order.
 #include "geodesic/windows/nearest_paths.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "base/plane.hpp"
 #include "geodesic/face_layout.hpp"
@@ -14,12 +19,12 @@ namespace {
 double tangent_angle(const WorkingMesh& working, const TangentFan& fan, HalfedgeId h) {
   const FaceId face = Mesh::face(h), parent = working.parent(face);
   const FaceLayout layout(working.input(), parent);
-  const auto at = [&](std::size_t i) {
+  const auto at = [&](int i) {
     Bary corner{0, 0, 0};
     corner[i] = 1;
     return layout.at(working.is_split(face) ? working.parent_bary(face, corner) : corner);
   };
-  const auto from = static_cast<std::size_t>(Mesh::corner(h));
+  const int from = Mesh::corner(h);
   return fan.angle(parent, at((from + 1) % 3) - at(from));
 }
 
@@ -29,9 +34,8 @@ constexpr std::size_t kAhead = 16;
 }  // namespace
 
 Departures::Departures(const WorkingMesh& working, const std::vector<SurfacePoint>& generators) {
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(i);
-    const TangentFan fan(working.input(), generators[i]);
+  for (const GeneratorId g : IdRange<GeneratorId>(generators.size())) {
+    const TangentFan fan(working.input(), generators[g.index()]);
     planes_.push_back({tangent_angle(working, fan, working.mesh().halfedge(working.vertex(g))), fan.scale()});
   }
 }
@@ -60,12 +64,11 @@ void NearestPaths::add_corner(int i) {
 
 void NearestPaths::add_window(std::size_t number) {
   const Window& w = field_.windows[number];
-  const auto i = static_cast<std::size_t>(Mesh::corner(w.halfedge));
+  const int i = Mesh::corner(w.halfedge);
   if (!field_.frame[face_].twin[i].valid()) return;  // the boundary: the paths leave the face
   const Vec2 along = side_[i], inwards = turned_left(along);
   images_.push_back({corner_[i] + w.x * along - w.depth * inwards, (w.begin - w.x) * along + w.depth * inwards,
-                     (w.end - w.x) * along + w.depth * inwards, w.offset, w.generator, static_cast<int>(i), number,
-                     false, Vec2::Zero()});
+                     (w.end - w.x) * along + w.depth * inwards, w.offset, w.generator, i, number, false, Vec2::Zero()});
 }
 
 std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distance) const {
@@ -85,12 +88,12 @@ std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distan
 }
 
 std::size_t NearestPaths::nearest_image(const Vec2& p) const {
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kInfinity;
   return search(p, GeneratorId(), distance);
 }
 
-NearestPath NearestPaths::find(const Vec2& p, GeneratorId only) {
-  NearestPath nearest{GeneratorId(), std::numeric_limits<double>::infinity(), Vec2::Zero()};
+NearestPath NearestPaths::at(const Vec2& p, GeneratorId only) {
+  NearestPath nearest{GeneratorId(), kInfinity, Vec2::Zero()};
   const std::size_t best = search(p, only, nearest.distance);
   if (best == kNoImage) return find_round_ends(p, only);
   nearest.generator = images_[best].generator;
@@ -109,7 +112,7 @@ NearestPath NearestPaths::from(std::size_t image, const Vec2& p) {
 /// No straight path of a generator reaches the point, only paths round the end of an opening. Happens beside a cell
 /// without a corner of the face.
 NearestPath NearestPaths::find_round_ends(const Vec2& p, GeneratorId only) const {
-  NearestPath nearest{GeneratorId(), std::numeric_limits<double>::infinity(), Vec2::Zero()};
+  NearestPath nearest{GeneratorId(), kInfinity, Vec2::Zero()};
   for (const Image& image : images_) {
     if (image.generator != only) continue;
     for (const Vec2& end : {image.begin, image.end}) {

@@ -60,16 +60,15 @@ class NearestPaths {
   void enter(FaceId f);
   /// The position of a point of the face in its layout (FaceLayout).
   Vec2 position(const Bary& bary) const { return interpolate(bary, corner_[0], corner_[1], corner_[2]); }
-  /// The shortest path to a point of the face. Cost: O(windows on the face).
-  NearestPath at(const Vec2& p) { return find(p, GeneratorId()); }
-  /// The same from generator g, whose cell has a part in the face. Cost: O(windows on the face).
-  NearestPath at(const Vec2& p, GeneratorId g) { return find(p, g); }
+  /// The shortest path to a point of the face, or that from the generator `only`, whose cell has a part in the face.
+  /// Cost: O(windows on the face).
+  NearestPath at(const Vec2& p, GeneratorId only = GeneratorId());
 
   /// The path from an image, if the straight way to the point goes through its opening; else that from its generator.
   /// Cost: O(1), or O(windows on the face).
   NearestPath from(std::size_t image, const Vec2& p);
 
-  /// Of a point that no generator reaches.
+  /// The image of a point that no generator reaches.
   static constexpr std::size_t kNoImage = static_cast<std::size_t>(-1);
   /// The image that the shortest path to a point of the face comes from; kNoImage if no generator reaches it.
   /// Cost: O(windows on the face).
@@ -101,7 +100,6 @@ class NearestPaths {
 
   /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, or leaves it.
   std::size_t search(const Vec2& p, GeneratorId only, double& distance) const;
-  NearestPath find(const Vec2& p, GeneratorId only);
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
   void add_corner(int i);
   void add_window(std::size_t number);

@@ -89,7 +89,7 @@ class VertexFan {
   }
 
  private:
-  static std::size_t corner_index(HalfedgeId h) { return static_cast<std::size_t>(Mesh::corner(h)); }
+  static std::size_t corner_index(HalfedgeId h) { return Mesh::corner(h); }
   /// A ray that was accepted because it grazes its face may lie outside of it by up to kGrazingAngle.
   static Rotation inside(const Rotation& r) { return r.sine >= 0 ? r : Rotation{r.cosine > 0 ? 1.0 : -1.0, 0}; }
 
@@ -105,7 +105,7 @@ struct FanSector {
 
 /// The window that a vertex sends through a sector of face f to the opposite side. `path` is the path to the vertex.
 inline Window window_from_vertex(const FaceFrame& f, const FanSector& sector, const VertexPath& path) {
-  const auto c = static_cast<std::size_t>(Mesh::corner(sector.outgoing)), p = (c + 1) % 3, q = (c + 2) % 3;
+  const std::size_t c = Mesh::corner(sector.outgoing), p = (c + 1) % 3, q = (c + 2) % 3;
   const double length = f.length[p];
   // Law of sines in the triangle of the vertex, p and the point where the ray meets the side; the frame's origin is q.
   const auto position = [&](const Rotation& ray) {

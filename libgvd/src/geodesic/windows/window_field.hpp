@@ -41,7 +41,7 @@ class EdgeWindows {
       for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) ++first_[face(i) + 1];
     });
     for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
-    order_.resize(static_cast<std::size_t>(first_[faces]));
+    order_.resize(first_[faces]);
     parallel.run(ranges.size(), end, [&](std::size_t list) {
       for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) {
         order_[first_[face(i)]++] = static_cast<std::int32_t>(i);
@@ -62,7 +62,7 @@ class EdgeWindows {
   /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
   void prefetch_window(std::size_t number) const {
     if (number >= order_.size()) return;
-    const auto i = static_cast<std::size_t>(order_[number]);
+    const std::size_t i = order_[number];
     prefetch(&windows_[i]);
     if (departures_.size() > 0) prefetch(&departures_[i]);
   }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "geodesic/windows/window.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 
@@ -106,8 +106,8 @@ inline bool enters_face_twice(const WindowHistory& history, FaceId face, std::in
 
 /// The shortest path so far that reaches a face's apex straight across the edge on the other side.
 struct ApexPath {
-  double distance = std::numeric_limits<double>::infinity();  ///< of the apex on it, mesh units
-  double crossing = 0;                                        ///< where it crosses the edge, in the frame of Window
+  double distance = kInfinity;  ///< of the apex on it, mesh units
+  double crossing = 0;          ///< where it crosses the edge, in the frame of Window
 };
 
 /// The sides of a face that a window continues to.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "geodesic/distance_field.hpp"
@@ -31,7 +30,7 @@ inline void collect_face_sources(const Mesh& mesh, const WindowField& field, Fac
 template <class Source, class Point>
 const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {
   const Source* best = nullptr;
-  distance = std::numeric_limits<double>::infinity();
+  distance = kInfinity;
   for (const Source& source : sources) {
     const double d = source.distance(p);
     if (!(d < distance) && !(best && d == distance && source.generator < best->generator)) continue;
@@ -48,8 +47,12 @@ class WindowDistances final : public DistanceField {
   WindowDistances(const Mesh& mesh, const WindowField& field) : mesh_(mesh), field_(field) {}
 
   std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
-  void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
-  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override;
+  void collect(EdgeId e, std::vector<EdgeSource>& sources) const override {
+    collect_edge_sources(mesh_, field_, mesh_.halfedge(e), sources);
+  }
+  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override {
+    collect_face_sources(mesh_, field_, f, layout, sources);
+  }
 
  private:
   const Mesh& mesh_;

@@ -1,3 +1,9 @@
+// Exact distances and shortest paths for users: propagates all windows once, then answers from those that are kept.
+//
+// Idea: generators become vertices of a working mesh. A query is translated into that mesh, answered by the window
+// field, and translated back.
+// Source: window propagation as in propagate_windows.hpp.
+// Invariant: the working mesh is the same surface, so that points keep their distances in both directions.
 #include "gvd/exact_field.hpp"
 
 #include <fmt/format.h>
@@ -30,8 +36,7 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
-    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i),
-                static_cast<std::int64_t>(i));
+    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i), std::int64_t(i));
   }
   return options;
 }

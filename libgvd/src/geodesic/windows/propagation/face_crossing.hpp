@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "geodesic/windows/departure.hpp"
 #include "geodesic/windows/face_frames.hpp"
@@ -20,9 +19,7 @@ struct DistanceLabels {
   IdVector<VertexCopyId, Departure> departure;  ///< empty unless departures are recorded
 
   explicit DistanceLabels(std::size_t copies, bool with_departures = false)
-      : distance(copies, std::numeric_limits<double>::infinity()),
-        label(copies),
-        departure(with_departures ? copies : 0) {}
+      : distance(copies, kInfinity), label(copies), departure(with_departures ? copies : 0) {}
 
   /// Whether a path of this length from this generator precedes the best one so far (is_before).
   bool is_improved_by(VertexCopyId v, double d, GeneratorId generator) const {
@@ -58,7 +55,7 @@ struct FaceEntry {
   FaceEntry(const FaceFrames& frames, HalfedgeId h)
       : frame(frames.frame[Mesh::face(h)]),
         halfedge(h),
-        start(static_cast<std::size_t>(Mesh::corner(h))),
+        start(Mesh::corner(h)),
         end((start + 1) % 3),
         top((start + 2) % 3) {}
 

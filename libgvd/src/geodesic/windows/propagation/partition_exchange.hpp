@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "geodesic/windows/face_frames.hpp"
@@ -25,15 +24,15 @@ struct PartitionMessages {
   std::vector<PropagatedWindow> windows;  ///< on edges between the two; their halfedges are the receiver's
   std::vector<SentPath> paths;
   std::vector<FaceId> multi_label_faces;  ///< the receiver's, with a window of another label on one of their sides
-  double least_key = std::numeric_limits<double>::infinity();  ///< no path in the messages is shorter
-  bool is_open = false;                                        ///< the sender has begun them
+  double least_key = kInfinity;           ///< no path in the messages is shorter
+  bool is_open = false;                   ///< the sender has begun them
 
   std::size_t count() const { return windows.size() + paths.size() + multi_label_faces.size(); }
   void clear() {
     windows.clear();
     paths.clear();
     multi_label_faces.clear();
-    least_key = std::numeric_limits<double>::infinity();
+    least_key = kInfinity;
     is_open = false;
   }
 };
@@ -43,10 +42,7 @@ struct PartitionMessages {
 class Mailboxes {
  public:
   explicit Mailboxes(std::int32_t partitions)
-      : partitions_(static_cast<std::size_t>(partitions)),
-        receivers_(partitions_),
-        senders_(partitions_),
-        count_(partitions_, 0) {
+      : partitions_(partitions), receivers_(partitions_), senders_(partitions_), count_(partitions_, 0) {
     for (auto& boxes : boxes_) boxes.resize(partitions_ * partitions_);
   }
 
@@ -73,11 +69,10 @@ class Mailboxes {
   void deliver() {
     sent_ = 1 - sent_;
     has_come_ = false;
-    least_key_ = std::numeric_limits<double>::infinity();
+    least_key_ = kInfinity;
     for (auto& senders : senders_) senders.clear();
     std::fill(count_.begin(), count_.end(), 0);
-    for (std::size_t i = 0; i < partitions_; ++i) {
-      const PartitionId from(static_cast<std::int64_t>(i));
+    for (const PartitionId from : receivers_.ids()) {
       for (const PartitionId to : receivers_[from]) deliver(from, to);
       receivers_[from].clear();
     }
@@ -107,12 +102,12 @@ class Mailboxes {
   IdVector<PartitionId, std::vector<PartitionId>> senders_;    // [to] of the messages that have come, ascending
   IdVector<PartitionId, std::size_t> count_;                   // [to] number of messages that have come
   bool has_come_ = false;
-  double least_key_ = std::numeric_limits<double>::infinity();
+  double least_key_ = kInfinity;
 };
 
 /// The path with which a copy of a vertex last sent windows.
 struct LastSent {
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kInfinity;
   GeneratorId generator;
 };
 

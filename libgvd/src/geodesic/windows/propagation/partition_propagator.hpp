@@ -198,7 +198,7 @@ class PartitionPropagator {
 
   void cross_halfedge(HalfedgeId h) {
     const FaceEntry entry(frames_, h);
-    const auto faces = static_cast<std::int32_t>(frames_.frame.size());
+    const std::int32_t faces = frames_.frame.count();
     const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
       if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
       keep(entering.window, entering.history.departure, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
@@ -214,7 +214,7 @@ class PartitionPropagator {
     // A better path has come since.
     if (event.path.distance > labels_.distance[v] || event.path.generator != labels_.label[v]) return;
     if (!exchange_.record_sending(v, event.path)) return;
-    events_sent_ += static_cast<std::int64_t>(sources_.is_first_copy(v));
+    events_sent_ += sources_.is_first_copy(v) ? 1 : 0;
     sources_.send(event, *this);
   }
 

@@ -84,7 +84,7 @@ class PseudoSources {
     const HalfedgeId outgoing = sector.outgoing;
     if (partitions_.of_halfedge(outgoing) != own_) return;
     const FaceFrame& f = fan_.face(outgoing);
-    const auto c = static_cast<std::size_t>(Mesh::corner(outgoing)), p = (c + 1) % 3, q = (c + 2) % 3;
+    const std::size_t c = Mesh::corner(outgoing), p = (c + 1) % 3, q = (c + 2) % 3;
     const HalfedgeId at_p = Mesh::next(outgoing), at_q = Mesh::previous(outgoing);
     const VertexPath& path = event.path;
     Departure to_p = path.departure, to_q = path.departure, through = path.departure;

@@ -115,7 +115,7 @@ class WaitingWindows {
   }
 
   void add_block() {
-    check_window_count(static_cast<std::size_t>(used_), kMask + 1);
+    check_window_count(used_, kMask + 1);
     blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
   }
 
