@@ -33,10 +33,10 @@ class PathTracer {
   PathTracer(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators)
       : mesh_(mesh), field_(field), generators_(generators) {}
 
-  ShortestPath trace(const SurfacePoint& start) {
+  GeodesicPath trace(const SurfacePoint& start) {
     path_.points.push_back(start);
     for (const FaceId f : faces_around(mesh_, start)) look_from(f, start);
-    path_.distance = best_distance_;
+    path_.length = best_distance_;
     if (std::isinf(best_distance_)) return std::move(path_);
     path_.generator = best_.generator;
     for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
@@ -137,7 +137,7 @@ class PathTracer {
   const Mesh& mesh_;
   const WindowField& field_;
   const std::vector<VertexId>& generators_;
-  ShortestPath path_;
+  GeodesicPath path_;
   std::vector<FaceSource> sources_;
   FaceSource best_{};
   double best_distance_ = kInfinity;
@@ -146,7 +146,7 @@ class PathTracer {
 
 }  // namespace
 
-ShortestPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
+GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
                                  const SurfacePoint& start) {
   return PathTracer(mesh, field, generators).trace(start);
 }

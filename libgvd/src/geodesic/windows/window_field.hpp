@@ -36,17 +36,15 @@ class EdgeWindows {
       departures_.append(std::move(list.departures));
       ranges.push_back({begin, windows_.size()});
     }
-    const StepPart end{steps::kDistances};
-    parallel.run(ranges.size(), end, [&](std::size_t list) {
-      for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) ++first_[face(i) + 1];
-    });
+    const auto visit_all = [&](const auto& visit) {
+      parallel.run(ranges.size(), {steps::kDistances}, [&](std::size_t list) {
+        for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) visit(i);
+      });
+    };
+    visit_all([&](std::size_t i) { ++first_[face(i) + 1]; });
     for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
     order_.resize(first_[faces]);
-    parallel.run(ranges.size(), end, [&](std::size_t list) {
-      for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) {
-        order_[first_[face(i)]++] = static_cast<std::int32_t>(i);
-      }
-    });
+    visit_all([&](std::size_t i) { order_[first_[face(i)]++] = static_cast<std::int32_t>(i); });
     for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
     first_[0] = 0;
   }

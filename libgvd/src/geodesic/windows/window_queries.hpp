@@ -5,6 +5,7 @@
 #include "geodesic/distance_field.hpp"
 #include "geodesic/generator_table.hpp"
 #include "geodesic/windows/window_field.hpp"
+#include "gvd/exact_field.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -65,17 +66,10 @@ class WindowDistances final : public DistanceField {
 /// Reports the step "tables". Cost: O(n + windows).
 GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
 
-/// A shortest path from a point back to its nearest generator.
-struct ShortestPath {
-  std::vector<SurfacePoint> points;  ///< from the point to the generator; consecutive points share a face
-  GeneratorId generator;             ///< invalid where none reaches
-  double distance = 0;               ///< mesh units; infinity where none reaches
-  bool complete = false;             ///< whether the points lead to the generator, and do not end at a vertex before
-};
-
-/// Traces the path over edges and pseudo-sources. All windows must have been kept.
-/// `generators` are the vertices that the field was propagated from. Cost: O(faces crossed + windows at its ends).
-ShortestPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
+/// Traces a shortest path over edges and pseudo-sources; its length includes the generator's offset. All windows must
+/// have been kept. `generators` are the vertices that the field was propagated from.
+/// Cost: O(faces crossed + windows at its ends).
+GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
                                  const SurfacePoint& start);
 
 }  // namespace gvd

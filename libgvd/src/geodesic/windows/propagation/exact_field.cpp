@@ -126,11 +126,11 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
 
 GeodesicPath ExactField::path(const SurfacePoint& point) const {
   const WorkingMesh& working = state_->working;
-  const ShortestPath found =
+  GeodesicPath path =
       trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
-  if (!found.generator.valid()) return {{}, GeneratorId(), found.distance, false};
-  GeodesicPath path{{}, found.generator, found.distance - state_->offset(found.generator), found.complete};
-  for (const SurfacePoint& p : found.points) path.points.push_back(state_->to_input(p));
+  if (!path.generator.valid()) return {{}, GeneratorId(), path.length, false};
+  path.length -= state_->offset(path.generator);
+  for (SurfacePoint& p : path.points) p = state_->to_input(p);
   return path;
 }
 
