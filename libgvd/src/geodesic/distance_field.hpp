@@ -55,7 +55,7 @@ struct FaceSource {
     return {offset + ray.norm(), image};
   }
   double distance(const Vec2& p) const { return shortest_path(p).distance; }
-  /// Where that path enters the face: the point of the opening that is nearest to the line from the image to p.
+  /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
   Vec2 entry(const Vec2& p) const {
     if (is_corner) return image;
     // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.

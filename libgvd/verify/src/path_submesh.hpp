@@ -5,7 +5,6 @@
 
 #include "gvd/error_measure.hpp"
 #include "gvd/mesh.hpp"
-#include "path_submesh.hpp"
 
 namespace gvd {
 

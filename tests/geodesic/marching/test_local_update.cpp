@@ -22,7 +22,7 @@ UpdateTriangle mirrored(const UpdateTriangle& t) {
   return make_update_triangle(t.base, t.side_b, t.side_a, t.base * t.height);
 }
 
-/// Where the line from p (below the base) to q (above it) crosses the base's line.
+/// The point where the line from p (below the base) to q (above it) crosses the base's line.
 double crossing(const Vec2& p, const Vec2& q) { return p.x() + (q.x() - p.x()) * p.y() / (p.y() - q.y()); }
 
 struct Sample {

@@ -1,4 +1,4 @@
-// Where paths bend, and properties of windows that need no reference.
+// The vertices at which paths bend, and properties of windows that need no reference.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -74,7 +74,7 @@ TEST_CASE("a path that can't be continued from a vertex is not complete") {
   REQUIRE(path.points.size() == 3);
   CHECK(vertex(mesh, path.points[1]) == saddle);
   CHECK(vertex(mesh, path.points[2]) == generator);
-  // As rounding may cause: the saddle is nearer than all paths to it.
+  // Rounding may cause this: the saddle is nearer than all paths to it.
   field.distance[saddle] = 0;
   const GeodesicPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
   CHECK_FALSE(broken.complete);

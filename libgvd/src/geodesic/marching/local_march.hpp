@@ -23,7 +23,7 @@ class LocalMarch {
   /// given. The ring of vertices round these gets distances too, because they improve those inside.
   ///
   /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
-  /// Where updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
+  /// If updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 
   /// `watch` is called now and then during a run, with the number of vertices that it has reached. It may throw.

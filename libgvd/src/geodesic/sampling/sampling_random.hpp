@@ -18,9 +18,9 @@ inline constexpr double kMinSampleSpacing = 1e-12;
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : engine_(seed) {}
-  /// In [0, 1), a multiple of 2^-53.
+  /// A number in [0, 1), a multiple of 2^-53.
   double real() { return double(engine_() >> 11) * 0x1p-53; }
-  /// In [0, n), for n > 0; uniform up to a relative 2^-64 n.
+  /// A number in [0, n), for n > 0; uniform up to a relative 2^-64 n.
   std::size_t below(std::size_t n) { return engine_() % n; }
 
  private:

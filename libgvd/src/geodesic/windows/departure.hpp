@@ -9,8 +9,8 @@ namespace gvd {
 /// The angle at which paths leave their generator, counter-clockwise from the generator's `mesh.halfedge`, on the
 /// surface: round a vertex they go up to the total angle of its faces.
 ///
-/// Of all straight paths of a window it is this angle plus the angle of the path with the window's halfedge. Behind a
-/// pseudo-source all paths leave as the pseudo-source's own path does, and this is their angle.
+/// A straight path of a window leaves at this angle plus the angle of the path with the window's halfedge. Behind a
+/// pseudo-source all paths leave at this angle, as the pseudo-source's own path does.
 ///
 /// Fixed point, in four bytes: a waiting window then still fills one line of the cache, and sums cost nothing. The last
 /// two bits count the half turns of the side at which the sector of the paths begins; a full turn has 2^30 units. Each

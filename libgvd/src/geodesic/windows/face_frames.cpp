@@ -1,4 +1,4 @@
-// What the propagation needs of each face and vertex, in one place for the cache.
+// Lengths, angles and kinds of faces and vertices for the propagation, in one place for the cache.
 //
 // Idea: cosines and sines of the corners come from the sides' vectors, and the total angle of a vertex from products of
 // them. So no window needs a division by a length, and no vertex an inverse function.

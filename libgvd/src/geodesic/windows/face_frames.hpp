@@ -37,7 +37,7 @@ static_assert(sizeof(FaceFrame) == 96);
 
 FaceFrame make_face_frame(const Mesh& mesh, FaceId f);
 
-/// What the total angle theta of the faces round a vertex means for shortest paths.
+/// The meaning of the total angle theta of a vertex's faces for shortest paths.
 enum class VertexKind : std::uint8_t {
   plain,   ///< convex, or on the boundary with theta <= pi: no shortest path passes through it
   flat,    ///< theta = 2 pi: paths pass straight through; the windows on its two sides have one image
@@ -85,7 +85,7 @@ class CornerAngles {
   /// The angle of the corner that a halfedge leaves.
   Departure corner(HalfedgeId h) const { return corner_[h]; }
   /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex.
-  /// Only generators need it. Cost: O(degree of the vertex).
+  /// For generators. Cost: O(degree of the vertex).
   Departure side(HalfedgeId h) const;
 
  private:

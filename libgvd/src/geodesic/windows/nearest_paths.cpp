@@ -28,7 +28,7 @@ double tangent_angle(const WorkingMesh& working, const TangentFan& fan, Halfedge
   return fan.angle(parent, at((from + 1) % 3) - at(from));
 }
 
-/// How many windows ahead the cache is filled: those of one or two faces.
+/// The number of windows by which the cache is filled ahead: those of one or two faces.
 constexpr std::size_t kAhead = 16;
 
 }  // namespace

@@ -38,10 +38,9 @@ struct Window {
 };
 static_assert(sizeof(Window) == 48);
 
-/// What the propagation has to know of the way that a window's paths have come.
+/// The way that a window's paths have come, as far as the propagation has to know it.
 ///
-/// Bit fields: a waiting window then fills one line of the cache (waiting_windows.hpp). A mesh has fewer than 2^30
-/// faces.
+/// Bit fields let a waiting window fill one line of the cache (waiting_windows.hpp). A mesh has fewer than 2^30 faces.
 struct WindowHistory {
   std::uint32_t crossed_faces : 30;  ///< number of faces that the paths have crossed
   std::uint32_t joinable_ends : 2;   ///< kAtBegin, kAtEnd: ends where another window may go on without a gap

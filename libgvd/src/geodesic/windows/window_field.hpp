@@ -64,7 +64,7 @@ class EdgeWindows {
     prefetch(&windows_[i]);
     if (departures_.size() > 0) prefetch(&departures_[i]);
   }
-  /// Its departure. Only if departures were recorded.
+  /// The departure of a window. Only if departures were recorded.
   Departure departure(std::size_t number) const { return departures_[order_[number]]; }
 
   /// Calls visit(const Window&) for the windows on the three halfedges of face f: those that enter it, and on the

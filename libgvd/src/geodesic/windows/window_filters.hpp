@@ -32,8 +32,8 @@ inline bool is_shorter_beyond_rounding(double d, double known) { return d < know
 /// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equal paths of different
 /// generators differ by less over 150 equal faces, or 500 unlike ones. Over more faces rounding may decide the tie.
 ///
-/// It is below half of kDropClearance, so that no window is dropped before it has offered a path that is equally long.
-/// It is above kLengthRounding, so that a tie goes to the first generator even if its path is longer by rounding.
+/// The value is below half of kDropClearance, so that no window is dropped before it has offered a path that is equally
+/// long. It is above kLengthRounding, so that a tie goes to the first generator even if its path is longer by rounding.
 inline constexpr double kSameLength = 2e-14;
 static_assert(kLengthRounding < kSameLength && kSameLength < kDropClearance / 2);
 

@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-// How the paths of a window run through the face that they enter: pure functions of the face's lengths and angles.
+// The course of a window's paths through the face that they enter: pure functions of the face's lengths and angles.
 
 /// One side of a face, seen from a window that enters through another side.
 ///
@@ -35,7 +35,7 @@ struct SideView {
   double hit(double u) const { return u * below / (below * cosine + (image - u) * sine); }
 };
 
-/// Where the apex, the corner of the face opposite to a window's edge, lies relative to the window's outermost rays.
+/// Position of the apex, the corner of the face opposite to a window's edge, relative to the window's outermost rays.
 struct ApexView {
   double x, y;          ///< the apex in the window's frame
   double beyond_begin;  ///< > 0: the ray through `begin` passes to the right of the apex, which stays outside
@@ -67,7 +67,7 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
   const double squared_step = (apex.x - t) * (apex.x - t) + apex.y * apex.y;
   const double forwards = (t - w.x) * (apex.x - t) + w.depth * apex.y;
-  // What moving the end by kPositionRounding does to `beyond`.
+  // The change of `beyond` when the end moves by kPositionRounding.
   const double shift = kPositionRounding * length * (w.depth + apex.y);
   const double bend = kGrazingAngle * kGrazingAngle * w.squared_image_distance(t) * squared_step;
   return beyond * beyond <= bend + shift * shift && forwards > 0;

@@ -1,4 +1,4 @@
-// What tracers and users read from a window field: sources on edges and in faces, and tables of generators.
+// Reads a window field for tracers and users: sources on edges and in faces, and tables of generators.
 //
 // Idea: a kept window is an image with an interval, so it is a source of its edge, and of the face that it enters. The
 // ends of an edge and the corners of a face are sources too: shortest paths can come through them.

@@ -72,7 +72,7 @@ std::vector<Window> list_windows(const KeptWindows& kept) {
   return windows;
 }
 
-/// Where a window's frame has its point t: on the boundary the origin is the end of its halfedge (window.hpp).
+/// The point t of a window's frame: on the boundary the origin is the end of its halfedge (window.hpp).
 Vec3 point_on_edge(const Mesh& mesh, const Window& w, double t) {
   const Vec3 from = mesh.position(mesh.from(w.halfedge)), to = mesh.position(mesh.to(w.halfedge));
   const double share = t / (to - from).norm();

@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-/// What one partition tells another one at the end of a round.
+/// The messages from one partition to another in a round.
 struct PartitionMessages {
   /// A path to a vertex that both have.
   struct SentPath {
@@ -114,8 +114,7 @@ struct LastSent {
 /// One partition's side of the exchange with the others: what it tells them, and what it hears from them.
 class PartitionExchange {
  public:
-  /// Of the mailboxes, only those of this partition are used; of `last_sent`, only its own copies. All have to outlive
-  /// this.
+  /// The partition uses its own mailboxes only, and its own copies in `last_sent`. All have to outlive this.
   PartitionExchange(const MeshPartitions& partitions, Mailboxes& mailboxes, IdVector<SharedCopyId, LastSent>& last_sent,
                     PartitionId own)
       : partitions_(partitions), mailboxes_(mailboxes), last_sent_(last_sent), own_(own) {}

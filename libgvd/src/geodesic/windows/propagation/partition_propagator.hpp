@@ -23,7 +23,7 @@ namespace gvd {
 
 using VertexEventId = Id<struct VertexEventTag>;
 
-/// What waits in the queue of a partition: a halfedge with waiting windows, or a vertex event.
+/// An item in the queue of a partition: a halfedge with waiting windows, or a vertex event.
 class QueueItem {
  public:
   explicit QueueItem(HalfedgeId h) : value_(h.value()) {}
@@ -65,9 +65,9 @@ class VertexEvents {
 
 /// The propagation in one partition of the mesh: its queue, and the rules by which paths and windows enter it.
 ///
-/// What leads across a face is computed by FaceCrossing, what starts at a vertex by PseudoSources, and what comes from
-/// other partitions by PartitionExchange. All three hand paths and windows to this class. Partitions may work on
-/// several threads, each thread on one of them at a time. See propagate_windows.hpp.
+/// Paths and windows come from three helpers: FaceCrossing carries windows across a face, PseudoSources starts them at
+/// a vertex, and PartitionExchange receives them from other partitions. Partitions may work on several threads, each
+/// thread on one of them at a time. See propagate_windows.hpp.
 class PartitionPropagator {
  public:
   /// `state` has to outlive this.
@@ -108,12 +108,11 @@ class PartitionPropagator {
       }
     }
   }
-  /// While no partition runs and no message for the current bucket is left: advances by `steps` buckets, of which none
-  /// but the last one holds anything. `settled` as above.
+  /// Advances by `steps` buckets, of which none but the last one holds anything. Only while no partition runs and no
+  /// message for the current bucket is left. `settled` as above.
   void end_bucket(double settled, std::size_t steps) {
     pruning_.review_border(settled);
-    // With an empty queue nothing waits, and other partitions can use the memory. Only after much work, compared with
-    // which the cost of visiting all buckets is negligible.
+    // An empty queue gives its memory to other partitions, but only after much work: releasing visits all buckets.
     if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
     queue_.advance(steps);
   }

@@ -14,14 +14,14 @@
 
 namespace gvd {
 
-/// What is known of the distances in a face.
+/// Knowledge of the distances in a face.
 enum class FaceState : std::uint8_t {
   open,
   single_label,  ///< they are settled and have one label
   multi_label,   ///< they have several labels, or had so at some time
 };
 
-/// What the partitions of the mesh share. While they work, each one uses only what belongs to its faces and to its
+/// The data that the partitions of the mesh share. While they work, each one uses only the items of its own faces and
 /// vertex copies.
 struct PropagationState {
   PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);
