@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geodesic/sampling/sampling_vertices.hpp"
+#include "geodesic/sampling/samplers.hpp"
 
 namespace gvd::bench {
 

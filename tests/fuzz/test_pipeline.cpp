@@ -13,7 +13,7 @@
 #include "fuzz/findings.hpp"
 #include "fuzz/random_points.hpp"
 #include "fuzz/random_soup.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/windows/face_frames.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"

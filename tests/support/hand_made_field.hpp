@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 
 namespace gvd::test {
 

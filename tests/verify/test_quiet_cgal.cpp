@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "shortest_paths.hpp"
+#include "path_submesh.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_quiet_cgal {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "geodesic/windows/field/collect_sources.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::paper {

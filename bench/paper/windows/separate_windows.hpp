@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 
 namespace gvd::paper {
 

@@ -15,7 +15,7 @@ struct ExactFieldOptions {
   /// Distance at which each generator starts, in mesh units, >= 0: an additive weight. Empty: 0 for all.
   std::vector<double> offsets;
   Progress progress;  ///< may be empty
-  /// How many threads work at the same time, >= 1; 0: as many as there are cores. No bit of the result depends on it.
+  /// Number of threads, >= 1; 0: as many as there are cores. No bit of the result depends on it.
   int threads = 0;
 };
 

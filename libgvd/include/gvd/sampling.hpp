@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// How generators are spread over the surface. Distances are geodesic.
+/// The ways to spread generators over the surface. Distances are geodesic.
 enum class Sampling {
   farthest,         ///< `count` points, each as far as possible from all before it
   random,           ///< `count` points, independent and uniform by area

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "mesh/working_mesh.hpp"

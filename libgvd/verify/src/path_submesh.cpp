@@ -1,3 +1,9 @@
+// The part of a mesh that the shortest paths of a query can visit.
+//
+// Idea: Dijkstra's algorithm on the edges bounds the largest distance R of the query's points. No path of that length
+// leaves the ball of radius R round the generator, so CGAL need not see the faces outside of it.
+// Invariant: the faces of the submesh are connected across edges, oriented as in the mesh, and each of its vertices has
+// one fan of them. Vertices where several fans remain are duplicated.
 #include "path_submesh.hpp"
 
 #include <algorithm>
@@ -29,7 +35,7 @@ void check_point(const Mesh& mesh, const SurfacePoint& point) {
 /// Stops when the values of all `wanted` vertices are final.
 IdVector<VertexId, double> compute_edge_distances(const Mesh& mesh, const std::vector<SurfacePoint>& views,
                                                   const std::vector<VertexId>& wanted) {
-  IdVector<VertexId, double> distance(static_cast<std::size_t>(mesh.vertex_count()), kInfinity);
+  IdVector<VertexId, double> distance(mesh.vertex_count(), kInfinity);
   IdVector<VertexId, char> waiting(distance.size(), 0);
   std::size_t pending = 0;
   for (const VertexId v : wanted) pending += waiting[v]++ == 0 ? 1 : 0;
@@ -61,14 +67,13 @@ class SubmeshExtractor {
   SubmeshExtractor(const Mesh& mesh, const DistanceQuery& query)
       : mesh_(mesh), query_(query), views_(find_views(mesh, query.generator)) {
     origin_ = position(mesh, query.generator);
-    slot_.assign(static_cast<std::size_t>(mesh.face_count()), -1);
+    slot_.assign(mesh.face_count(), -1);
     submesh_.distances.assign(query.points.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   PathSubmesh run() {
     sort_points();
-    if (far_.empty()) return std::move(submesh_);
-    measure_radius();
+    if (!far_.empty()) measure_radius();
     if (far_.empty()) return std::move(submesh_);
     collect_faces();
     number_vertices();
@@ -102,23 +107,18 @@ class SubmeshExtractor {
       for (const VertexId v : mesh_.vertices(query_.points[i].face)) wanted.push_back(v);
     }
     const auto distance = compute_edge_distances(mesh_, views_, wanted);
-    std::vector<std::size_t> reached;
-    for (const std::size_t i : far_) {
+    std::erase_if(far_, [&](std::size_t i) {
       const SurfacePoint& point = query_.points[i];
       const Vec3 at = position(mesh_, point);
       double bound = kInfinity;
       for (const VertexId v : mesh_.vertices(point.face)) {
         bound = std::min(bound, distance[v] + (mesh_.position(v) - at).norm());
       }
-      if (std::isinf(bound)) {
-        submesh_.distances[i] = bound;
-      } else {
-        reached.push_back(i);
-        radius_ = std::max(radius_, bound);
-      }
-    }
+      if (std::isinf(bound)) submesh_.distances[i] = bound;
+      if (!std::isinf(bound)) radius_ = std::max(radius_, bound);
+      return std::isinf(bound);
+    });
     radius_ *= 1 + kRadiusSlack;
-    far_ = std::move(reached);
   }
 
   /// Whether f may intersect the ball, by an enclosing ball of f.
@@ -132,7 +132,7 @@ class SubmeshExtractor {
 
   void add_face(FaceId f) {
     if (slot_[f] >= 0) return;
-    slot_[f] = static_cast<int>(faces_.size());
+    slot_[f] = int(faces_.size());
     faces_.push_back(f);
   }
 
@@ -146,9 +146,7 @@ class SubmeshExtractor {
     }
   }
 
-  std::size_t corner_index(HalfedgeId h) const {
-    return 3 * static_cast<std::size_t>(slot_[Mesh::face(h)]) + static_cast<std::size_t>(Mesh::corner(h));
-  }
+  std::size_t corner_index(HalfedgeId h) const { return 3 * std::size_t(slot_[Mesh::face(h)]) + Mesh::corner(h); }
 
   bool is_added(HalfedgeId h) const { return h.valid() && slot_[Mesh::face(h)] >= 0; }
 
@@ -160,20 +158,20 @@ class SubmeshExtractor {
         const HalfedgeId start = Mesh::halfedge(f, corner);
         if (corner_vertex_[corner_index(start)] >= 0) continue;
         const int number = add_vertex(mesh_.position(mesh_.from(start)));
-        for (HalfedgeId h = start; is_added(h) && corner_vertex_[corner_index(h)] < 0; h = next_outgoing(mesh_, h)) {
-          corner_vertex_[corner_index(h)] = number;
-        }
-        for (HalfedgeId h = previous_outgoing(mesh_, start); is_added(h) && corner_vertex_[corner_index(h)] < 0;
-             h = previous_outgoing(mesh_, h)) {
-          corner_vertex_[corner_index(h)] = number;
-        }
+        const auto number_from = [&](HalfedgeId h, auto step) {
+          for (; is_added(h) && corner_vertex_[corner_index(h)] < 0; h = step(mesh_, h)) {
+            corner_vertex_[corner_index(h)] = number;
+          }
+        };
+        number_from(start, next_outgoing);
+        number_from(previous_outgoing(mesh_, start), previous_outgoing);
       }
     }
   }
 
   int add_vertex(const Vec3& at) {
     submesh_.positions.push_back(at);
-    return static_cast<int>(submesh_.positions.size()) - 1;
+    return int(submesh_.positions.size()) - 1;
   }
 
   /// First the faces that contain the generator, each split into triangles at it. The triangle without corner i has the
@@ -183,7 +181,7 @@ class SubmeshExtractor {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const std::array<int, 3> face{corner_vertex_[3 * i], corner_vertex_[3 * i + 1], corner_vertex_[3 * i + 2]};
       if (i >= views_.size()) {
-        local_face_.push_back(static_cast<int>(submesh_.faces.size()));
+        local_face_.push_back(int(submesh_.faces.size()));
         submesh_.faces.push_back(face);
         continue;
       }

@@ -1,5 +1,5 @@
 #include "diagram/growth/accept_branch.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"

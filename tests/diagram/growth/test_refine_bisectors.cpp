@@ -3,7 +3,7 @@
 
 #include "diagram/growth/refine_bisectors.hpp"
 #include "diagram/growth/weld_crossings.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -187,7 +187,7 @@ TEST_CASE("a distance is at most the length of the path along an edge from the f
     const test::Stages stages(mesh, test::random_generators(mesh, 5, 7), Front::circle);
     for (int i = 0; i < stages.mesh().face_count(); ++i) {
       stages.table().for_each(FaceId(i), [&](const TableEntry& entry) {
-        // What did not propagate from a face need not have reached its corners by the shortest way.
+        // A generator that did not propagate from a face need not have reached its corners by the shortest way.
         const auto d = stages.table().corner_distances(entry);
         const std::size_t least = static_cast<std::size_t>(std::min_element(d.begin(), d.end()) - d.begin());
         const double next = stages.mesh().length(Mesh::halfedge(FaceId(i), static_cast<int>(least)));

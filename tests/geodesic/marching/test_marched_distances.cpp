@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/marched_distances.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,4 @@
-// What gvd/sampling.hpp promises of all samplings, and of random and Poisson points.
+// The promises of gvd/sampling.hpp for all samplings, and of random and Poisson points.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

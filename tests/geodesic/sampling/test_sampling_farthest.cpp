@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 #include <vector>
 
 #include "geodesic/marching/local_march.hpp"
-#include "geodesic/sampling/nearest_field.hpp"
+#include "geodesic/sampling/samplers.hpp"
+#include "gvd/vec.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
@@ -122,6 +124,136 @@ TEST_CASE("distances are geodesic: a thin plate's two sides are far apart") {
   }
   CHECK(near_in_space > 5);
   CHECK(least_spacing(plate, points) > 0.08);
+}
+
+using test::kInfinity;
+using test::sample;
+
+TEST_CASE("nearest field: before the first generator, and in a component without one") {
+  const Mesh mesh = test::make_two_components();
+  NearestField field(mesh, Front::circle);
+  CHECK(std::isinf(field.distance(VertexId(0))));
+  CHECK_FALSE(field.label(VertexId(0)).valid());
+  CHECK(field.insert(vertex_point(mesh, VertexId(0))) == GeneratorId(0));
+  CHECK(field.distance(VertexId(0)) == 0);
+  const VertexId beyond(mesh.vertex_count() - 1);
+  CHECK(std::isinf(field.distance(beyond)));
+  CHECK_FALSE(field.label(beyond).valid());
+}
+
+TEST_CASE("nearest field: of two coincident generators the earlier one is kept") {
+  const Mesh grid = test::make_grid(3, 3);
+  NearestField field(grid, Front::circle);
+  for (int i = 0; i < 2; ++i) field.insert(vertex_point(grid, VertexId(5)));
+  for (int v = 0; v < grid.vertex_count(); ++v) CHECK(field.label(VertexId(v)) == GeneratorId(0));
+}
+
+TEST_CASE("nearest field: on a flat grid every vertex has the label of the nearest generator") {
+  const Mesh grid = test::make_grid(8, 8);
+  const auto points = sample(grid, Sampling::random, 6, 4);
+  NearestField field(grid, Front::circle);
+  for (const SurfacePoint& p : points) field.insert(p);
+  for (int v = 0; v < grid.vertex_count(); ++v) {
+    double nearest = kInfinity;
+    for (const SurfacePoint& p : points) {
+      nearest = std::min(nearest, (position(grid, p) - grid.position(VertexId(v))).norm());
+    }
+    const SurfacePoint& own = points[field.label(VertexId(v)).index()];
+    CHECK((position(grid, own) - grid.position(VertexId(v))).norm() == Approx(nearest).epsilon(0.02));
+    CHECK(field.distance(VertexId(v)) == Approx(nearest).epsilon(0.02));
+  }
+}
+
+TEST_CASE("nearest field: insertion gives the distances of the nearest generator by itself") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto points = sample(mesh, Sampling::random, 30, 2);
+    NearestField field(mesh, Front::circle);
+    LocalMarch march(mesh, Front::circle);
+    std::vector<double> nearest(static_cast<std::size_t>(mesh.vertex_count()), kInfinity);
+    for (const SurfacePoint& p : points) {
+      field.insert(p);
+      march.run(p, kInfinity);
+      for (int v = 0; v < mesh.vertex_count(); ++v) {
+        nearest[v] = std::min(nearest[v], march.distance(VertexId(v)));
+      }
+    }
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      INFO(name << ", vertex " << v);
+      // Never nearer than alone. A front stops one ring beyond its cell, so distances near the border can be a little
+      // too long. Among thin faces a straight path passes close to vertices of other cells: up to a quarter too long.
+      const double loss = name == "thin-faced sphere" ? 0.25 : 0.05;
+      const double whole = nearest[v], inserted = field.distance(VertexId(v));
+      CHECK(inserted >= whole * (1 - 1e-12));
+      CHECK(inserted <= whole * (1 + loss) + 0.05 * mesh.mean_edge_length());
+    }
+  }
+}
+
+struct Triangle {
+  std::array<Vec2, 3> corner;
+
+  double side(std::size_t i) const { return (corner[(i + 1) % 3] - corner[i]).norm(); }
+  double twice_area() const {
+    const Vec2 b = corner[1] - corner[0], c = corner[2] - corner[0];
+    return std::abs(b.x() * c.y() - b.y() * c.x());
+  }
+  double bound(const std::array<double, 3>& distance) const {
+    return compute_face_distance_bound({{side(0), side(1), side(2)}, twice_area()}, distance);
+  }
+  /// The largest value on a grid of points.
+  double brute_force(const std::array<double, 3>& distance, int n) const {
+    double largest = 0;
+    for (int i = 0; i <= n; ++i) {
+      for (int k = 0; i + k <= n; ++k) {
+        const Vec2 p = (i * corner[0] + k * corner[1] + (n - i - k) * corner[2]) / n;
+        double value = 1e300;
+        for (std::size_t c = 0; c < 3; ++c) value = std::min(value, distance[c] + (p - corner[c]).norm());
+        largest = std::max(largest, value);
+      }
+    }
+    return largest;
+  }
+};
+
+TEST_CASE("face distance bound: it bounds the distance of every point, and not by much more") {
+  std::mt19937 random(1);
+  const auto real = [&] { return double(random()) / double(std::mt19937::max()); };
+  for (int trial = 0; trial < 2000; ++trial) {
+    Triangle t{{Vec2(0, 0), Vec2(1, 0), Vec2(2 * real() - 0.5, 0.001 + (trial % 2 ? real() : 0.05 * real()))}};
+    // Distances of a plane with generators round the triangle: they differ by no more than a side.
+    std::array<double, 3> distance{1e300, 1e300, 1e300};
+    const int generators = 1 + trial % 5;
+    for (int g = 0; g < generators; ++g) {
+      const double angle = 2 * std::numbers::pi * real(), far = 0.5 + 2 * real();
+      const Vec2 p(far * std::cos(angle), far * std::sin(angle));
+      for (std::size_t c = 0; c < 3; ++c) distance[c] = std::min(distance[c], (p - t.corner[c]).norm());
+    }
+    const double truth = t.brute_force(distance, 100);
+    const double longest = std::max({t.side(0), t.side(1), t.side(2)});
+    const double bound = t.bound(distance);
+    INFO("trial " << trial);
+    CHECK(bound >= truth * (1 - 1e-12));
+    // The bound on a side ignores the third corner; otherwise it is exact up to the spacing of the grid.
+    CHECK(bound <= truth + 0.5 * longest);
+    CHECK(bound <= *std::max_element(distance.begin(), distance.end()) + longest / std::numbers::sqrt3 + 1e-12);
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::array<double, 3> nearer = distance;
+      nearer[c] -= 0.05 * real();
+      CHECK(t.bound(nearer) <= bound * (1 + 1e-9));
+    }
+  }
+}
+
+TEST_CASE("face distance bound: exact at the centre of an equilateral triangle") {
+  const Triangle t{{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, std::sqrt(0.75))}};
+  CHECK(t.bound({1, 1, 1}) == Approx(1 + 1 / std::numbers::sqrt3).epsilon(1e-12));
+  CHECK(t.bound({0, 0, 0}) == Approx(1 / std::numbers::sqrt3).epsilon(1e-12));
+}
+
+TEST_CASE("face distance bound: a triangle without area") {
+  const Triangle t{{Vec2(0, 0), Vec2(2, 0), Vec2(1, 0)}};
+  CHECK(t.bound({0, 0, 0}) >= 0.5);
+  CHECK(t.bound({0, 0, 0}) <= 2 / std::numbers::sqrt3 + 1e-12);
 }
 
 }  // namespace gvd::test_sampling_farthest

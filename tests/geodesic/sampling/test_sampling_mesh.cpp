@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
-#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "support/catch.hpp"

@@ -1,12 +1,11 @@
-// Where paths bend, and properties of windows that need no reference.
+// The vertices at which paths bend, and properties of windows that need no reference.
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "geodesic/windows/field/collect_sources.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/trace_shortest_path.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -70,14 +69,14 @@ TEST_CASE("a path that can't be continued from a vertex is not complete") {
   const Mesh mesh = make_crown(8, 0.4);
   const VertexId saddle(0), start(5), generator(1);
   WindowField field = propagate(mesh, {generator});
-  const ShortestPath path = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  const GeodesicPath path = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
   REQUIRE(path.complete);
   REQUIRE(path.points.size() == 3);
   CHECK(vertex(mesh, path.points[1]) == saddle);
   CHECK(vertex(mesh, path.points[2]) == generator);
-  // As rounding may cause: the saddle is nearer than all paths to it.
+  // Rounding may cause this: the saddle is nearer than all paths to it.
   field.distance[saddle] = 0;
-  const ShortestPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  const GeodesicPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
   CHECK_FALSE(broken.complete);
   CHECK(broken.generator.value() == 0);
   CHECK(vertex(mesh, broken.points.back()) == saddle);

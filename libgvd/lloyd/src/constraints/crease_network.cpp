@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/tracing/tangent_fan.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/tangent_fan.hpp"
 #include "gvd/features.hpp"
 
 namespace gvd {

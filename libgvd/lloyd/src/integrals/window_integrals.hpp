@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/diagram.hpp"
 #include "integrals/cell_sums.hpp"

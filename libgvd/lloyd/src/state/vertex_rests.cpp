@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/plane.hpp"
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/tracing/tangent_fan.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/tangent_fan.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "integrals/vertex_slope.hpp"
 

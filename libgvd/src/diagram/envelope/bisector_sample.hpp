@@ -4,7 +4,7 @@
 
 #include "base/plane.hpp"
 #include "diagram/envelope/source_distances.hpp"
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {

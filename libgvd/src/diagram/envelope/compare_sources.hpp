@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 
 namespace gvd {
 namespace edge_source_detail {

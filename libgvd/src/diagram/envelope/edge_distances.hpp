@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 
 namespace gvd {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/symbolic_offset.hpp"
 
 namespace gvd {
 

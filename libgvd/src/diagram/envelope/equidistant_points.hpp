@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 
 namespace gvd {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/face_layout.hpp"
 
 namespace gvd {
 

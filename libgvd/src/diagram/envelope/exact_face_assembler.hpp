@@ -10,8 +10,8 @@
 #include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {

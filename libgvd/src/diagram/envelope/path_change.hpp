@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/segment.hpp"
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 
 namespace gvd {
 

@@ -7,9 +7,9 @@
 
 #include "diagram/assembly/face_distances.hpp"
 #include "diagram/envelope/equidistant_search.hpp"
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/symbolic_offset.hpp"
 
 namespace gvd {
 

@@ -4,8 +4,8 @@
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/graph/traced_diagram.hpp"
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {

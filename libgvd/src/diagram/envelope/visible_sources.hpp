@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/envelope/source_distances.hpp"
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {

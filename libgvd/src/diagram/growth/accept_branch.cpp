@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 
 namespace gvd {
 namespace {

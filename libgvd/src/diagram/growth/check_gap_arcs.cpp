@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/segment.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {

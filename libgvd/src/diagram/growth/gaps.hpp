@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "geodesic/field/generator_table.hpp"
+#include "geodesic/generator_table.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {

@@ -7,7 +7,7 @@
 #include "diagram/growth/accept_branch.hpp"
 #include "diagram/growth/check_growth.hpp"
 #include "diagram/growth/growing_end.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 
 namespace gvd {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "diagram/graph/nearest_labels.hpp"
-#include "geodesic/field/generator_table.hpp"
+#include "geodesic/generator_table.hpp"
 #include "gvd/front.hpp"
 #include "mesh/working_mesh.hpp"
 

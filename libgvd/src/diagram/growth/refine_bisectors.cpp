@@ -1,6 +1,6 @@
 #include "diagram/growth/refine_bisectors.hpp"
 
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "gvd/diagram_steps.hpp"
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "diagram/assembly/distance_form.hpp"
-#include "geodesic/marching/auxiliary_distance.hpp"
+#include "geodesic/marching/local_update.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"
 

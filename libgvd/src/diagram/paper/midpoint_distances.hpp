@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "geodesic/field/generator_table.hpp"
+#include "geodesic/generator_table.hpp"
 #include "gvd/ids.hpp"
 
 namespace gvd {

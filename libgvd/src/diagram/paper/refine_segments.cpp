@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {

@@ -1,12 +1,19 @@
+// Adapted fast marching: the distances of all generators at once, each near its own cell.
+//
+// Idea: an event is a triangle and a generator. It carries the generator's distances across the triangle's edges to the
+// corners opposite. A generator that another one dominates in a triangle does not propagate from there, so that the
+// work is O(n) for any number of generators.
+// Source: section 4.1 of the paper, with its domination test by auxiliary distances. The local update is that of Kimmel
+// and Sethian (1998), or the one by a circle.
+// Invariant: a vertex has one distance for each generator, which all faces round it share. It only falls.
 #include "geodesic/marching/fast_marching.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/bucket_queue.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
-#include "geodesic/marching/auxiliary_distance.hpp"
 #include "geodesic/marching/local_update.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -52,7 +59,7 @@ class Marcher {
 
   static std::size_t bucket_count(const Mesh& mesh) {
     double longest = 0;
-    for (std::int32_t e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
+    for (const EdgeId e : mesh.edges()) longest = std::max(longest, mesh.length(e));
     // One event raises a key by at most three edges.
     return static_cast<std::size_t>(
         std::min(kMostMarchBuckets, 3 * longest / (kMarchBucketWidth * mesh.mean_edge_length()) + 3));
@@ -60,24 +67,14 @@ class Marcher {
 
   /// Gives every generator its distances on the faces round its vertex, along their edges.
   void place_generators() {
-    for (std::size_t i = 0; i < working_.generator_vertices().size(); ++i) {
-      const GeneratorId g(i);
+    for (const GeneratorId g : working_.generator_vertices().ids()) {
       const double offset = offset_.of(g);
       table_.add(working_.vertex(g), g, offset, HalfedgeId());
       for_each_outgoing(mesh_, working_.vertex(g), [&](HalfedgeId h) {
-        set_nearer(mesh_.to(h), g, offset + mesh_.length(h));
-        set_nearer(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
+        table_.lower(mesh_.to(h), g, offset + mesh_.length(h));
+        table_.lower(mesh_.opposite(h), g, offset + mesh_.length(Mesh::previous(h)));
         add_entry(Mesh::face(h), g);
       });
-    }
-  }
-
-  void set_nearer(VertexId v, GeneratorId g, double distance) {
-    const std::int32_t index = table_.find(v, g);
-    if (index < 0) {
-      table_.add(v, g, distance, HalfedgeId());
-    } else {
-      table_.distance(index).distance = std::min(table_.distance(index).distance, distance);
     }
   }
 
@@ -105,8 +102,8 @@ class Marcher {
     const FaceId f = entry.face;
     const std::array<std::int32_t, 3> corner = entry.corner;  // a copy: adding entries moves the table
     const GeneratorId g = entry.generator;
-    for (std::size_t side = 0; side < 3; ++side) {
-      const HalfedgeId twin = mesh_.twin(Mesh::halfedge(f, static_cast<int>(side)));
+    for (int side = 0; side < 3; ++side) {
+      const HalfedgeId twin = mesh_.twin(Mesh::halfedge(f, side));
       if (twin.valid()) propagate(twin, g, corner[kNext[side]], corner[side]);  // the twin has the other direction
     }
   }
@@ -144,18 +141,21 @@ class Marcher {
   void propagate(HalfedgeId h, GeneratorId g, std::int32_t index_a, std::int32_t index_b) {
     const double distance_a = table_.distance(index_a).distance, distance_b = table_.distance(index_b).distance;
     const FaceId face = Mesh::face(h);
-    const auto i = static_cast<std::size_t>(h.value() - 3 * face.value());
+    const std::size_t i = Mesh::corner(h);
     const VertexId d = mesh_.vertices(face)[kPrevious[i]];
     const std::int32_t neighbour = table_.find(face, g);
     std::int32_t index_d = neighbour >= 0 ? table_.entry(neighbour).corner[kPrevious[i]] : table_.find(d, g);
-    const Front front = front_over(g, index_a, index_b);
+    const auto update = [&] {
+      return update_by(front_over(g, index_a, index_b), make_update_triangle(mesh_.shape(face), i), distance_a,
+                       distance_b);
+    };
     bool improved = false;
     // By the triangle inequality no point of the edge is nearer than this, and no corner beyond the edge.
     const double least = 0.5 * (distance_a + distance_b - mesh_.shape(face).length[i]);
     if (index_d < 0) {
-      index_d = table_.add(d, g, update(face, i, distance_a, distance_b, front), h);
+      index_d = table_.add(d, g, update(), h);
     } else if (table_.distance(index_d).distance > least) {
-      improved = improve(table_.distance(index_d), update(face, i, distance_a, distance_b, front), h);
+      improved = improve(table_.distance(index_d), update(), h);
     }
     if (neighbour < 0) {
       std::array<std::int32_t, 3> corner{};
@@ -184,13 +184,6 @@ class Marcher {
     return next_to_source && working_.vertex(g).value() >= working_.input().vertex_count() ? Front::circle : front_;
   }
 
-  /// Distance at the corner opposite side i of a face.
-  double update(FaceId f, std::size_t i, double distance_a, double distance_b, Front front) const {
-    const FaceShape& s = mesh_.shape(f);
-    const auto t = make_update_triangle(s.length[i], s.length[kPrevious[i]], s.length[kNext[i]], s.twice_area);
-    return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
-  }
-
   /// Queues the faces round the vertex that h leaves, because its distance improved.
   void requeue_around(HalfedgeId h, GeneratorId g) {
     for_each_outgoing(mesh_, mesh_.from(h), [&](HalfedgeId outgoing) {
@@ -200,7 +193,7 @@ class Marcher {
   }
 
   void report() const {
-    const double share = static_cast<double>(events_) / (1.3 * mesh_.face_count());
+    const double share = double(events_) / (1.3 * mesh_.face_count());
     report_progress(progress_, steps::kDistances, std::min(0.99, share));
   }
 

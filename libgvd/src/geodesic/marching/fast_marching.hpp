@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "geodesic/field/generator_table.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/generator_table.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "gvd/front.hpp"
 #include "gvd/progress.hpp"
 #include "mesh/working_mesh.hpp"

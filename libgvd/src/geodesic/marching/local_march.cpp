@@ -1,9 +1,17 @@
+// Distances from one point, marched as far as they are below a bound.
+//
+// Idea: a vertex that improves updates the two other corners of each of its faces, by the local update across the side
+// between. The queue is ordered by distance; a vertex may improve again, so the order changes no result.
+// Source: fast marching of Kimmel and Sethian (1998), label-correcting, with the updates of local_update.hpp.
+// Invariant: within a run a vertex's distance only falls, at most 44 times. It is at least the smaller of the two
+// distances that it was updated from.
 #include "geodesic/marching/local_march.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geodesic/marching/local_update.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -16,23 +24,7 @@ constexpr double kLeastGain = 1e-13;
 /// Events between two calls of the watch: some milliseconds.
 constexpr std::size_t kWatchStride = std::size_t{1} << 13;
 
-double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
-  return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
-}
-
 }  // namespace
-
-LocalMarch::LocalMarch(const Mesh& mesh, Front front)
-    : mesh_(mesh),
-      front_(front),
-      shapes_(static_cast<std::size_t>(mesh.face_count())),
-      nodes_(static_cast<std::size_t>(mesh.vertex_count()), Node{0, 0, 0}) {
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId f(i);
-    for (int corner = 0; corner < 3; ++corner) shapes_[f].length[corner] = mesh.length(Mesh::halfedge(f, corner));
-    shapes_[f].twice_area = 2 * mesh.area(f);
-  }
-}
 
 void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper) {
   ++run_;
@@ -61,11 +53,7 @@ void LocalMarch::place_start(const SurfacePoint& start) {
     reach(start_corners_.front(), 0);
     return;
   }
-  start_faces_.push_back(start.face);
-  if (start.kind() == SurfacePoint::Kind::edge) {
-    const HalfedgeId twin = mesh_.twin(halfedge(start));
-    if (twin.valid()) start_faces_.push_back(Mesh::face(twin));
-  }
+  start_faces_ = faces_around(mesh_, start);
   for (const FaceId f : start_faces_) {
     for (const VertexId v : mesh_.vertices(f)) {
       start_corners_.push_back(v);
@@ -99,9 +87,7 @@ void LocalMarch::reach(VertexId v, double distance) {
 }
 
 double LocalMarch::update(HalfedgeId h) const {
-  const FaceShape& s = shapes_[Mesh::face(h)];
-  const int i = Mesh::corner(h);
-  const auto t = make_update_triangle(s.length[i], s.length[(i + 2) % 3], s.length[(i + 1) % 3], s.twice_area);
+  const UpdateTriangle t = make_update_triangle(mesh_.shape(Mesh::face(h)), Mesh::corner(h));
   const double distance_a = nodes_[mesh_.from(h)].distance, distance_b = nodes_[mesh_.to(h)].distance;
   // At a flat apex the update can be less than both distances. In faces without area, folded on each other, such values
   // would lower each other in turn. So the result is at least the smaller distance; not-a-number is kept.
@@ -113,18 +99,14 @@ double LocalMarch::update(HalfedgeId h) const {
 /// leave its face through the inside of an edge.
 void LocalMarch::relax(VertexId v) {
   const bool propagates = below_bound(v) || is_start_corner(v);
-  const HalfedgeId start = mesh_.halfedge(v);
-  HalfedgeId h = start;
-  do {
-    const FaceId f = Mesh::face(h);
+  for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
     const HalfedgeId before = Mesh::previous(h);  // from c to v
     const VertexId b = mesh_.to(h), c = mesh_.from(before);
     const bool has_b = nodes_[b].run == run_, has_c = nodes_[c].run == run_;
     const double d = nodes_[v].distance;
     // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
     // degenerate face).
-    const double along_b = d + shapes_[f].length[Mesh::corner(h)],
-                 along_c = d + shapes_[f].length[Mesh::corner(before)];
+    const double along_b = d + mesh_.length(h), along_c = d + mesh_.length(before);
     if (has_b && (propagates || below_bound(b))) {
       reach(c, std::min(along_c, update(h)));
     } else if (propagates) {
@@ -135,8 +117,7 @@ void LocalMarch::relax(VertexId v) {
     } else if (propagates) {
       reach(b, along_b);
     }
-    h = mesh_.twin(before);
-  } while (h.valid() && h != start);
+  });
 }
 
 double LocalMarch::distance(const SurfacePoint& point) const {
@@ -144,8 +125,8 @@ double LocalMarch::distance(const SurfacePoint& point) const {
   if (std::find(start_faces_.begin(), start_faces_.end(), point.face) != start_faces_.end()) {
     return (p - start_position_).norm();
   }
-  double best = std::numeric_limits<double>::infinity();
-  const FaceShape& s = shapes_[point.face];
+  double best = kInfinity;
+  const FaceShape& s = mesh_.shape(point.face);
   for (int i = 0; i < 3; ++i) {
     const HalfedgeId h = Mesh::halfedge(point.face, i);
     const VertexId a = mesh_.from(h), b = mesh_.to(h);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/apex_foot.hpp"
+#include "gvd/front.hpp"
+#include "gvd/mesh.hpp"
 
 namespace gvd {
 
@@ -22,6 +25,11 @@ inline UpdateTriangle make_update_triangle(double base, double side_a, double si
   const double inverse = 1 / base;
   const double x = apex_foot_by_inverse(base, inverse, side_a, side_b);
   return {base, inverse, side_a, side_b, x, twice_area * inverse};
+}
+
+/// The frame of a face on the halfedge of corner `side`.
+inline UpdateTriangle make_update_triangle(const FaceShape& s, std::size_t side) {
+  return make_update_triangle(s.length[side], s.length[(side + 2) % 3], s.length[(side + 1) % 3], s.twice_area);
 }
 
 /// Distance at D along the edges A D and B D: the length of a path of the surface, hence an upper bound.
@@ -68,6 +76,35 @@ inline double update_planar(const UpdateTriangle& t, double distance_a, double d
   const double crossing = t.x * cosine - t.height * slope;
   if (crossing < 0 || crossing > t.base * cosine) return update_along_edges(t, distance_a, distance_b);
   return distance_a + slope * t.x + cosine * t.height;
+}
+
+/// The update by a front of either shape.
+inline double update_by(Front front, const UpdateTriangle& t, double distance_a, double distance_b) {
+  return front == Front::circle ? update_circle(t, distance_a, distance_b) : update_planar(t, distance_a, distance_b);
+}
+
+/// The two halves of a face, cut by the median from corner C to the opposite edge A B. They do not depend on the
+/// generator.
+struct MedianHalves {
+  UpdateTriangle at_a, at_b;  ///< base from C to A, or to B; the apex is the midpoint of A B
+};
+
+/// The halves for the edge of corner `side`. Cost: O(1), one square root.
+inline MedianHalves make_median_halves(const FaceShape& shape, std::size_t side) {
+  const double length = shape.length[side], bc = shape.length[(side + 1) % 3], ca = shape.length[(side + 2) % 3];
+  // The median from C, by the parallelogram law.
+  const double median = std::sqrt(std::max(0.0, 0.5 * (bc * bc + ca * ca) - 0.25 * length * length));
+  const double twice_area = 0.5 * shape.twice_area;  // a half's
+  return {make_update_triangle(ca, median, 0.5 * length, twice_area),
+          make_update_triangle(bc, median, 0.5 * length, twice_area)};
+}
+
+/// Distance at the midpoint of corner `side`'s edge, updated through the face from its two other edges: the auxiliary
+/// distance of section 4.1. `corner`: the generator's distances at the face's corners, mesh units. Cost: O(1).
+inline double auxiliary_distance(const MedianHalves& halves, const std::array<double, 3>& corner, std::size_t side,
+                                 Front front) {
+  const double a = corner[side], b = corner[(side + 1) % 3], c = corner[(side + 2) % 3];
+  return std::min(update_by(front, halves.at_a, c, a), update_by(front, halves.at_b, c, b));
 }
 
 }  // namespace gvd

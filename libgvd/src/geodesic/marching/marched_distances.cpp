@@ -1,3 +1,9 @@
+// The marched distances as a DistanceField, for the envelope tracer.
+//
+// Idea: the distances of a generator at the two ends of a side determine its image beyond that side, if they come from
+// a point. So the table of each face becomes three images for each generator.
+// Source: section 4.1 of the paper, with the circle front in place of its linear one.
+// Invariant: every source is a path of the surface, or no shorter than one up to the error of the march.
 #include "geodesic/marching/marched_distances.hpp"
 
 #include <tuple>
@@ -38,8 +44,8 @@ void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const
     table_.for_each(Mesh::face(side), [&](const TableEntry& entry) {
       if (entry.dominated) return;
       const auto d = table_.corner_distances(entry);
-      const auto i = static_cast<std::size_t>(Mesh::corner(side));
-      const double a = side == h ? d[i] : d[(i + 1) % 3], b = side == h ? d[(i + 1) % 3] : d[i];
+      const int i = Mesh::corner(side), j = (i + 1) % 3;
+      const double a = side == h ? d[i] : d[j], b = side == h ? d[j] : d[i];
       const double x = apex_foot(length, a, b);
       // Distances that break the triangle inequality have no image: only the paths along the edge remain.
       if (std::abs(x) <= a) sources.push_back({0, length, x, std::sqrt((a - x) * (a + x)), 0, entry.generator});
@@ -50,18 +56,17 @@ void MarchedDistances::collect(EdgeId e, std::vector<EdgeSource>& sources) const
 void MarchedDistances::collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const {
   sources.clear();
   const auto& corner = layout.corner;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const VertexDistance& v = nearest(mesh_.vertices(f)[i]);
-    sources.push_back({corner[i], corner[i], corner[i], v.distance, v.generator, Mesh::halfedge(f, static_cast<int>(i)),
-                       true, v.distance, v.distance});
+    sources.push_back(
+        {corner[i], corner[i], corner[i], v.distance, v.generator, Mesh::halfedge(f, i), true, v.distance, v.distance});
   }
   table_.for_each(f, [&](const TableEntry& entry) {
     const auto d = table_.corner_distances(entry);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
       const Vec2 image = unfold_source(corner[i], corner[j], d[i], d[j]);
-      sources.push_back(
-          {image, corner[i], corner[j], 0, entry.generator, Mesh::halfedge(f, static_cast<int>(i)), false, d[i], d[j]});
+      sources.push_back({image, corner[i], corner[j], 0, entry.generator, Mesh::halfedge(f, i), false, d[i], d[j]});
     }
   });
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/generator_table.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/generator_table.hpp"
 
 namespace gvd {
 

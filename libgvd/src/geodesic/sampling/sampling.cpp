@@ -1,13 +1,20 @@
+// Spreads generators over the surface: checks the options, and calls the sampler that they name.
+//
+// Source: the papers named in gvd/sampling.hpp; drawing vertices is the beginning of a shuffle by Fisher and Yates.
+// Invariant: a sampler is called only with options that it can satisfy in number, so that it fails only where the mesh
+// has no room.
 #include "gvd/sampling.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
 
-#include "geodesic/sampling/sampling_farthest.hpp"
-#include "geodesic/sampling/sampling_poisson.hpp"
+#include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_vertices.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -50,6 +57,40 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
       return sample_covering(mesh, options);
   }
   return {};
+}
+
+double even_spacing(double area, std::int64_t count) {
+  // Each point has two triangles of area sqrt(3) / 4 times the square of the side.
+  return std::sqrt(2 * area / (std::numbers::sqrt3 * double(count)));
+}
+
+double even_count(double area, double spacing) {
+  return std::max(1.0, std::round(2 * area / (std::numbers::sqrt3 * spacing * spacing)));
+}
+
+std::int64_t max_splits(const Mesh& mesh, std::int64_t count) {
+  return std::min<std::int64_t>(4 * (mesh.vertex_count() + count), kMaxSamplingVertices);
+}
+
+std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
+  const IdRange<VertexId> all = mesh.vertices();
+  std::vector<VertexId> order(all.begin(), all.end());
+  SeededRandom random(seed);
+  for (std::int64_t i = 0; i < count; ++i) std::swap(order[i], order[i + random.below(order.size() - i)]);
+  order.resize(count);
+  return order;
+}
+
+std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
+  if (count > mesh.vertex_count()) {
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("{} different vertices asked for, and the mesh has {}; ask for fewer, or take random points", count,
+                    mesh.vertex_count()));
+  }
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : draw_vertices(mesh, count, seed)) points.push_back(vertex_point(mesh, v));
+  return points;
 }
 
 }  // namespace gvd

@@ -1,21 +1,21 @@
-// Farthest-point sampling by incremental insertion: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for
-// progressive image sampling, 1997; on surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
-#include "geodesic/sampling/sampling_farthest.hpp"
-
+// Farthest points and coverings, by inserting one generator after the other.
+//
+// Idea: a field keeps the nearest generator of every vertex, and a heap the vertex that is farthest from it. For a
+// covering the heap keeps faces, by an upper bound of the distance of their points.
+// Source: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for progressive image sampling, 1997; on
+// surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
+// Invariant: distances only fall, so the keys in the heap are upper bounds.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <numbers>
 
+#include "base/apex_foot.hpp"
 #include "base/lazy_max_heap.hpp"
-#include "geodesic/sampling/face_distance_bound.hpp"
-#include "geodesic/sampling/nearest_field.hpp"
+#include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_area.hpp"
@@ -34,65 +34,111 @@ constexpr double kFirstShare = 0.1;
 /// If some vertices coincide within rounding, sampling starts again with twice as many, at most this often.
 constexpr int kMaxAttempts = 4;
 
+/// A covering radius below this value needs more than kMaxSamplingVertices splits. Let `longest` = kCoveringEdge *
+/// radius be the longest edge allowed. Two lower bounds on the number of splits give the value:
+/// (a) an edge of length l needs l / longest - 1 splits;
+/// (b) a face with such edges has at most the equilateral area sqrt(3) / 4 longest^2, and a split adds at most two
+/// faces.
+double least_covering_radius(const Mesh& mesh) {
+  double length = 0;
+  for (const EdgeId e : mesh.edges()) length += mesh.length(e);
+  const double splits = kMaxSamplingVertices;
+  const double by_length = length / (splits + mesh.edge_count());
+  const double by_area = std::sqrt(4 / std::numbers::sqrt3 * compute_area(mesh) / (2 * splits + mesh.face_count()));
+  return std::max(by_length, by_area) / kCoveringEdge;
+}
+
+/// Splitting takes up to some seven times the lower bound, since halved triangles are neither equilateral nor as large
+/// as allowed. The error message suggests a radius larger by about the square root of that.
+constexpr double kSuggestedFactor = 3;
+
+[[noreturn]] void throw_too_small(double radius, double least) {
+  throw Error(ErrorCode::precondition,
+              fmt::format("a covering radius of {} is too small for this surface, which can't be split finely enough; "
+                          "try {:.2g} or more",
+                          radius, kSuggestedFactor * std::max(radius, least)));
+}
+
 /// Inserts farthest vertices of a mesh one by one.
 class FarthestSampler {
  public:
-  FarthestSampler(const Mesh& mesh, const SamplingOptions& options)
-      : mesh_(mesh), field_(mesh, options.front), faces_(sort_by_component()), random_(options.seed) {
-    field_.watch_insertions([this, &progress = options.progress](std::size_t reached) {
-      // Insertion i reaches about one vertex in i.
-      const double chosen = static_cast<double>(chosen_.size());
-      const double part = (chosen + 1) * static_cast<double>(reached) / static_cast<double>(mesh_.vertex_count());
-      report_progress(progress, "sampling", share_(chosen + std::min(1.0, part)));
+  FarthestSampler(const SamplingMesh& split, const SamplingOptions& options)
+      : split_(split),
+        mesh_(split.mesh()),
+        options_(options),
+        field_(mesh_, options.front),
+        faces_(sort_by_component()),
+        random_(options.seed) {
+    // Insertion i reaches about one vertex in i.
+    field_.watch_insertions([this](std::size_t reached) {
+      const double part = (double(chosen_.size()) + 1) * double(reached) / mesh_.vertex_count();
+      report(double(chosen_.size()) + std::min(1.0, part));
     });
   }
 
-  /// How much of the sampling is done, in [0, 1], once so many vertices are inserted; the last one maybe in part.
-  void set_share(std::function<double(double inserted)> share) { share_ = std::move(share); }
-  std::size_t component_count() const { return first_face_.size() - 1; }
-
-  /// The vertices inserted so far, in order.
-  const std::vector<VertexId>& chosen() const { return chosen_; }
-
-  /// One vertex in each component, or in the first `count` of them.
-  void start_components(std::int64_t count) {
-    const AreaSampler sampler(mesh_, faces_);
-    for (std::size_t c = 0; c + 1 < first_face_.size() && std::ssize(chosen_) < count; ++c) {
-      const FaceId f = sampler.draw_face(random_, first_face_[c], first_face_[c + 1]);
-      insert(mesh_.vertices(f)[static_cast<std::size_t>(3 * random_.real())]);
-    }
-  }
-
-  /// Inserts the farthest vertex while more(its distance) is true.
-  template <class More>
-  void insert_farthest(More more) {
+  /// Up to `count` points; fewer where the vertices of the mesh coincide within rounding.
+  std::vector<SurfacePoint> sample() {
+    start_components(options_.count);
+    const double least = kMinSampleSpacing * mesh_.bbox_diagonal();
     const auto key = [&](std::int32_t v) { return field_.distance(VertexId(v)); };
     LazyMaxHeap heap(mesh_.vertex_count(), key);
     for (; !heap.empty(); heap.pop()) {
       const auto& top = heap.top(key);
-      if (!more(top.key)) return;
+      report(double(chosen_.size()));
+      if (std::ssize(chosen_) >= options_.count || !(top.key > least)) break;
       insert(VertexId(top.id));
     }
+    return points();
   }
 
-  /// Takes the face with the largest distance bound and inserts its farthest corner, while more(that bound, the
-  /// corner's distance) is true.
-  template <class More>
-  void insert_in_farthest_face(More more) {
+  /// Takes the face with the largest distance bound and inserts its farthest corner, while that bound is above the
+  /// radius. `least_radius`: for the message where lengths overflow.
+  std::vector<SurfacePoint> cover(double least_radius) {
+    start_components(mesh_.face_count());
     const auto key = [&](std::int32_t f) { return distance_bound(FaceId(f)); };
     LazyMaxHeap heap(mesh_.face_count(), key);
     while (!heap.empty()) {
       const auto& top = heap.top(key);
+      if (top.key <= options_.radius) break;
       const VertexId v = farthest_corner(FaceId(top.id));
-      if (!more(top.key, field_.distance(v))) return;
+      if (!(field_.distance(v) > 0)) throw_too_small(options_.radius, least_radius);
+      covered_ = std::min(0.99, kFirstShare + (1 - kFirstShare) * options_.radius / top.key);
+      report(double(chosen_.size()));
       insert(v);
     }
+    return points();
   }
 
  private:
+  /// Reports how much of the sampling is done once so many vertices are inserted, the last one maybe in part. Insertion
+  /// i changes about n / i vertices, so the work grows with the logarithm of i. The number of generators of a covering
+  /// grows with the inverse square of the bound, and the work with its logarithm.
+  void report(double inserted) const {
+    const double components = double(first_face_.size() - 1);
+    const double done = options_.kind == Sampling::covering_radius
+                            ? std::max(covered_, kFirstShare * std::min(1.0, inserted / components))
+                            : std::log1p(inserted) / std::log1p(double(options_.count) + 1);
+    report_progress(options_.progress, "sampling", done);
+  }
+
+  /// Inserts one vertex in each component, or in the first `count` of them.
+  void start_components(std::int64_t count) {
+    const AreaSampler sampler(mesh_, faces_);
+    for (std::size_t c = 0; c + 1 < first_face_.size() && std::ssize(chosen_) < count; ++c) {
+      const FaceId f = sampler.draw_face(random_, first_face_[c], first_face_[c + 1]);
+      insert(mesh_.vertices(f)[int(3 * random_.real())]);
+    }
+  }
+
   void insert(VertexId v) {
     field_.insert(vertex_point(mesh_, v));
     chosen_.push_back(v);
+  }
+
+  std::vector<SurfacePoint> points() const {
+    std::vector<SurfacePoint> points;
+    for (const VertexId v : chosen_) points.push_back(split_.to_input(v));
+    return points;
   }
 
   std::vector<FaceId> sort_by_component() {
@@ -114,62 +160,55 @@ class FarthestSampler {
 
   /// No point of the face is farther than this from its nearest generator.
   double distance_bound(FaceId f) const {
-    const auto length = [&](int corner) { return mesh_.length(Mesh::halfedge(f, corner)); };
     const auto& [a, b, c] = mesh_.vertices(f);
-    return compute_face_distance_bound({length(0), length(1), length(2)}, 2 * mesh_.area(f),
-                                       {field_.distance(a), field_.distance(b), field_.distance(c)});
+    return compute_face_distance_bound(mesh_.shape(f), {field_.distance(a), field_.distance(b), field_.distance(c)});
   }
 
+  const SamplingMesh& split_;
   const Mesh& mesh_;
+  const SamplingOptions& options_;
   NearestField field_;
   std::vector<std::size_t> first_face_;  // of each component in faces_, and the end
   std::vector<FaceId> faces_;
   SeededRandom random_;
-  std::vector<VertexId> chosen_;
-  std::function<double(double)> share_ = [](double) { return 0.0; };
+  std::vector<VertexId> chosen_;  // in order
+  double covered_ = 0;            // share of a covering that is done
 };
 
-/// Up to `count` points; fewer where the vertices of the sampling mesh coincide within rounding.
-std::vector<SurfacePoint> try_farthest(const SamplingMesh& split, const SamplingOptions& options) {
-  const Mesh& mesh = split.mesh();
-  const double least = kMinSampleSpacing * mesh.bbox_diagonal();
-  FarthestSampler sampler(mesh, options);
-  // Insertion i changes about n / i vertices, so the work done grows with the logarithm of i.
-  const auto share = [&](double inserted) { return std::log1p(inserted) / std::log1p(double(options.count) + 1); };
-  sampler.set_share(share);
-  sampler.start_components(options.count);
-  sampler.insert_farthest([&](double distance) {
-    report_progress(options.progress, "sampling", share(static_cast<double>(sampler.chosen().size())));
-    return std::ssize(sampler.chosen()) < options.count && distance > least;
-  });
-  std::vector<SurfacePoint> points;
-  for (const VertexId v : sampler.chosen()) points.push_back(split.to_input(v));
-  return points;
-}
+/// A point whose barycentric coordinates exceed this counts as inside. The tolerance is safe: so close to a side, the
+/// value is that of the side within rounding.
+constexpr double kBesideFace = -1e-9;
 
-/// A covering radius below this value needs more than kMaxSamplingVertices splits. Let `longest` = kCoveringEdge *
-/// radius be the longest edge allowed. Two lower bounds on the number of splits give the value:
-/// (a) an edge of length l needs l / longest - 1 splits;
-/// (b) a face with such edges has at most the equilateral area sqrt(3) / 4 longest^2, and a split adds at most two
-/// faces.
-double least_covering_radius(const Mesh& mesh) {
-  double length = 0;
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) length += mesh.length(EdgeId(e));
-  const double splits = kMaxSamplingVertices;
-  const double by_length = length / (splits + mesh.edge_count());
-  const double by_area = std::sqrt(4 / std::numbers::sqrt3 * compute_area(mesh) / (2 * splits + mesh.face_count()));
-  return std::max(by_length, by_area) / kCoveringEdge;
-}
+constexpr double kNoBound = -kInfinity;
 
-/// Splitting takes up to some seven times the lower bound, since halved triangles are neither equilateral nor as large
-/// as allowed. The error message suggests a radius larger by about the square root of that.
-constexpr double kSuggestedFactor = 3;
+/// Corner 0 at the origin, corner 1 at (x1, 0), corner 2 at (x2, y2).
+struct Frame {
+  double x1, x2, y2;
 
-[[noreturn]] void throw_too_small(double radius, double least) {
-  throw Error(ErrorCode::precondition,
-              fmt::format("a covering radius of {} is too small for this surface, which can't be split finely enough; "
-                          "try {:.2g} or more",
-                          radius, kSuggestedFactor * std::max(radius, least)));
+  bool contains(double x, double y) const {
+    const double bary2 = y / y2, bary1 = (x - bary2 * x2) / x1;
+    return bary1 > kBesideFace && bary2 > kBesideFace && 1 - bary1 - bary2 > kBesideFace;
+  }
+};
+
+/// The largest r for which a point p of the triangle has distance[i] + |p - corner i| = r for all three corners
+/// (the problem of Apollonius). kNoBound if there is no such r, NaN for a degenerate triangle.
+double solve_apollonius(const Frame& t, double side2, const std::array<double, 3>& distance) {
+  // Let s = r - distance[0] and step i = distance[i] - distance[0]. Subtracting the circle round corner 0 from that
+  // round corner i gives 2 p . corner i = |corner i|^2 - (step i)^2 + 2 (step i) s, hence p = u + v s.
+  const double step1 = distance[1] - distance[0], step2 = distance[2] - distance[0];
+  const double ux = (t.x1 * t.x1 - step1 * step1) / (2 * t.x1), vx = step1 / t.x1;
+  const double uy = (side2 * side2 - step2 * step2 - 2 * t.x2 * ux) / (2 * t.y2), vy = (step2 - t.x2 * vx) / t.y2;
+  // |u + v s|^2 = s^2 is a s^2 + 2 b s + c = 0; solved without cancellation.
+  const double a = vx * vx + vy * vy - 1, b = ux * vx + uy * vy, c = ux * ux + uy * uy;
+  const double q = -b - std::copysign(std::sqrt(std::max(0.0, b * b - a * c)), b);
+  if (std::isnan(q)) return q;
+  double best = kNoBound;
+  for (const double s : {q / a, c / q}) {
+    if (s >= std::max({0.0, step1, step2}) && t.contains(ux + vx * s, uy + vy * s))
+      best = std::max(best, distance[0] + s);
+  }
+  return best;
 }
 
 }  // namespace
@@ -181,7 +220,7 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
   for (int round = 0; round < kMaxAttempts; ++round, least *= 2) {
     if (least - mesh.vertex_count() > kMaxSamplingVertices) break;
     const SamplingMesh split(mesh, {longest, least, max_splits(mesh, options.count)}, options.progress);
-    auto points = try_farthest(split, options);
+    auto points = FarthestSampler(split, options).sample();
     if (std::ssize(points) == options.count) return points;
   }
   throw Error(ErrorCode::precondition, fmt::format("the surface has no room for {}; ask for fewer",
@@ -189,29 +228,28 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
 }
 
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options) {
-  const double longest = kCoveringEdge * options.radius;
-  const double least = least_covering_radius(mesh);
+  const double longest = kCoveringEdge * options.radius, least = least_covering_radius(mesh);
   if (options.radius < least) throw_too_small(options.radius, least);
   const SamplingMesh split(mesh, {longest, 0, kMaxSamplingVertices}, options.progress);
   if (longest_edge(split.mesh()) > longest) throw_too_small(options.radius, least);
-  FarthestSampler sampler(split.mesh(), options);
-  // A tenth for the first ones. Then the number of generators grows with the inverse square of the bound, and the work
-  // with its logarithm.
-  double done = 0;
-  const auto components = static_cast<double>(sampler.component_count());
-  sampler.set_share(
-      [&](double inserted) { return std::max(done, kFirstShare * std::min(1.0, inserted / components)); });
-  sampler.start_components(std::numeric_limits<std::int64_t>::max());
-  sampler.insert_in_farthest_face([&](double bound, double distance) {
-    if (bound <= options.radius) return false;
-    if (!(distance > 0)) throw_too_small(options.radius, least);  // where lengths overflow
-    done = std::min(0.99, kFirstShare + (1 - kFirstShare) * options.radius / bound);
-    report_progress(options.progress, "sampling", done);
-    return true;
-  });
-  std::vector<SurfacePoint> points;
-  for (const VertexId v : sampler.chosen()) points.push_back(split.to_input(v));
-  return points;
+  return FarthestSampler(split, options).cover(least);
+}
+
+// The value is the minimum of three convex functions whose gradients have length 1 and point away from the corners. At
+// a local maximum inside the triangle all three are equal; on a side, two are; at a corner, the value is at most the
+// corner's distance.
+double compute_face_distance_bound(const FaceShape& face, const std::array<double, 3>& distance) {
+  const auto& length = face.length;
+  const double largest = *std::max_element(distance.begin(), distance.end());
+  const double limit = largest + *std::max_element(length.begin(), length.end()) / std::numbers::sqrt3;
+  double on_sides = largest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    on_sides = std::max(on_sides, 0.5 * (distance[i] + distance[(i + 1) % 3] + length[i]));
+  }
+  const double x2 = apex_foot(length[0], length[2], length[1]);
+  const double inside = solve_apollonius({length[0], x2, face.twice_area / length[0]}, length[2], distance);
+  if (std::isnan(inside) || on_sides > limit) return limit;
+  return std::clamp(inside, on_sides, limit);
 }
 
 }  // namespace gvd

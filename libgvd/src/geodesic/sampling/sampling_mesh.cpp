@@ -1,8 +1,17 @@
+// The mesh that samplers work on: long edges are split at their midpoints.
+//
+// Idea: a queue gives the longest edge. Its split halves it, adds a face on each of its sides, and queues the new
+// edges.
+// Source: Rosenberg and Stenger, A lower bound on the angles of triangles constructed by bisecting the longest side,
+// 1975.
+// Invariant: each face of the copy lies in its parent, where its corners have barycentric coordinates that are exact
+// binary fractions.
 #include "geodesic/sampling/sampling_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 #include "mesh/mesh_editor.hpp"
 
@@ -14,16 +23,14 @@ constexpr std::int64_t kSamplingStride = 1 << 14;
 struct LongEdge {
   double length;
   EdgeId edge;
-  bool operator<(const LongEdge& other) const {
-    return length < other.length || (length == other.length && edge > other.edge);
-  }
+  bool operator<(const LongEdge& other) const { return std::tie(length, other.edge) < std::tie(other.length, edge); }
 };
 
 }  // namespace
 
 double longest_edge(const Mesh& mesh) {
   double longest = 0;
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
+  for (const EdgeId e : mesh.edges()) longest = std::max(longest, mesh.length(e));
   return longest;
 }
 
@@ -31,8 +38,8 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
   if (longest_edge(input) <= options.max_edge_length && input.vertex_count() >= options.min_vertices) return;
   copy_input();
   std::vector<LongEdge> edges;
-  edges.reserve(static_cast<std::size_t>(input.edge_count()));
-  for (std::int32_t e = 0; e < input.edge_count(); ++e) edges.push_back({input.length(EdgeId(e)), EdgeId(e)});
+  edges.reserve(input.edge_count());
+  for (const EdgeId e : input.edges()) edges.push_back({input.length(e), e});
   std::priority_queue<LongEdge> queue(std::less<LongEdge>(), std::move(edges));
   for (;;) {
     const LongEdge top = queue.top();
@@ -51,19 +58,17 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
 
 /// The number of vertices grows with the inverse square of the longest edge.
 double SamplingMesh::share_done(const SplitOptions& options, double longest) const {
-  const double added = static_cast<double>(copy_.vertex_count() - input_->vertex_count());
+  const double added = copy_.vertex_count() - input_->vertex_count();
   const double by_length = std::pow(std::min(1.0, options.max_edge_length / longest), 2);
-  const double asked = static_cast<double>(options.min_vertices - input_->vertex_count());
+  const double asked = double(options.min_vertices - input_->vertex_count());
   return std::min(by_length, asked > 0 ? std::min(1.0, added / asked) : 1.0);
 }
 
 void SamplingMesh::copy_input() {
   split_ = true;
   copy_ = *input_;
-  subfaces_.resize(static_cast<std::size_t>(copy_.face_count()));
-  for (std::int32_t f = 0; f < copy_.face_count(); ++f) {
-    subfaces_[FaceId(f)] = {FaceId(f), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  }
+  subfaces_.resize(copy_.face_count());
+  for (const FaceId f : copy_.faces()) subfaces_[f] = {f, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
 }
 
 void SamplingMesh::split(EdgeId e) {
@@ -71,7 +76,7 @@ void SamplingMesh::split(EdgeId e) {
   const Vec3 middle = 0.5 * copy_.position(copy_.from(h)) + 0.5 * copy_.position(copy_.to(h));
   const FaceId appended(copy_.face_count());
   MeshEditor(copy_).split_edge(h, middle);
-  subfaces_.resize(static_cast<std::size_t>(copy_.face_count()));
+  subfaces_.resize(copy_.face_count());
   split_subface(h, appended);
   if (twin.valid()) split_subface(twin, FaceId(appended.value() + 1));
 }
@@ -79,10 +84,9 @@ void SamplingMesh::split(EdgeId e) {
 /// Records the split of h = (a, b): its face is now (a, middle, c), and `appended` is (middle, b, c).
 void SamplingMesh::split_subface(HalfedgeId h, FaceId appended) {
   SubFace& subface = subfaces_[Mesh::face(h)];
-  const auto i = static_cast<std::size_t>(Mesh::corner(h));
-  const auto a = subface.corners[i], b = subface.corners[(i + 1) % 3], c = subface.corners[(i + 2) % 3];
-  std::array<double, 3> middle;
-  for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (a[k] + b[k]);
+  const int i = Mesh::corner(h);
+  const Bary a = subface.corners[i], b = subface.corners[(i + 1) % 3], c = subface.corners[(i + 2) % 3];
+  const Bary middle = mix(a, b, 0.5);
   subface.corners = {a, middle, c};
   subfaces_[appended] = {subface.parent, {middle, b, c}};
 }
@@ -90,7 +94,7 @@ void SamplingMesh::split_subface(HalfedgeId h, FaceId appended) {
 SurfacePoint SamplingMesh::to_input(const SurfacePoint& point) const {
   if (!split_) return point;
   const SubFace& subface = subfaces_[point.face];
-  std::array<double, 3> bary{0, 0, 0};
+  Bary bary{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) bary[k] += point.bary[i] * subface.corners[i][k];
   }

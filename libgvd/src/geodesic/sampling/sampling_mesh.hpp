@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -33,11 +34,10 @@ class SamplingMesh {
   SurfacePoint to_input(VertexId v) const;
 
  private:
-  using Corners = std::array<std::array<double, 3>, 3>;
   /// A face of the copy.
   struct SubFace {
-    FaceId parent;    // the input face that contains it
-    Corners corners;  // in the parent's barycentric coordinates
+    FaceId parent;                // the input face that contains it
+    std::array<Bary, 3> corners;  // in the parent's barycentric coordinates
   };
 
   double share_done(const SplitOptions& options, double longest) const;

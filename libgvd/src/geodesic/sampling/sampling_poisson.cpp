@@ -1,8 +1,10 @@
-// Blue noise by sample elimination: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with
-// geodesic distances. Start from several random candidates for each point. Remove the candidate with the largest
-// weight, again and again, until `count` points are left.
-#include "geodesic/sampling/sampling_poisson.hpp"
-
+// Poisson: blue noise by elimination of random candidates.
+//
+// Idea: start from five candidates for each point, drawn uniformly by area. Remove the candidate with the largest
+// weight, again and again, until `count` points are left. A candidate's weight grows with each neighbour, and the
+// nearer that is.
+// Source: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with geodesic distances.
+// Invariant: the weight of a candidate is the sum over its neighbours that are left.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +12,9 @@
 
 #include "base/lazy_max_heap.hpp"
 #include "geodesic/marching/local_march.hpp"
+#include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "geodesic/sampling/sampling_spacing.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_area.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -30,49 +32,16 @@ constexpr double kBeta = 0.65;
 // The parts of the step.
 constexpr StepPart kPairs{"sampling", 0, 0.9}, kElimination{"sampling", 0.9, 1};
 
-struct Pair {
-  std::int32_t first, second;
-  float weight;
-};
-
 struct Neighbour {
   std::int32_t candidate;
   float weight;
-};
-
-/// The neighbours of every candidate, in one array.
-struct Neighbourhoods {
-  std::vector<std::size_t> begin;  // where each candidate's list begins, and the end of the last
-  std::vector<Neighbour> neighbours;
-};
-
-/// The candidates in each face, ascending.
-struct FaceLists {
-  FaceLists(const Mesh& mesh, const std::vector<SurfacePoint>& candidates)
-      : begin(static_cast<std::size_t>(mesh.face_count()) + 1, 0), items(candidates.size()) {
-    for (const SurfacePoint& c : candidates) ++begin[c.face.index() + 1];
-    for (std::size_t f = 0; f + 1 < begin.size(); ++f) begin[f + 1] += begin[f];
-    std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      items[end[candidates[i].face.index()]++] = static_cast<std::int32_t>(i);
-    }
-  }
-
-  std::vector<std::size_t> begin;
-  std::vector<std::int32_t> items;
 };
 
 /// The paper's equation 2, with alpha = 8: 1 for coincident points, 0 at `diameter`.
 float compute_weight(double distance, double least, double diameter) {
   const double w = 1 - std::max(distance, least) / diameter;
   const double w2 = w * w, w4 = w2 * w2;
-  return static_cast<float>(w4 * w4);
-}
-
-std::vector<Vec3> compute_positions(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  std::vector<Vec3> positions;
-  for (const SurfacePoint& p : points) positions.push_back(position(mesh, p));
-  return positions;
+  return float(w4 * w4);
 }
 
 /// All pairs of candidates whose geodesic distance is below `diameter`.
@@ -81,13 +50,17 @@ class PairFinder {
   PairFinder(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, Front front)
       : mesh_(mesh),
         candidates_(candidates),
-        positions_(compute_positions(mesh, candidates)),
-        lists_(mesh, candidates),
+        in_face_(mesh.face_count()),
         march_(mesh, front),
-        seen_(static_cast<std::size_t>(mesh.face_count()), -1) {}
+        seen_(mesh.face_count(), -1) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      positions_.push_back(position(mesh, candidates[i]));
+      in_face_[candidates[i].face].push_back(static_cast<std::int32_t>(i));
+    }
+  }
 
-  /// The candidates in the order of their faces. Visiting them in this order keeps memory accesses local.
-  const std::vector<std::int32_t>& by_face() const { return lists_.items; }
+  /// The candidates in each face, ascending. Visiting them in the order of faces keeps memory accesses local.
+  const IdVector<FaceId, std::vector<std::int32_t>>& by_face() const { return in_face_; }
 
   /// Calls visit(j, distance) for every candidate j > i whose distance from i is below `diameter`.
   template <class Visit>
@@ -103,11 +76,9 @@ class PairFinder {
   void visit_face(FaceId f, std::int32_t i, double diameter, Visit visit) {
     if (seen_[f] == i) return;
     seen_[f] = i;
-    for (std::size_t k = lists_.begin[f.index()]; k < lists_.begin[f.index() + 1]; ++k) {
-      const std::int32_t j = lists_.items[k];
-      if (j <= i) continue;
+    for (const std::int32_t j : in_face_[f]) {
       // No path is shorter than the straight line through space.
-      if ((positions_[i] - positions_[j]).norm() >= diameter) continue;
+      if (j <= i || (positions_[i] - positions_[j]).norm() >= diameter) continue;
       const double distance = march_.distance(candidates_[j]);
       if (distance < diameter) visit(j, distance);
     }
@@ -116,63 +87,50 @@ class PairFinder {
   const Mesh& mesh_;
   const std::vector<SurfacePoint>& candidates_;
   std::vector<Vec3> positions_;
-  FaceLists lists_;
+  IdVector<FaceId, std::vector<std::int32_t>> in_face_;
   LocalMarch march_;
   IdVector<FaceId, std::int32_t> seen_;  // the last candidate whose search visited the face
 };
 
-Neighbourhoods join(std::size_t candidates, const std::vector<Pair>& pairs) {
-  Neighbourhoods result{std::vector<std::size_t>(candidates + 1, 0), std::vector<Neighbour>(2 * pairs.size())};
-  for (const Pair& p : pairs) {
-    ++result.begin[static_cast<std::size_t>(p.first) + 1];
-    ++result.begin[static_cast<std::size_t>(p.second) + 1];
-  }
-  for (std::size_t i = 0; i < candidates; ++i) result.begin[i + 1] += result.begin[i];
-  std::vector<std::size_t> end(result.begin.begin(), result.begin.end() - 1);
-  for (const Pair& p : pairs) {
-    result.neighbours[end[p.first]++] = {p.second, p.weight};
-    result.neighbours[end[p.second]++] = {p.first, p.weight};
-  }
-  return result;
-}
-
-Neighbourhoods find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, std::int64_t count,
-                               const SamplingOptions& options) {
+/// The neighbours of each candidate, with the weights of the pairs.
+std::vector<std::vector<Neighbour>> find_neighbours(const Mesh& mesh, const std::vector<SurfacePoint>& candidates,
+                                                    const SamplingOptions& options) {
   // The largest spacing that `count` points of the plane can have: the paper's 2 r_max.
-  const double diameter = even_spacing(compute_area(mesh), count);
-  const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
+  const double diameter = even_spacing(compute_area(mesh), options.count);
+  const double share = double(options.count) / double(candidates.size());
   const double least = diameter * kBeta * (1 - share * std::sqrt(share));
   PairFinder finder(mesh, candidates, options.front);
-  std::vector<Pair> pairs;
+  std::vector<std::vector<Neighbour>> neighbours(candidates.size());
   std::int64_t done = 0;
-  for (const std::int32_t first : finder.by_face()) {
-    report_progress(options.progress, kPairs, double(done++) / double(candidates.size()));
-    finder.for_each_after(first, diameter, [&](std::int32_t second, double distance) {
-      pairs.push_back({first, second, compute_weight(distance, least, diameter)});
-    });
+  for (const auto& in_face : finder.by_face()) {
+    for (const std::int32_t first : in_face) {
+      report_progress(options.progress, kPairs, double(done++) / double(candidates.size()));
+      finder.for_each_after(first, diameter, [&](std::int32_t second, double distance) {
+        const float weight = compute_weight(distance, least, diameter);
+        neighbours[first].push_back({second, weight});
+        neighbours[second].push_back({first, weight});
+      });
+    }
   }
-  return join(candidates.size(), pairs);
+  return neighbours;
 }
 
 /// Removes the candidate with the largest weight until `count` are left; returns which ones these are.
-std::vector<char> eliminate(const Neighbourhoods& lists, std::int64_t count, const Progress& progress) {
-  const std::size_t candidates = lists.begin.size() - 1;
-  std::vector<double> weight(candidates, 0);
-  for (std::size_t i = 0; i < candidates; ++i) {
-    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) weight[i] += double(lists.neighbours[k].weight);
+std::vector<char> eliminate(const std::vector<std::vector<Neighbour>>& neighbours, std::int64_t count,
+                            const Progress& progress) {
+  std::vector<double> weight(neighbours.size(), 0);
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    for (const Neighbour& n : neighbours[i]) weight[i] += double(n.weight);
   }
   const auto key = [&](std::int32_t i) { return weight[i]; };
-  LazyMaxHeap heap(static_cast<std::int32_t>(candidates), key);
-  std::vector<char> kept(candidates, 1);
-  for (auto left = static_cast<std::int64_t>(candidates); left > count; --left) {
+  LazyMaxHeap heap(static_cast<std::int32_t>(weight.size()), key);
+  std::vector<char> kept(weight.size(), 1);
+  for (std::int64_t left = std::ssize(kept); left > count; --left) {
     report_progress(progress, kElimination, double(std::ssize(kept) - left) / double(std::ssize(kept) - count));
-    const auto i = static_cast<std::size_t>(heap.top(key).id);
+    const std::int32_t i = heap.top(key).id;
     heap.pop();
     kept[i] = 0;
-    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) {
-      const Neighbour& n = lists.neighbours[k];
-      weight[n.candidate] -= double(n.weight);
-    }
+    for (const Neighbour& n : neighbours[i]) weight[n.candidate] -= double(n.weight);
   }
   return kept;
 }
@@ -188,8 +146,7 @@ std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions
   const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
   const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);
   const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options.seed);
-  const auto kept =
-      eliminate(find_neighbours(split.mesh(), candidates, options.count, options), options.count, options.progress);
+  const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options), options.count, options.progress);
   std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (kept[i]) points.push_back(split.to_input(candidates[i]));

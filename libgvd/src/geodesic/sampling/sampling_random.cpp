@@ -1,3 +1,10 @@
+// Random points: independent and uniform by area.
+//
+// Idea: the sums of the faces' areas cut an interval into pieces. A uniform number in it draws a face, two more a point
+// of the face. Points that coincide within rounding are drawn again.
+// Source: Turk, Generating random points in triangles, 1990.
+// Invariant: all numbers come from one engine, in an order that depends on the mesh and the count alone. So the same
+// seed gives the same points on every platform.
 #include "geodesic/sampling/sampling_random.hpp"
 
 #include <fmt/format.h>
@@ -37,9 +44,8 @@ std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, doub
 }  // namespace
 
 std::vector<FaceId> list_faces(const Mesh& mesh) {
-  std::vector<FaceId> faces(static_cast<std::size_t>(mesh.face_count()));
-  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = FaceId(i);
-  return faces;
+  const IdRange<FaceId> faces = mesh.faces();
+  return {faces.begin(), faces.end()};
 }
 
 double require_area(const Mesh& mesh) {
@@ -57,16 +63,15 @@ AreaSampler::AreaSampler(const Mesh& mesh, std::vector<FaceId> faces) : faces_(s
 
 FaceId AreaSampler::draw_face(SeededRandom& random, std::size_t first, std::size_t last) const {
   const double target = sums_[first] + random.real() * (sums_[last] - sums_[first]);
-  const auto begin = sums_.begin() + static_cast<std::ptrdiff_t>(first);
   // The first face whose cumulated area exceeds the target; a face with zero area is never chosen.
-  const auto found = std::upper_bound(begin + 1, sums_.begin() + static_cast<std::ptrdiff_t>(last), target);
-  return faces_[first + static_cast<std::size_t>(found - begin) - 1];
+  const double* const sums = sums_.data();
+  return faces_[std::upper_bound(sums + first + 1, sums + last, target) - sums - 1];
 }
 
 SurfacePoint AreaSampler::draw_point(SeededRandom& random) const {
   for (;;) {
     const FaceId f = draw_face(random, 0, faces_.size());
-    // Uniform in the triangle: Turk, Generating random points in triangles, 1990.
+    // Uniform in the triangle, by Turk.
     const double root = std::sqrt(random.real()), along = random.real();
     const std::array<double, 3> bary{1 - root, root * (1 - along), root * along};
     if (*std::min_element(bary.begin(), bary.end()) > kBarycentricSnap) return make_surface_point(f, bary);
@@ -77,19 +82,17 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, st
   require_area(mesh);
   const AreaSampler sampler(mesh, list_faces(mesh));
   SeededRandom random(seed);
-  std::vector<SurfacePoint> points(static_cast<std::size_t>(count));
-  std::vector<Vec3> positions(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  std::vector<SurfacePoint> points(count);
+  std::vector<Vec3> positions(count);
+  const auto draw = [&](std::size_t i) {
     points[i] = sampler.draw_point(random);
     positions[i] = position(mesh, points[i]);
-  }
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) draw(i);
   for (int round = 0; round < kMaxRedraws; ++round) {
     const auto too_close = find_too_close(positions, kMinSampleSpacing * mesh.bbox_diagonal());
     if (too_close.empty()) return points;
-    for (const std::size_t i : too_close) {
-      points[i] = sampler.draw_point(random);
-      positions[i] = position(mesh, points[i]);
-    }
+    for (const std::size_t i : too_close) draw(i);
   }
   throw Error(ErrorCode::precondition, fmt::format("the surface is too small beside its bounding box for {} different "
                                                    "points; ask for fewer, or remove far parts",

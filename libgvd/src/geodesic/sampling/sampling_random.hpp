@@ -18,9 +18,9 @@ inline constexpr double kMinSampleSpacing = 1e-12;
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : engine_(seed) {}
-  /// In [0, 1), a multiple of 2^-53.
-  double real() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  /// In [0, n), for n > 0; uniform up to a relative 2^-64 n.
+  /// A number in [0, 1), a multiple of 2^-53.
+  double real() { return double(engine_() >> 11) * 0x1p-53; }
+  /// A number in [0, n), for n > 0; uniform up to a relative 2^-64 n.
   std::size_t below(std::size_t n) { return engine_() % n; }
 
  private:
@@ -33,9 +33,6 @@ class AreaSampler {
   /// Draws from all faces of `mesh`, in the order of `faces`.
   AreaSampler(const Mesh& mesh, std::vector<FaceId> faces);
 
-  /// Area of all faces, square mesh units.
-  double area() const { return sums_.back(); }
-  std::size_t size() const { return faces_.size(); }
   /// One of the faces [first, last) of the list; the last one if all their areas are 0.
   FaceId draw_face(SeededRandom& random, std::size_t first, std::size_t last) const;
   /// A point inside any face, uniform by area.

@@ -1,12 +1,16 @@
-#include "geodesic/windows/trace_shortest_path.hpp"
-
+// Shortest paths, traced back from a point to its nearest generator.
+//
+// Idea: the best source of the point's faces shows where the path enters the face, and its image. The line towards the
+// image crosses face after face until it meets the vertex that the image is of. From a pseudo-source it goes on in the
+// same way, so only the windows at the bends are read.
+// Source: Mitchell, Mount and Papadimitriou (1987), section 6.
+// Invariant: each vertex of the path is nearer to the generator than the one before, so that the path ends.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "geodesic/tracing/locate_in_face.hpp"
-#include "geodesic/windows/field/collect_sources.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -29,15 +33,15 @@ class PathTracer {
   PathTracer(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators)
       : mesh_(mesh), field_(field), generators_(generators) {}
 
-  ShortestPath trace(const SurfacePoint& start) {
+  GeodesicPath trace(const SurfacePoint& start) {
     path_.points.push_back(start);
-    for (const FaceId f : faces_round(start)) look_from(f, start);
-    path_.distance = best_distance_;
+    for (const FaceId f : faces_around(mesh_, start)) look_from(f, start);
+    path_.length = best_distance_;
     if (std::isinf(best_distance_)) return std::move(path_);
     path_.generator = best_.generator;
     for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
-      best_distance_ = std::numeric_limits<double>::infinity();
-      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), seen_from(h), v); });
+      best_distance_ = kInfinity;
+      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), edge_point(h, 0), v); });
       if (std::isinf(best_distance_)) return std::move(path_);  // rounding hides the continuation
       const VertexId nearer = follow_best();
       // Rounding again: the path would never end.
@@ -49,22 +53,6 @@ class PathTracer {
   }
 
  private:
-  static SurfacePoint seen_from(HalfedgeId outgoing) { return edge_point(outgoing, 0); }
-
-  /// The faces that contain a point.
-  std::vector<FaceId> faces_round(const SurfacePoint& p) const {
-    std::vector<FaceId> faces;
-    if (p.kind() == SurfacePoint::Kind::vertex) {
-      for_each_outgoing(mesh_, vertex(mesh_, p), [&](HalfedgeId h) { faces.push_back(Mesh::face(h)); });
-    } else {
-      faces.push_back(p.face);
-      if (p.kind() == SurfacePoint::Kind::edge && mesh_.twin(halfedge(p)).valid()) {
-        faces.push_back(Mesh::face(mesh_.twin(halfedge(p))));
-      }
-    }
-    return faces;
-  }
-
   /// Looks for a shorter path to p through face f. If p is the vertex `reached`, the path must continue from there: it
   /// must come from a vertex nearer to the generator, and across the opposite edge or along a side.
   void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
@@ -96,7 +84,8 @@ class PathTracer {
       const double fraction = step.t / mesh_.length(step.halfedge);
       if (fraction <= kAtCorner) return go_to(step.halfedge);
       if (fraction >= 1 - kAtCorner) return go_to(Mesh::next(step.halfedge));
-      path_.points.push_back(make_edge_point(step.halfedge, fraction));
+      const SurfacePoint crossing = edge_point(step.halfedge, fraction);
+      path_.points.push_back(make_surface_point(crossing.face, crossing.bary));
       const VertexId v = advance(step);
       if (v.valid()) return v;
     }
@@ -112,18 +101,11 @@ class PathTracer {
     return v;
   }
 
-  static SurfacePoint make_edge_point(HalfedgeId h, double t) {
-    std::array<double, 3> bary{0, 0, 0};
-    bary[Mesh::corner(h)] = 1 - t;
-    bary[(Mesh::corner(h) + 1) % 3] = t;
-    return make_surface_point(Mesh::face(h), bary);
-  }
-
   /// Crosses one face. Returns the vertex at which the line ends, or advances the step to the next face.
   VertexId advance(Step& step) {
     const HalfedgeId k = step.halfedge;
     const FaceFrame f = make_face_frame(mesh_, Mesh::face(k));
-    const auto i = static_cast<std::size_t>(Mesh::corner(k));
+    const int i = Mesh::corner(k);
     const double left = f.length[(i + 2) % 3], base = f.length[i];
     const Vec2 apex(left * f.cosine[i], left * f.sine[i]), at(step.t, 0);
     const double beside = cross(step.image - at, apex - at);
@@ -139,7 +121,7 @@ class PathTracer {
     if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
     const double fraction = inside + outside > 0 ? inside / (inside + outside) : 0;
-    const double t = std::min(std::max(from_x + fraction * (image_x - from_x), 0.0), length);
+    const double t = std::clamp(from_x + fraction * (image_x - from_x), 0.0, length);
     step = {mesh_.twin(side), length - t, {length - image_x, outside}};
     return VertexId();
   }
@@ -155,16 +137,16 @@ class PathTracer {
   const Mesh& mesh_;
   const WindowField& field_;
   const std::vector<VertexId>& generators_;
-  ShortestPath path_;
+  GeodesicPath path_;
   std::vector<FaceSource> sources_;
   FaceSource best_{};
-  double best_distance_ = std::numeric_limits<double>::infinity();
+  double best_distance_ = kInfinity;
   Vec2 best_point_ = Vec2::Zero();
 };
 
 }  // namespace
 
-ShortestPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
+GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
                                  const SurfacePoint& start) {
   return PathTracer(mesh, field, generators).trace(start);
 }

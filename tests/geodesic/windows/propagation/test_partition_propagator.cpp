@@ -72,7 +72,7 @@ std::vector<Window> list_windows(const KeptWindows& kept) {
   return windows;
 }
 
-/// Where a window's frame has its point t: on the boundary the origin is the end of its halfedge (window.hpp).
+/// The point t of a window's frame: on the boundary the origin is the end of its halfedge (window.hpp).
 Vec3 point_on_edge(const Mesh& mesh, const Window& w, double t) {
   const Vec3 from = mesh.position(mesh.from(w.halfedge)), to = mesh.position(mesh.to(w.halfedge));
   const double share = t / (to - from).norm();
@@ -317,6 +317,30 @@ TEST_CASE("the order in which the partitions work changes no label and no bit of
       CHECK(forward->distance(copy.vertex) == forward->distance(VertexCopyId(i)));
       CHECK(forward->label(copy.vertex) == forward->label(VertexCopyId(i)));
     }
+  }
+}
+
+TEST_CASE("vertex events are found by their ids, which are used again") {
+  VertexEvents events;
+  const auto event = [](int vertex) { return VertexEvent{VertexCopyId(vertex), false, {1.0 * vertex, {}, {}}}; };
+  const VertexEventId a = events.add(event(10)), b = events.add(event(11));
+  CHECK(a != b);
+  CHECK(events.take(a).vertex == VertexCopyId(10));
+  const VertexEventId c = events.add(event(12));
+  CHECK(c == a);
+  CHECK(events.take(b).path.distance == 11);
+  CHECK(events.take(c).path.distance == 12);
+  events.release();
+  CHECK(events.take(events.add(event(13))).vertex == VertexCopyId(13));
+}
+
+TEST_CASE("a queue item is a halfedge or a vertex event") {
+  for (const int i : {0, 1, 1 << 20}) {
+    const QueueItem halfedge{HalfedgeId(i)}, event{VertexEventId(i)};
+    CHECK(halfedge.is_halfedge());
+    CHECK(halfedge.halfedge() == HalfedgeId(i));
+    CHECK_FALSE(event.is_halfedge());
+    CHECK(event.event() == VertexEventId(i));
   }
 }
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/windows/field/collect_sources.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"

@@ -3,9 +3,9 @@
 #include <map>
 #include <random>
 
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/windows/field/collect_sources.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/window_filters.hpp"
 #include "support/catch.hpp"
 #include "support/propagate.hpp"
 #include "support/tiny_meshes.hpp"

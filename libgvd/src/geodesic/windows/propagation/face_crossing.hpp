@@ -4,14 +4,35 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geodesic/windows/geometry/corner_angles.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
-#include "geodesic/windows/geometry/vertex_fan.hpp"
-#include "geodesic/windows/geometry/window_filters.hpp"
-#include "geodesic/windows/geometry/window_geometry.hpp"
-#include "geodesic/windows/propagation/distance_labels.hpp"
+#include "geodesic/windows/departure.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window_filters.hpp"
+#include "geodesic/windows/window_geometry.hpp"
 
 namespace gvd {
+
+/// The best path so far to each copy of a vertex: its length and its generator.
+struct DistanceLabels {
+  IdVector<VertexCopyId, double> distance;      ///< mesh units; infinity if there is no path yet
+  IdVector<VertexCopyId, GeneratorId> label;    ///< invalid if there is no path yet, or provisional
+  IdVector<VertexCopyId, Departure> departure;  ///< empty unless departures are recorded
+
+  explicit DistanceLabels(std::size_t copies, bool with_departures = false)
+      : distance(copies, kInfinity), label(copies), departure(with_departures ? copies : 0) {}
+
+  /// Whether a path of this length from this generator precedes the best one so far (is_before).
+  bool is_improved_by(VertexCopyId v, double d, GeneratorId generator) const {
+    return is_before(d, generator, distance[v], label[v]);
+  }
+  /// Whether a vertex copy has another label than this. One without a path takes the label provisionally: whoever gives
+  /// it a path later sees whether the label changes.
+  bool has_other_label(VertexCopyId v, GeneratorId generator) {
+    GeneratorId& known = label[v];
+    if (!known.valid()) known = generator;
+    return known != generator;
+  }
+};
 
 /// An edge that a window has come to, in the window's frame.
 struct WindowEdge {
@@ -34,7 +55,7 @@ struct FaceEntry {
   FaceEntry(const FaceFrames& frames, HalfedgeId h)
       : frame(frames.frame[Mesh::face(h)]),
         halfedge(h),
-        start(static_cast<std::size_t>(Mesh::corner(h))),
+        start(Mesh::corner(h)),
         end((start + 1) % 3),
         top((start + 2) % 3) {}
 

@@ -1,12 +1,40 @@
+// The mesh cut into partitions, in which windows are propagated at the same time.
+//
+// Idea: a k-d tree over a sample of the vertices cuts space into boxes of about as many vertices each. A vertex that
+// several partitions touch gets a copy in each of them, and the frames of the faces refer to the copies.
+// Source: k-d trees of Bentley (1975).
+// Invariant: the cut depends on the mesh alone, never on the number of threads. The copies of one vertex follow each
+// other, the first one in the partition of the vertex's own box.
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-#include "geodesic/windows/propagation/kd_cut.hpp"
-
 namespace gvd {
 namespace {
+
+/// Number of points that are sampled: the contents of 64 boxes then differ by some tenths.
+constexpr std::size_t kSample = 4096;
+
+/// A pseudo-random number in [0, count) that depends on i and count alone. A constant stride would sample every row of
+/// a grid in the same column. Source: splitmix64's output function (Steele, Lea and Flood, 2014).
+std::size_t scatter(std::uint64_t i, std::size_t count) {
+  i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9u;
+  i = (i ^ (i >> 27)) * 0x94d049bb133111ebu;
+  return (i ^ (i >> 31)) % count;
+}
+
+template <class Samples>
+int longest_axis(const Samples& samples) {
+  Vec3 low = samples.front().point, high = low;
+  for (const auto& s : samples) {
+    low = low.cwiseMin(s.point);
+    high = high.cwiseMax(s.point);
+  }
+  Eigen::Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  return static_cast<int>(axis);
+}
 
 IdVector<VertexId, std::uint8_t> partition_vertices(const Mesh& mesh, std::int32_t partitions) {
   const KdCut cut(mesh.positions(), partitions);
@@ -20,10 +48,38 @@ IdVector<VertexId, std::uint8_t> partition_vertices(const Mesh& mesh, std::int32
 
 }  // namespace
 
+KdCut::KdCut(std::span<const Vec3> points, std::int32_t boxes) {
+  std::vector<Sample> samples;
+  const std::size_t step = std::max(points.size() / kSample, std::size_t{1});
+  for (std::size_t begin = 0; begin < points.size(); begin += step) {
+    const std::size_t i = begin + scatter(begin, std::min(step, points.size() - begin));
+    samples.push_back({points[i], i});
+  }
+  root_ = cut(samples, 0, boxes);
+}
+
+std::int32_t KdCut::cut(std::span<Sample> samples, std::int32_t first_box, std::int32_t boxes) {
+  if (boxes == 1) return ~first_box;
+  const int axis = longest_axis(samples);
+  const std::int32_t boxes_below = boxes / 2;
+  const std::size_t below = samples.size() * boxes_below / boxes;
+  std::nth_element(samples.begin(), samples.begin() + below, samples.end(), [axis](const Sample& a, const Sample& b) {
+    return std::tuple(a.point[axis], a.index) < std::tuple(b.point[axis], b.index);
+  });
+  const Sample& split = samples[below];
+  const auto node = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back({axis, split.point[axis], split.index, 0, 0});
+  const std::int32_t lower = cut(samples.first(below), first_box, boxes_below);
+  const std::int32_t upper = cut(samples.subspan(below), first_box + boxes_below, boxes - boxes_below);
+  nodes_[node].below = lower;
+  nodes_[node].above = upper;
+  return node;
+}
+
 MeshPartitions::MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames)
     : count_(std::clamp(mesh.face_count() / partition_faces, 1, std::min(kMaxPartitions, mesh.vertex_count()))),
-      copy_count_(static_cast<std::size_t>(mesh.vertex_count())),
-      partitions_(static_cast<std::size_t>(mesh.face_count()), 0),
+      copy_count_(mesh.vertex_count()),
+      partitions_(mesh.face_count(), 0),
       of_face_(partitions_.data()) {
   if (count_ == 1) return;
   const PartitionOfVertex partition_of_vertex = partition_vertices(mesh, count_);
@@ -38,8 +94,7 @@ MeshPartitions::MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, F
 std::vector<MeshPartitions::ForeignCorner> MeshPartitions::find_foreign_corners(
     const Mesh& mesh, const PartitionOfVertex& partition_of_vertex) {
   std::vector<ForeignCorner> corners;
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId f(i);
+  for (const FaceId f : mesh.faces()) {
     const auto& vertices = mesh.vertices(f);
     const std::uint8_t partition = partition_of_vertex[vertices[0]];
     partitions_[f.index()] = partition;
@@ -59,13 +114,13 @@ void MeshPartitions::add_copies(const std::vector<ForeignCorner>& corners,
                                 const PartitionOfVertex& partition_of_vertex) {
   for (auto corner = corners.begin(); corner != corners.end();) {
     const VertexId vertex = corner->vertex;
-    const auto begin = static_cast<std::int32_t>(copies_.size());
+    const std::int32_t begin = copies_.count();
     add_copy(first_copy(vertex), PartitionId(partition_of_vertex[vertex]));
     for (; corner != corners.end() && corner->vertex == vertex; ++corner) {
       if (copies_.raw().back().partition == corner->partition) continue;
       add_copy(shared_.push_back(SharedCopyId()), corner->partition);
     }
-    range_.resize(copies_.size(), {begin, static_cast<std::int32_t>(copies_.size())});
+    range_.resize(copies_.size(), {begin, copies_.count()});
   }
 }
 
@@ -78,12 +133,11 @@ void MeshPartitions::enter_copies(const std::vector<ForeignCorner>& corners, Fac
   frames.kind.reserve(shared_.size());  // `resize` alone would take twice as much
   frames.kind.resize(shared_.size());
   for (std::size_t i = vertices; i < shared_.size(); ++i) {
-    const VertexCopyId copy(static_cast<std::int64_t>(i));
+    const VertexCopyId copy(i);
     frames.kind[copy] = frames.kind[first_copy(vertex(copy))];
   }
   for (const ForeignCorner& c : corners) {
-    const auto corner = static_cast<std::size_t>(Mesh::corner(c.halfedge));
-    VertexCopyId& entered = frames.frame[Mesh::face(c.halfedge)].vertex[corner];
+    VertexCopyId& entered = frames.frame[Mesh::face(c.halfedge)].vertex[Mesh::corner(c.halfedge)];
     for (const VertexCopy& copy : copies(shared(first_copy(c.vertex)))) {
       if (copy.partition == c.partition) entered = copy.vertex;
     }

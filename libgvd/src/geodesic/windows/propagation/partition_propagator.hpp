@@ -3,27 +3,71 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "base/bucket_queue.hpp"
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/block_list.hpp"
-#include "geodesic/windows/geometry/window_filters.hpp"
+#include "geodesic/windows/block_list.hpp"
+#include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
 #include "geodesic/windows/propagation/pseudo_sources.hpp"
-#include "geodesic/windows/propagation/queue_item.hpp"
-#include "geodesic/windows/propagation/vertex_events.hpp"
 #include "geodesic/windows/propagation/waiting_windows.hpp"
 #include "geodesic/windows/propagation/window_pruning.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window_filters.hpp"
+#include "gvd/ids.hpp"
 
 namespace gvd {
 
+using VertexEventId = Id<struct VertexEventTag>;
+
+/// An item in the queue of a partition: a halfedge with waiting windows, or a vertex event.
+class QueueItem {
+ public:
+  explicit QueueItem(HalfedgeId h) : value_(h.value()) {}
+  explicit QueueItem(VertexEventId event) : value_(~event.value()) {}
+
+  bool is_halfedge() const { return value_ >= 0; }
+  HalfedgeId halfedge() const { return HalfedgeId(value_); }
+  VertexEventId event() const { return VertexEventId(~value_); }
+
+ private:
+  std::int32_t value_;  // a halfedge, or the complement of an event's id
+};
+static_assert(sizeof(QueueItem) == 4);
+
+/// The vertex events that wait in the queue of a partition. Ids of events that were taken are used again.
+class VertexEvents {
+ public:
+  VertexEventId add(const VertexEvent& event) {
+    if (free_.empty()) free_.push_back(events_.push_back({}));
+    const VertexEventId id = free_.back();
+    free_.pop_back();
+    events_[id] = event;
+    return id;
+  }
+  VertexEvent take(VertexEventId id) {
+    free_.push_back(id);
+    return events_[id];
+  }
+  /// Gives the memory back. No event may wait.
+  void release() {
+    events_ = {};
+    free_ = {};
+  }
+
+ private:
+  IdVector<VertexEventId, VertexEvent> events_;
+  std::vector<VertexEventId> free_;
+};
+
 /// The propagation in one partition of the mesh: its queue, and the rules by which paths and windows enter it.
 ///
-/// What leads across a face is computed by FaceCrossing, what starts at a vertex by PseudoSources, and what comes from
-/// other partitions by PartitionExchange. All three hand paths and windows to this class. Partitions may work on
-/// several threads, each thread on one of them at a time. See propagate_windows.hpp.
+/// Paths and windows come from three helpers: FaceCrossing carries windows across a face, PseudoSources starts them at
+/// a vertex, and PartitionExchange receives them from other partitions. Partitions may work on several threads, each
+/// thread on one of them at a time. See propagate_windows.hpp.
 class PartitionPropagator {
  public:
   /// `state` has to outlive this.
@@ -64,12 +108,11 @@ class PartitionPropagator {
       }
     }
   }
-  /// While no partition runs and no message for the current bucket is left: advances by `steps` buckets, of which none
-  /// but the last one holds anything. `settled` as above.
+  /// Advances by `steps` buckets, of which none but the last one holds anything. Only while no partition runs and no
+  /// message for the current bucket is left. `settled` as above.
   void end_bucket(double settled, std::size_t steps) {
     pruning_.review_border(settled);
-    // With an empty queue nothing waits, and other partitions can use the memory. Only after much work, compared with
-    // which the cost of visiting all buckets is negligible.
+    // An empty queue gives its memory to other partitions, but only after much work: releasing visits all buckets.
     if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
     queue_.advance(steps);
   }
@@ -154,7 +197,7 @@ class PartitionPropagator {
 
   void cross_halfedge(HalfedgeId h) {
     const FaceEntry entry(frames_, h);
-    const auto faces = static_cast<std::int32_t>(frames_.frame.size());
+    const std::int32_t faces = frames_.frame.count();
     const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
       if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
       keep(entering.window, entering.history.departure, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
@@ -170,7 +213,7 @@ class PartitionPropagator {
     // A better path has come since.
     if (event.path.distance > labels_.distance[v] || event.path.generator != labels_.label[v]) return;
     if (!exchange_.record_sending(v, event.path)) return;
-    events_sent_ += static_cast<std::int64_t>(sources_.is_first_copy(v));
+    events_sent_ += sources_.is_first_copy(v) ? 1 : 0;
     sources_.send(event, *this);
   }
 

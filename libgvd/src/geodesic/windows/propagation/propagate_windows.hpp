@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
 
-/// Which windows are kept after they have been carried across their face.
+/// The windows that are kept after they have been carried across their face.
 enum class KeepWindows {
   none,
   near_bisectors,  ///< those on the edges of faces that a bisector can cross
@@ -22,8 +22,8 @@ struct PropagationOptions {
   std::vector<double> offsets;
   int threads = 0;  ///< number of threads, >= 1; 0: as many as there are cores
   /// Number of faces of a partition, >= 1; one thread works on a partition at a time, and there are at most 64 of them.
-  /// In smaller partitions more windows cross from one to another; for larger ones threads wait longer at the end of a
-  /// round. Distances are exact with any; the number of windows on edges between partitions may differ.
+  /// Smaller partitions exchange more windows; with larger ones, threads wait longer at the end of a round. Distances
+  /// are exact with any; the number of windows on edges between partitions may differ.
   std::int32_t partition_faces = 8192;
   /// Records where all paths leave their generators; for KeepWindows::all without offsets.
   bool departures = false;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/propagation/partition_messages.hpp"
+#include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -73,15 +73,14 @@ class PropagationRounds {
     const double to_messages = std::floor((mailboxes_.least_key() - partitions_.front()->front()) / bucket_width_);
     std::size_t steps = std::numeric_limits<std::size_t>::max();
     for (const auto& partition : partitions_) steps = std::min(steps, partition->steps_to_next());
-    return to_messages < static_cast<double>(steps) ? static_cast<std::size_t>(std::max(to_messages, 1.0)) : steps;
+    return to_messages < double(steps) ? static_cast<std::size_t>(std::max(to_messages, 1.0)) : steps;
   }
 
   void run_round(double settled) {
     std::size_t work = 0;
     busy_.clear();
     for (std::size_t i = 0; i < partitions_.size(); ++i) {
-      const std::size_t own_work =
-          partitions_[i]->waits_now() + mailboxes_.count_for(PartitionId(static_cast<std::int64_t>(i)));
+      const std::size_t own_work = partitions_[i]->waits_now() + mailboxes_.count_for(PartitionId(i));
       if (own_work > 0) busy_.push_back({i, own_work});
       work += own_work;
     }

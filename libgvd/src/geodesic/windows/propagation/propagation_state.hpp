@@ -4,26 +4,24 @@
 #include <cstdint>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/geometry/corner_angles.hpp"
-#include "geodesic/windows/geometry/face_frames.hpp"
-#include "geodesic/windows/geometry/window_filters.hpp"
-#include "geodesic/windows/propagation/distance_labels.hpp"
+#include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
-#include "geodesic/windows/propagation/partition_messages.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_filters.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
 
-/// What is known of the distances in a face.
+/// Knowledge of the distances in a face.
 enum class FaceState : std::uint8_t {
   open,
   single_label,  ///< they are settled and have one label
   multi_label,   ///< they have several labels, or had so at some time
 };
 
-/// What the partitions of the mesh share. While they work, each one uses only what belongs to its faces and to its
+/// The data that the partitions of the mesh share. While they work, each one uses only the items of its own faces and
 /// vertex copies.
 struct PropagationState {
   PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);

@@ -3,13 +3,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geodesic/windows/geometry/corner_angles.hpp"
-#include "geodesic/windows/geometry/vertex_fan.hpp"
+#include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
-#include "geodesic/windows/propagation/vertex_events.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
 
 namespace gvd {
+
+/// A pseudo-source or a generator that a path has reached, and that will send windows.
+struct VertexEvent {
+  VertexCopyId vertex;
+  bool all_round;  ///< into all directions: a generator, or an ambiguous vertex
+  VertexPath path;
+};
 
 /// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or where
 /// shortest paths that arrive can continue (VertexFan).
@@ -78,7 +84,7 @@ class PseudoSources {
     const HalfedgeId outgoing = sector.outgoing;
     if (partitions_.of_halfedge(outgoing) != own_) return;
     const FaceFrame& f = fan_.face(outgoing);
-    const auto c = static_cast<std::size_t>(Mesh::corner(outgoing)), p = (c + 1) % 3, q = (c + 2) % 3;
+    const std::size_t c = Mesh::corner(outgoing), p = (c + 1) % 3, q = (c + 2) % 3;
     const HalfedgeId at_p = Mesh::next(outgoing), at_q = Mesh::previous(outgoing);
     const VertexPath& path = event.path;
     Departure to_p = path.departure, to_q = path.departure, through = path.departure;

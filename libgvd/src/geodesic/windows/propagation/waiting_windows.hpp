@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/window_limit.hpp"
-#include "geodesic/windows/geometry/window.hpp"
+#include "geodesic/windows/block_list.hpp"
+#include "geodesic/windows/window.hpp"
 
 namespace gvd {
 
@@ -115,7 +115,7 @@ class WaitingWindows {
   }
 
   void add_block() {
-    check_window_count(static_cast<std::size_t>(used_), kMask + 1);
+    check_window_count(used_, kMask + 1);
     blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
   }
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 
 #include "base/prefetch.hpp"
-#include "geodesic/windows/field/edge_windows.hpp"
-#include "geodesic/windows/geometry/vertex_fan.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
+#include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window_field.hpp"
 
 namespace gvd {
 
@@ -22,7 +22,7 @@ namespace gvd {
 /// faces.
 class WindowPruning {
  public:
-  /// Of the state, only the states of the partition's own faces are written. Both have to outlive this.
+  /// Only the states of the partition's own faces are written. Both have to outlive this.
   WindowPruning(PropagationState& state, PartitionExchange& exchange)
       : keep_(state.keep),
         keeps_departures_(!state.angles.empty()),
@@ -49,14 +49,14 @@ class WindowPruning {
     }
   }
 
-  /// There is a window on halfedge h with a label that one end of the edge does not have.
+  /// Notes that halfedge h has a window with a label that one end of the edge does not have.
   void mark_edge(HalfedgeId h) {
     if (keep_ != KeepWindows::near_bisectors) return;
     mark_face(Mesh::face(h));
     const HalfedgeId twin = fan_.twin(h);
     if (twin.valid()) mark_face(Mesh::face(twin));
   }
-  /// The vertex that halfedge `outgoing` leaves changes its label: windows on its edges may have had the old one.
+  /// Notes that the vertex that `outgoing` leaves changes its label: windows on its edges may have had the old one.
   void mark_vertex(HalfedgeId outgoing) {
     if (keep_ != KeepWindows::near_bisectors) return;
     HalfedgeId h = outgoing;
@@ -68,16 +68,16 @@ class WindowPruning {
     for (h = outgoing; h.valid(); h = fan_.right_of(h)) mark_face(Mesh::face(h));
   }
 
-  /// There is a window with another label on a side of a face of this partition.
+  /// Notes that a side of a face of this partition has a window with another label.
   void mark_own_face(FaceId f) {
     // If the face has a single label already, the paths through its corners beat such a window.
     if (state(f) == FaceState::open) state(f) = FaceState::multi_label;
   }
 
-  /// While no partition runs: decides about windows on edges to other partitions. `settled` as in `add`.
+  /// Decides about windows on edges to other partitions. Only while no partition runs. `settled` as in `add`.
   void review_border(double settled) { review(on_border_, settled); }
 
-  /// After the propagation in all partitions: decides about all other windows. Returns those that are kept.
+  /// Decides about all other windows, and returns those that are kept. After the propagation in all partitions.
   KeptWindows finish() {
     HalfedgeId last;
     bool stays = false;

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/parallel_chunks.hpp"
+#include "base/plane.hpp"
+#include "geodesic/face_layout.hpp"
+#include "gvd/diagram_steps.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// An image with the interval of an edge that it reaches by straight paths. Positions are measured along the edge's
+/// own halfedge, from 0 to its length. Mesh units.
+struct EdgeSource {
+  double begin, end;  ///< the interval
+  double x, depth;    ///< the image: its foot on the edge's line, and its distance from it, >= 0, on either side
+  double offset;      ///< distance from the generator to the image
+  GeneratorId generator;
+
+  /// Length of the straight path to t: a path of the surface for t in [begin, end].
+  double straight(double t) const { return offset + std::sqrt((t - x) * (t - x) + depth * depth); }
+  /// Length of the path to t that is straight to the interval, then follows the edge. Continuous in t.
+  double distance(double t) const {
+    const double nearest = std::clamp(t, begin, end);
+    return straight(nearest) + std::abs(t - nearest);
+  }
+};
+
+/// An image with the opening through which its straight paths enter a face: an interval of a side, or a corner. In the
+/// coordinates of the face's layout (FaceLayout).
+struct FaceSource {
+  Vec2 image;
+  Vec2 begin, end;  ///< the opening's left and right end, as seen from the image; equal to the image at a corner
+  double offset;    ///< distance from the generator to the image
+  GeneratorId generator;
+  HalfedgeId halfedge;  ///< the side of the opening; for a corner the halfedge that leaves it
+  bool is_corner;
+  double distance_begin, distance_end;  ///< distance from the generator to the opening's two ends
+
+  struct Path {
+    double distance;  ///< length of the whole path
+    Vec2 from;        ///< beginning of its last straight piece
+  };
+  /// The shortest path of this source to p: straight where the image sees p through the opening, round an end of the
+  /// opening elsewhere. Always a path of the surface, so its length is an upper bound of the distance; continuous in p.
+  Path shortest_path(const Vec2& p) const {
+    const Vec2 ray = p - image;
+    if (cross(ray, begin - image) < 0) return {distance_begin + (p - begin).norm(), begin};
+    if (cross(ray, end - image) > 0) return {distance_end + (p - end).norm(), end};
+    return {offset + ray.norm(), image};
+  }
+  double distance(const Vec2& p) const { return shortest_path(p).distance; }
+  /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
+  Vec2 entry(const Vec2& p) const {
+    if (is_corner) return image;
+    // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.
+    const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
+    if (to_begin <= 0) return begin;
+    if (to_end <= 0) return end;
+    return begin + to_begin / (to_begin + to_end) * (end - begin);
+  }
+};
+
+/// The interface between a distance solver and a tracer: the solver's distances on edges and in faces near bisectors.
+/// Several threads may call it at once.
+class DistanceField {
+ public:
+  virtual ~DistanceField() = default;
+
+  /// The edges on which more than one generator may be the nearest, ascending.
+  virtual std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const = 0;
+  /// Overwrites `sources` with all sources that reach edge e, those of its two ends first. The least of their distances
+  /// is the distance to the nearest generator.
+  virtual void collect(EdgeId e, std::vector<EdgeSource>& sources) const = 0;
+  /// The same for the inside of face f, in the coordinates of `layout`.
+  virtual void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const = 0;
+};
+
+/// The edges of a mesh for which `is_wanted(EdgeId)` is true, ascending. Throws: gvd::Error (interrupted).
+template <class Wanted>
+std::vector<EdgeId> find_edges(const Mesh& mesh, const ParallelChunks& parallel, const Wanted& is_wanted) {
+  const auto edges = cut_into_chunks(mesh.edge_count(), kScanChunk);
+  return parallel.collect(edges, steps::kLabels, [&](const Chunk& chunk) {
+    std::vector<EdgeId> found;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (is_wanted(EdgeId(i))) found.emplace_back(i);
+    }
+    return found;
+  });
+}
+
+}  // namespace gvd

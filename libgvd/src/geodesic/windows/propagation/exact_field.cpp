@@ -1,0 +1,155 @@
+// Exact distances and shortest paths for users: propagates all windows once, then answers from those that are kept.
+//
+// Idea: generators become vertices of a working mesh. A query is translated into that mesh, answered by the window
+// field, and translated back.
+// Source: window propagation as in propagate_windows.hpp.
+// Invariant: the working mesh is the same surface, so that points keep their distances in both directions.
+#include "gvd/exact_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/barycentric.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/tangent_fan.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_queries.hpp"
+#include "gvd/error.hpp"
+#include "mesh/split_faces.hpp"
+#include "mesh/working_mesh.hpp"
+
+namespace gvd {
+namespace {
+
+const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t generators) {
+  const std::vector<double>& offsets = options.offsets;
+  if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+  if (!offsets.empty() && offsets.size() != generators) {
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("the offsets are {} and the generators {}; give one for each or none", offsets.size(), generators));
+  }
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
+    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i), std::int64_t(i));
+  }
+  return options;
+}
+
+/// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
+/// a thin triangle, areas tell only the distance of p from the longest side. The position along that side is measured
+/// on the side itself. So the point is right up to rounding although its coordinates may not be.
+PlacedInTriangle nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
+  const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
+  const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
+  std::size_t tip = 0;  // opposite the longest side
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (side(i).squaredNorm() > side(tip).squaredNorm()) tip = i;
+  }
+  const std::size_t from = (tip + 1) % 3, to = (tip + 2) % 3;
+  const Vec2 base = side(tip), to_tip = way(corners[from], corners[tip]), to_p = way(corners[from], p);
+  Bary local{};
+  local[tip] = std::clamp(cross(base, to_p) / cross(base, to_tip), 0.0, 1.0);
+  local[to] = std::clamp((to_p - local[tip] * to_tip).dot(base) / base.squaredNorm(), 0.0, 1 - local[tip]);
+  local[from] = std::max(0.0, 1 - local[tip] - local[to]);
+  return {local, (local[to] * base + local[tip] * to_tip - to_p).norm()};
+}
+
+}  // namespace
+
+struct ExactField::State {
+  State(const Mesh& mesh, const std::vector<SurfacePoint>& points, const ExactFieldOptions& options)
+      : generators(points),
+        working(mesh, points, options.progress),
+        field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
+                                {KeepWindows::all, options.offsets, options.threads}, options.progress)),
+        offsets(options.offsets),
+        split(working) {}
+
+  /// The same point on the working mesh.
+  SurfacePoint to_working(const SurfacePoint& point) const {
+    const std::span<const SplitFaces::Part> parts = split.parts_of(point.face);
+    if (parts.empty()) return point;
+    const SurfacePoint inside =
+        locate_in_parts(parts, [&](const std::array<Bary, 3>& corners) { return nearest_inside(corners, point.bary); });
+    return make_surface_point(inside.face, inside.bary);
+  }
+  SurfacePoint to_input(const SurfacePoint& point) const {
+    if (!working.is_split(point.face)) return point;
+    return make_surface_point(working.parent(point.face), working.parent_bary(point.face, point.bary));
+  }
+  double offset(GeneratorId g) const { return offsets.empty() ? 0 : offsets[g.index()]; }
+
+  std::vector<SurfacePoint> generators;
+  WorkingMesh working;
+  WindowField field;
+  std::vector<double> offsets;
+  SplitFaces split;
+};
+
+ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
+    : state_(std::make_unique<State>(mesh, generators, checked(options, generators.size()))) {}
+ExactField::~ExactField() = default;
+ExactField::ExactField(ExactField&&) noexcept = default;
+ExactField& ExactField::operator=(ExactField&&) noexcept = default;
+
+double ExactField::distance(VertexId v) const { return state_->field.distance[v]; }
+GeneratorId ExactField::label(VertexId v) const { return state_->field.label[v]; }
+
+ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
+  const Mesh& mesh = state_->working.mesh();
+  const SurfacePoint p = state_->to_working(point);
+  if (p.kind() == SurfacePoint::Kind::vertex) {
+    const VertexId v = vertex(mesh, p);
+    return {distance(v), label(v)};
+  }
+  Nearest nearest{};
+  if (p.kind() == SurfacePoint::Kind::edge) {
+    const HalfedgeId h = halfedge(p);
+    std::vector<EdgeSource> sources;
+    collect_edge_sources(mesh, state_->field, h, sources);
+    const double t = p.bary[Mesh::corner(Mesh::next(h))] * mesh.length(h);
+    if (const EdgeSource* best = nearest_source(sources, t, nearest.distance)) nearest.generator = best->generator;
+  } else {
+    std::vector<FaceSource> sources;
+    collect_face_sources(mesh, state_->field, p.face, sources);
+    const Vec2 at = FaceLayout(mesh, p.face).at(p.bary);
+    if (const FaceSource* best = nearest_source(sources, at, nearest.distance)) nearest.generator = best->generator;
+  }
+  return nearest;
+}
+
+GeodesicPath ExactField::path(const SurfacePoint& point) const {
+  const WorkingMesh& working = state_->working;
+  GeodesicPath path =
+      trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
+  if (!path.generator.valid()) return {{}, GeneratorId(), path.length, false};
+  path.length -= state_->offset(path.generator);
+  for (SurfacePoint& p : path.points) p = state_->to_input(p);
+  return path;
+}
+
+Vec2 ExactField::departure(const SurfacePoint& point) const {
+  const Mesh& mesh = state_->working.input();
+  const GeodesicPath path = this->path(point);
+  if (!path.complete || path.points.size() < 2) return Vec2::Zero();
+  const SurfacePoint& generator = state_->generators[path.generator.index()];
+  const TangentFan fan(mesh, generator);
+  // The last piece of the path lies in one face; the fan knows the generator in each of its faces.
+  const SurfacePoint& before = path.points[path.points.size() - 2];
+  for (const TangentSector& sector : fan.sectors()) {
+    const FaceId f = sector.point.face;
+    const std::optional<Vec2> at = locate_in_face(mesh, f, before);
+    if (!at) continue;
+    const Vec2 direction = *at - FaceLayout(mesh, f).at(sector.point.bary);
+    return path.length * unit_vector(fan.angle(f, direction));
+  }
+  return Vec2::Zero();
+}
+
+}  // namespace gvd
