@@ -1,3 +1,8 @@
+// The HTML page: the template of web/, filled with a title, the entries of the scenes and their arrays.
+//
+// The build embeds the page's program, so one string is the whole page. Text from files is escaped for where it lands:
+// the title for HTML, the JSON so that it can't end its script element.
+// Invariant: a page is made of checked scenes only, and needs no file and no network when it is opened.
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -6,11 +11,9 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/check_view_scene.hpp"
-#include "io/view/scene_colors.hpp"
+#include "io/view/region_colors.hpp"
 #include "io/view/scene_entry.hpp"
-#include "io/view/view_blobs.hpp"
-#include "io/view/view_frame.hpp"
+#include "io/view/view_steps.hpp"
 #include "io/view/view_template.hpp"
 
 namespace gvd {

@@ -1,5 +1,8 @@
-#include "io/writers/write_glb.hpp"
-
+// Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
+//
+// The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the bisectors
+// are described first, which adds up the bytes, and then written in the same order. Invariant: every view begins where
+// the one before it ends, so that the description and the numbers agree.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,12 +13,10 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/label_color.hpp"
-#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/regions.hpp"
-#include "io/writers/shading_vertices.hpp"
+#include "io/writers/format_writers.hpp"
+#include "io/writers/mesh_elements.hpp"
 
-// Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 namespace gvd::io {
 namespace {
 
@@ -131,7 +132,7 @@ class GlbWriter {
     const std::uint64_t vertex_bytes = 12 * std::uint64_t{surface_.vertices.size()};
     surface_views_.positions = add_view(vertex_bytes, kVertexBuffer);
     surface_views_.normals = add_view(vertex_bytes, kVertexBuffer);
-    surface_views_.indices = add_view(12 * static_cast<std::uint64_t>(mesh_.face_count()), kIndexBuffer);
+    surface_views_.indices = add_view(12 * std::uint64_t(mesh_.face_count()), kIndexBuffer);
     Json primitives = Json::array();
     std::uint64_t index_offset = 0;
     for (std::size_t r = 0; r < regions_.size(); ++r) {

@@ -1,5 +1,9 @@
-#include "io/writers/write_ply.hpp"
-
+// PLY, binary or text, with labels, distances, colours and the further properties of the input.
+//
+// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
+// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
+// faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,10 +13,8 @@
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
 
-// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
-// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
-// faces in text only: in binary it takes the lists of all faces to lie behind each other.
 namespace gvd::io {
 namespace {
 
@@ -155,7 +157,7 @@ class Rows {
 
 void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
   const auto further = further_properties(mesh, true);
-  for (VertexId v(0); v.value() < mesh.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
+  for (const VertexId v : mesh.mesh.vertices()) {
     const Vec3& p = mesh.mesh.position(v);
     for (int i = 0; i < 3; ++i) rows.put(p[i]);
     if (mesh.vertex_distance != nullptr) {
@@ -170,7 +172,7 @@ void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
 
 void write_faces(Rows& rows, const LabelledMesh& mesh) {
   const auto further = further_properties(mesh, false);
-  for (FaceId f(0); f.value() < mesh.mesh.face_count(); f = FaceId(f.value() + 1)) {
+  for (const FaceId f : mesh.mesh.faces()) {
     rows.put(std::uint8_t{3});
     for (const VertexId v : mesh.mesh.vertices(f)) rows.put(v.value());
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
