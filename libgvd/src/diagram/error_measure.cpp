@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -125,15 +126,12 @@ class BisectorSampling {
     for (int k = 0; k < panels_; ++k) {
       Panel panel{{last, 0, 0, 0}, length / panels_};
       for (std::size_t i = 1; i < 4; ++i) {
-        panel.samples[i] = add_sample(id, between(a, b, (k + kLobattoNodes[i]) / panels_));
+        const double t = (k + kLobattoNodes[i]) / panels_;
+        panel.samples[i] = add_sample(id, make_surface_point(a.face, mix(a.bary, b.bary, t)));
       }
       last = panel.samples[3];
       all_panels.push_back(panel);
     }
-  }
-
-  static SurfacePoint between(const SurfacePoint& a, const SurfacePoint& b, double t) {
-    return make_surface_point(a.face, mix(a.bary, b.bary, t));
   }
 
   const Mesh& mesh_;
@@ -142,30 +140,30 @@ class BisectorSampling {
 
 /// Queries and stores the distances of all samples, in one query for each generator.
 void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
-  std::vector<std::vector<double*>> slots(diagram.generators.size());
-  std::vector<DistanceQuery> by_generator(diagram.generators.size());
-  const auto want = [&](GeneratorId g, Sample& sample, double Sample::*side) {
-    slots[g.index()].push_back(&(sample.*side));
-    by_generator[g.index()].points.push_back(sample.point);
+  struct Wanted {
+    std::vector<SurfacePoint> points;
+    std::vector<double*> slots;
+  };
+  std::map<GeneratorId, Wanted> by_generator;
+  const auto want = [&](GeneratorId g, const SurfacePoint& point, double& slot) {
+    by_generator[g].points.push_back(point);
+    by_generator[g].slots.push_back(&slot);
   };
   for (Sample& sample : samples) {
-    want(diagram.bisectors[sample.bisector].left, sample, &Sample::left);
-    want(diagram.bisectors[sample.bisector].right, sample, &Sample::right);
+    want(diagram.bisectors[sample.bisector].left, sample.point, sample.left);
+    want(diagram.bisectors[sample.bisector].right, sample.point, sample.right);
   }
+  if (by_generator.empty()) return;
   std::vector<DistanceQuery> queries;
-  std::vector<std::vector<double*>> wanted;
-  for (std::size_t g = 0; g < slots.size(); ++g) {
-    if (slots[g].empty()) continue;
-    queries.push_back({diagram.generators[g], std::move(by_generator[g].points)});
-    wanted.push_back(std::move(slots[g]));
-  }
-  if (queries.empty()) return;
+  for (auto& [g, wanted] : by_generator) queries.push_back({diagram.generators[g.index()], std::move(wanted.points)});
   const std::vector<std::vector<double>> answers = exact(queries);
-  for (std::size_t q = 0; q < queries.size(); ++q) {
-    if (answers.size() != queries.size() || answers[q].size() != wanted[q].size()) {
+  std::size_t q = 0;
+  for (const auto& [g, wanted] : by_generator) {
+    if (answers.size() != queries.size() || answers[q].size() != wanted.slots.size()) {
       throw Error(ErrorCode::precondition, "the exact distances do not match the points that were asked for");
     }
-    for (std::size_t i = 0; i < wanted[q].size(); ++i) *wanted[q][i] = answers[q][i];
+    for (std::size_t i = 0; i < wanted.slots.size(); ++i) *wanted.slots[i] = answers[q][i];
+    ++q;
   }
 }
 

@@ -8,7 +8,7 @@
 #include "diagram/growth/check_growth.hpp"
 
 #include <algorithm>
-#include <cstdint>
+#include <map>
 #include <tuple>
 
 #include "base/segment.hpp"
@@ -18,6 +18,11 @@
 namespace gvd {
 namespace {
 
+/// The crossing that a node is, on the rim or new; not for branch points.
+const Crossing& crossing_of(const GapNode& node, const Crossings& crossings) {
+  return node.kind == GapNode::Kind::rim ? crossings[node.rim] : node.crossing;
+}
+
 class GapNodeCheck {
  public:
   GapNodeCheck(const Mesh& mesh, const Crossings& crossings, const Gap& gap, const GrownGap& grown)
@@ -25,11 +30,9 @@ class GapNodeCheck {
 
   bool run(const GapEdges& edges) {
     for (const GapArc& arc : grown_.arcs) {
-      const auto begin = static_cast<std::size_t>(arc.begin), end = static_cast<std::size_t>(arc.end);
-      if (!fits(grown_.nodes[begin], arc.face, arc.left, arc.right)) return false;
-      if (!fits(grown_.nodes[end], arc.face, arc.right, arc.left)) return false;
-      faces_[begin].push_back(arc.face);
-      faces_[end].push_back(arc.face);
+      if (!fits(grown_.nodes[arc.begin], arc.face, arc.left, arc.right)) return false;
+      if (!fits(grown_.nodes[arc.end], arc.face, arc.right, arc.left)) return false;
+      for (const int n : {arc.begin, arc.end}) faces_[n].push_back(arc.face);
     }
     for (std::size_t n = 0; n < grown_.nodes.size(); ++n) {
       if (!has_its_arcs(grown_.nodes[n], faces_[n])) return false;
@@ -44,7 +47,7 @@ class GapNodeCheck {
     if (node.kind == GapNode::Kind::branch) {
       return node.face == f && *std::min_element(node.bary.begin(), node.bary.end()) >= 0;
     }
-    const Crossing& c = node.kind == GapNode::Kind::rim ? crossings_[node.rim] : node.crossing;
+    const Crossing& c = crossing_of(node, crossings_);
     const HalfedgeId h = mesh_.halfedge(c.edge), twin = mesh_.twin(h);
     // Seen from the crossing into the face of h, the edge's first vertex lies on the left.
     if (Mesh::face(h) == f) return left == c.before && right == c.after;
@@ -70,98 +73,61 @@ class GapNodeCheck {
   const Crossings& crossings_;
   const Gap& gap_;
   const GrownGap& grown_;
-  std::vector<std::vector<FaceId>> faces_;  // per node: those of the arcs that end at it
+  std::vector<std::vector<FaceId>> faces_;  // of the arcs that end at each node
 };
 
-/// A vertex of the gap as an end of one of its edges.
-struct EdgeAtVertex {
-  VertexId vertex;
-  std::size_t edge;  // index of the edge in the gap
-};
-
+/// Labels of a gap's vertices that follow from the labels on its rim, those of its generators, and its crossings.
 class GapLabels {
  public:
   GapLabels(const WorkingMesh& working, const NearestLabels& labels, const std::vector<GapEdge>& edges)
-      : working_(working), mesh_(working.mesh()), labels_(labels), edges_(edges) {
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const HalfedgeId h = mesh_.halfedge(edges_[i].edge);
-      edges_of_.push_back({mesh_.from(h), i});
-      edges_of_.push_back({mesh_.to(h), i});
+      : mesh_(working.mesh()), edges_(edges) {
+    for (const GapEdge& e : edges) {
+      const HalfedgeId h = mesh_.halfedge(e.edge);
+      edges_at_[mesh_.from(h)].push_back(&e);
+      edges_at_[mesh_.to(h)].push_back(&e);
     }
-    std::sort(edges_of_.begin(), edges_of_.end(),
-              [](const auto& a, const auto& b) { return std::tuple(a.vertex, a.edge) < std::tuple(b.vertex, b.edge); });
-    label_.resize(edges_of_.size());
-  }
-
-  /// Spreads the labels from the rim and the generators along the gap's edges.
-  void spread() {
-    for (const EdgeAtVertex& e : edges_of_) {
-      if (edges_[e.edge].rim || working_.generator(e.vertex).valid()) set_label(e.vertex, labels_.label[e.vertex]);
+    for (const auto& [v, around] : edges_at_) {
+      const bool on_rim = std::any_of(around.begin(), around.end(), [](const GapEdge* e) { return e->rim; });
+      if (on_rim || working.generator(v).valid()) set_label(v, labels.label[v]);
     }
     for (std::size_t k = 0; k < labelled_.size(); ++k) spread_from(labelled_[k]);
   }
 
   bool are_complete_and_agree() const {
-    for (std::size_t i = 0; i < edges_of_.size(); ++i) {
-      if (is_first_of_vertex(i) && !label_[i].valid()) return false;
-    }
-    return std::all_of(edges_.begin(), edges_.end(), [&](const GapEdge& e) {
-      const HalfedgeId h = mesh_.halfedge(e.edge);
-      const GeneratorId from = label_[index_of(mesh_.from(h))], to = label_[index_of(mesh_.to(h))];
-      if (e.crossings.empty()) return from == to;
-      return e.crossings.front().before == from && e.crossings.back().after == to;
-    });
+    return label_.size() == edges_at_.size() && std::all_of(edges_.begin(), edges_.end(), [&](const GapEdge& e) {
+             const HalfedgeId h = mesh_.halfedge(e.edge);
+             const GeneratorId from = label_.at(mesh_.from(h)), to = label_.at(mesh_.to(h));
+             if (e.crossings.empty()) return from == to;
+             return e.crossings.front().before == from && e.crossings.back().after == to;
+           });
   }
 
-  std::vector<std::pair<VertexId, GeneratorId>> moved() const {
-    std::vector<std::pair<VertexId, GeneratorId>> moved;
-    for (std::size_t i = 0; i < edges_of_.size(); ++i) {
-      const VertexId v = edges_of_[i].vertex;
-      if (is_first_of_vertex(i) && labels_.label[v] != label_[i]) moved.emplace_back(v, label_[i]);
-    }
-    return moved;
-  }
+  /// Ascending by vertex.
+  const std::map<VertexId, GeneratorId>& all() const { return label_; }
 
  private:
-  bool is_first_of_vertex(std::size_t i) const { return i == 0 || edges_of_[i].vertex != edges_of_[i - 1].vertex; }
-
-  /// The first index of v in edges_of_; label_ holds its label there.
-  std::size_t index_of(VertexId v) const {
-    const auto it = std::lower_bound(edges_of_.begin(), edges_of_.end(), v,
-                                     [](const EdgeAtVertex& e, VertexId value) { return e.vertex < value; });
-    return static_cast<std::size_t>(it - edges_of_.begin());
-  }
-
   void set_label(VertexId v, GeneratorId g) {
-    const std::size_t i = index_of(v);
-    if (label_[i].valid()) return;
-    label_[i] = g;
-    labelled_.push_back(i);
+    if (g.valid() && label_.emplace(v, g).second) labelled_.push_back(v);
   }
 
-  /// Labels the neighbours of the vertex whose first index is `first`.
-  void spread_from(std::size_t first) {
-    const VertexId v = edges_of_[first].vertex;
-    for (std::size_t i = first; i < edges_of_.size() && edges_of_[i].vertex == v; ++i) {
-      const GapEdge& e = edges_[edges_of_[i].edge];
-      const HalfedgeId h = mesh_.halfedge(e.edge);
+  void spread_from(VertexId v) {
+    for (const GapEdge* e : edges_at_[v]) {
+      const HalfedgeId h = mesh_.halfedge(e->edge);
       const bool forwards = mesh_.from(h) == v;
       const VertexId other = forwards ? mesh_.to(h) : mesh_.from(h);
-      if (e.crossings.empty()) {
-        set_label(other, label_[first]);
+      if (e->crossings.empty()) {
+        set_label(other, label_[v]);
       } else {
-        set_label(other, forwards ? e.crossings.back().after : e.crossings.front().before);
+        set_label(other, forwards ? e->crossings.back().after : e->crossings.front().before);
       }
     }
   }
 
-  const WorkingMesh& working_;
   const Mesh& mesh_;
-  const NearestLabels& labels_;
   const std::vector<GapEdge>& edges_;
-  std::vector<EdgeAtVertex> edges_of_;  // ascending by (vertex, edge)
-  std::vector<GeneratorId> label_;      // of the vertex whose first index this is; invalid elsewhere
-  std::vector<std::size_t> labelled_;   // first indices of the labelled vertices, in the order of labelling
+  std::map<VertexId, std::vector<const GapEdge*>> edges_at_;
+  std::map<VertexId, GeneratorId> label_;
+  std::vector<VertexId> labelled_;  // in the order of labelling
 };
 
 class GapArcCheck {
@@ -170,8 +136,8 @@ class GapArcCheck {
       : mesh_(mesh), crossings_(crossings), grown_(grown) {}
 
   bool run() const {
-    for (std::size_t n = 0; n < grown_.nodes.size(); ++n) {
-      if (grown_.nodes[n].kind == GapNode::Kind::branch && !turns_left(static_cast<int>(n))) return false;
+    for (int n = 0; n < std::ssize(grown_.nodes); ++n) {
+      if (grown_.nodes[n].kind == GapNode::Kind::branch && !turns_left(n)) return false;
     }
     for (std::size_t i = 0; i < grown_.arcs.size(); ++i) {
       for (std::size_t j = i + 1; j < grown_.arcs.size(); ++j) {
@@ -193,11 +159,10 @@ class GapArcCheck {
     const GapNode& node = grown_.nodes[node_index];
     const FaceLayout layout(mesh_, arc.face);
     if (node.kind == GapNode::Kind::branch) return layout.at(node.bary);
-    const Crossing& c = node.kind == GapNode::Kind::rim ? crossings_[node.rim] : node.crossing;
-    HalfedgeId h = mesh_.halfedge(c.edge);
+    const Crossing& c = crossing_of(node, crossings_);
+    const HalfedgeId h = mesh_.halfedge(c.edge);
     const bool own = Mesh::face(h) == arc.face;
-    if (!own) h = mesh_.twin(h);
-    return layout.at(edge_point(h, own ? c.t : 1 - c.t).bary);
+    return layout.at((own ? edge_point(h, c.t) : edge_point(mesh_.twin(h), 1 - c.t)).bary);
   }
 
   std::vector<Spoke> spokes_at(int node) const {
@@ -218,7 +183,7 @@ class GapArcCheck {
     if (spokes.size() != 3) return false;
     if (spokes[1].right != spokes[0].left) std::swap(spokes[1], spokes[2]);
     int left_turns = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const Spoke& next = spokes[(i + 1) % 3];
       if (next.right != spokes[i].left) return false;
       left_turns += cross(spokes[i].direction, next.direction) > 0;
@@ -255,8 +220,8 @@ GapEdges::GapEdges(const Mesh& mesh, const Crossings& crossings, const Gap& gap,
 void GapEdges::collect_edges(const Mesh& mesh, const Gap& gap) {
   for (const FaceId f : gap.faces) {
     for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh.twin(h);
-      edges_.push_back({mesh.edge(h), twin.valid() && !gap.contains(Mesh::face(twin)), {}});
+      const HalfedgeId h = Mesh::halfedge(f, corner);
+      edges_.push_back({mesh.edge(h), is_rim(mesh, gap, h), {}});
     }
   }
   std::sort(edges_.begin(), edges_.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; });
@@ -304,10 +269,13 @@ bool check_gap_nodes(const Mesh& mesh, const Crossings& crossings, const Gap& ga
 std::optional<std::vector<std::pair<VertexId, GeneratorId>>> find_moved_labels(const WorkingMesh& working,
                                                                                const NearestLabels& labels,
                                                                                const GapEdges& gap_edges) {
-  GapLabels gap_labels(working, labels, gap_edges.edges());
-  gap_labels.spread();
-  if (!gap_labels.are_complete_and_agree()) return std::nullopt;
-  return gap_labels.moved();
+  const GapLabels implied(working, labels, gap_edges.edges());
+  if (!implied.are_complete_and_agree()) return std::nullopt;
+  std::vector<std::pair<VertexId, GeneratorId>> moved;
+  for (const auto& [v, g] : implied.all()) {
+    if (labels.label[v] != g) moved.emplace_back(v, g);
+  }
+  return moved;
 }
 
 bool check_gap_arcs(const Mesh& mesh, const Crossings& crossings, const GrownGap& grown) {

@@ -116,8 +116,8 @@ class GapCloser {
     std::vector<FaceId> around;
     for (const FaceId f : gap.faces) {
       for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId twin = mesh_.twin(Mesh::halfedge(f, corner));
-        if (twin.valid() && !gap.contains(Mesh::face(twin))) around.push_back(Mesh::face(twin));
+        const HalfedgeId h = Mesh::halfedge(f, corner);
+        if (is_rim(mesh_, gap, h)) around.push_back(Mesh::face(mesh_.twin(h)));
       }
     }
     return around;
@@ -152,39 +152,46 @@ class GapCloser {
   IdVector<FaceId, int> merged_of_;  // the gap that has the face, or kNone
 };
 
-/// A crossing of the new diagram, with its origin: a crossing of the old diagram, or a node of a grown gap.
-struct CrossingOrigin {
-  Crossing crossing;
-  CrossingId old;
-  std::size_t gap = 0, node = 0;
-};
-
+/// Gives the crossings of a diagram and of its grown gaps common numbers, and appends what grew.
 class GapInstaller {
  public:
   GapInstaller(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced)
-      : mesh_(mesh), closed_(closed), traced_(traced) {}
+      : mesh_(mesh), closed_(closed), traced_(traced), renamed_(traced.crossings.size()) {
+    for (const ClosedGap& c : closed) grown_id_.emplace_back(c.grown.nodes.size());
+  }
 
   void install() {
-    renumber(merge_crossings());
-    for (std::size_t c = 0; c < closed_.size(); ++c) append(closed_[c].grown, ends_[c]);
+    std::vector<Crossing> items;
+    for (const NumberedCrossing& c : merge_crossings()) {
+      *c.id = CrossingId(items.size());
+      items.push_back(c.crossing);
+    }
+    traced_.crossings = Crossings(mesh_.edge_count(), std::move(items));
+    for (std::size_t c = 0; c < closed_.size(); ++c) append(closed_[c].grown, grown_id_[c]);
   }
 
  private:
+  /// A crossing of the new diagram, and the place for its new id.
+  struct NumberedCrossing {
+    Crossing crossing;
+    CrossingId* id;
+  };
+
   /// The crossings that stay and those that grew, ascending by (edge, t).
-  std::vector<CrossingOrigin> merge_crossings() const {
-    std::vector<CrossingOrigin> all;
+  std::vector<NumberedCrossing> merge_crossings() {
+    std::vector<NumberedCrossing> all;
     const IdVector<EdgeId, char> inside = edges_inside();
-    for (const CrossingId id : IdRange<CrossingId>(traced_.crossings.size())) {
+    for (const CrossingId id : renamed_.ids()) {
       const Crossing& c = traced_.crossings[id];
-      if (!inside[c.edge]) all.push_back({c, id});
+      if (!inside[c.edge]) all.push_back({c, &renamed_[id]});
     }
     for (std::size_t c = 0; c < closed_.size(); ++c) {
       const auto& nodes = closed_[c].grown.nodes;
       for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, CrossingId(), c, n});
+        if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_id_[c][n]});
       }
     }
-    std::sort(all.begin(), all.end(), [](const CrossingOrigin& a, const CrossingOrigin& b) {
+    std::sort(all.begin(), all.end(), [](const NumberedCrossing& a, const NumberedCrossing& b) {
       return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
     });
     return all;
@@ -196,43 +203,24 @@ class GapInstaller {
     for (const ClosedGap& c : closed_) {
       for (const FaceId f : c.gap.faces) {
         for (int corner = 0; corner < 3; ++corner) {
-          const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh_.twin(h);
-          if (!twin.valid() || c.gap.contains(Mesh::face(twin))) inside[mesh_.edge(h)] = 1;
+          const HalfedgeId h = Mesh::halfedge(f, corner);
+          if (!is_rim(mesh_, c.gap, h)) inside[mesh_.edge(h)] = 1;
         }
       }
     }
     return inside;
   }
 
-  /// Gives the crossings their new ids, and so the nodes that are crossings.
-  void renumber(const std::vector<CrossingOrigin>& all) {
-    IdVector<CrossingId, CrossingId> renamed(traced_.crossings.size());
-    for (const ClosedGap& c : closed_) ends_.emplace_back(c.grown.nodes.size());
-    std::vector<Crossing> items;
-    for (const CrossingOrigin& origin : all) {
-      const CrossingId id(items.size());
-      items.push_back(origin.crossing);
-      if (origin.old.valid()) {
-        renamed[origin.old] = id;
-      } else {
-        ends_[origin.gap][origin.node] = at(id);
-      }
-    }
-    traced_.crossings = Crossings(mesh_.edge_count(), std::move(items));
-    for (std::size_t c = 0; c < closed_.size(); ++c) {
-      const auto& nodes = closed_[c].grown.nodes;
-      for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].kind == GapNode::Kind::rim) ends_[c][n] = at(renamed[nodes[n].rim]);
-      }
-    }
-  }
-
-  /// Appends the branch points, arcs and moved vertices of one gap. `ends` has an entry for each of its nodes.
-  void append(const GrownGap& grown, std::vector<ArcEnd>& ends) {
+  /// Appends the branch points, arcs and moved vertices of one gap. `grown_id` has the ids of its new crossings.
+  void append(const GrownGap& grown, const std::vector<CrossingId>& grown_id) {
+    std::vector<ArcEnd> ends;
     for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
       const GapNode& node = grown.nodes[n];
-      if (node.kind != GapNode::Kind::branch) continue;
-      ends[n] = at(traced_.faces.branches.push_back({node.face, node.bary, node.distance}));
+      if (node.kind == GapNode::Kind::branch) {
+        ends.push_back(at(traced_.faces.branches.push_back({node.face, node.bary, node.distance})));
+      } else {
+        ends.push_back(at(node.kind == GapNode::Kind::rim ? renamed_[node.rim] : grown_id[n]));
+      }
     }
     for (const GapArc& arc : grown.arcs) {
       traced_.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
@@ -246,7 +234,8 @@ class GapInstaller {
   const Mesh& mesh_;
   const std::vector<ClosedGap>& closed_;
   TracedDiagram& traced_;
-  std::vector<std::vector<ArcEnd>> ends_;  // per gap and node
+  IdVector<CrossingId, CrossingId> renamed_;       // new ids of the crossings that stay
+  std::vector<std::vector<CrossingId>> grown_id_;  // per gap and node: ids of the crossings that grew
 };
 
 }  // namespace

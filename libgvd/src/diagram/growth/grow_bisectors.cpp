@@ -67,7 +67,7 @@ class EventLoop {
     for (const FaceId f : gap_.faces) {
       for (const BoundaryCrossing& c : boundary_crossings(mesh_, crossings_, f)) {
         const HalfedgeId h = Mesh::halfedge(f, c.corner), twin = mesh_.twin(h);
-        if (!twin.valid() || gap_.contains(Mesh::face(twin))) continue;
+        if (!is_rim(mesh_, gap_, h)) continue;
         const FaceId outside = Mesh::face(twin);
         const auto plane = FaceLayout(mesh_, outside).corner;
         const Vec2 left = unfold_generator(plane, corner_distances(input_, outside, c.previous));
@@ -164,7 +164,7 @@ class EventLoop {
     const Exit exit = *ends_[leaver].exit;
     if (exit.t < kCrossingGap || exit.t > 1 - kCrossingGap) return false;
     const HalfedgeId twin = mesh_.twin(exit.halfedge);
-    if (twin.valid() && !gap_.contains(Mesh::face(twin))) {
+    if (is_rim(mesh_, gap_, exit.halfedge)) {
       entered_ = Mesh::face(twin);
       return false;
     }

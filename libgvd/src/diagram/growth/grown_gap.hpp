@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
+#include "gvd/mesh.hpp"
 
 namespace gvd {
 
@@ -15,6 +16,12 @@ struct Gap {
   std::vector<FaceId> faces;  ///< ascending
   bool contains(FaceId f) const { return std::binary_search(faces.begin(), faces.end(), f); }
 };
+
+/// Whether a halfedge of one of the gap's faces lies on its rim.
+inline bool is_rim(const Mesh& mesh, const Gap& gap, HalfedgeId h) {
+  const HalfedgeId twin = mesh.twin(h);
+  return twin.valid() && !gap.contains(Mesh::face(twin));
+}
 
 /// A node of the graph that grows in a gap: a crossing on the rim, a new crossing, or a branch point.
 struct GapNode {

@@ -28,48 +28,19 @@ void append_midpoint(const Mesh& mesh, EdgeId e, const NearestLabels& labels, st
 /// The corner between two edges of a face; edge i leads from corner i to the next.
 int corner_between(int first_edge, int second_edge) { return second_edge == first_edge + 1 ? second_edge : 0; }
 
-class SegmentRefinement {
- public:
-  SegmentRefinement(const Mesh& mesh, const MidpointDistances& midpoints, const Crossings& crossings)
-      : mesh_(mesh), midpoints_(midpoints), crossings_(crossings) {}
-
-  std::vector<CrossingEstimate> run() {
-    std::vector<BoundaryCrossing> boundary;
-    for (const FaceId f : crossed_faces(mesh_, crossings_)) {
-      boundary_crossings(mesh_, crossings_, f, boundary);
-      if (boundary.size() == 2) refine(f, boundary);
-    }
-    return std::move(estimates_);
-  }
-
- private:
-  void refine(FaceId f, const std::vector<BoundaryCrossing>& boundary) {
-    const int apex = corner_between(boundary[0].corner, boundary[1].corner);
-    // The cell of the apex lies before the crossing on the edge that leaves it.
-    const bool first_leaves = boundary[0].corner == apex;
-    const BoundaryCrossing& leaving = boundary[first_leaves ? 0 : 1];
-    const auto images = unfold(f, apex, leaving.previous, leaving.next);
-    if (!images) return;
-    estimate_crossings(mesh_, crossings_, boundary, *images, estimates_);
-  }
-
-  /// Images of the apex's generator, on its side of the rough segment, and of the other one, on the other side.
-  std::optional<FaceImages> unfold(FaceId f, int apex, GeneratorId at_apex, GeneratorId other) const {
-    const auto corner = FaceLayout(mesh_, f).corner;
-    const int next = (apex + 1) % 3, before = (apex + 2) % 3;
-    const Vec2 t1 = 0.5 * (corner[apex] + corner[next]), t2 = 0.5 * (corner[before] + corner[apex]);
-    const auto own = midpoints_.find(f, at_apex), others = midpoints_.find(f, other);
-    if (!own || !others) return std::nullopt;
-    // From t1 to t2 the apex lies on the left.
-    return FaceImages{f, corner, unfold_source(t2, t1, (*own)[before], (*own)[apex]),
-                      unfold_source(t1, t2, (*others)[apex], (*others)[before])};
-  }
-
-  const Mesh& mesh_;
-  const MidpointDistances& midpoints_;
-  const Crossings& crossings_;
-  std::vector<CrossingEstimate> estimates_;
-};
+/// Images in f of the apex's generator, on its side of the rough segment, and of the other one, on the other side.
+std::optional<FaceImages> unfold_apart(const Mesh& mesh, const MidpointDistances& midpoints, FaceId f, int apex,
+                                       const BoundaryCrossing& leaving) {
+  const auto corner = FaceLayout(mesh, f).corner;
+  const int next = (apex + 1) % 3, before = (apex + 2) % 3;
+  const Vec2 t1 = 0.5 * (corner[apex] + corner[next]), t2 = 0.5 * (corner[before] + corner[apex]);
+  // The cell of the apex lies before the crossing on the edge that leaves it.
+  const auto own = midpoints.find(f, leaving.previous), others = midpoints.find(f, leaving.next);
+  if (!own || !others) return std::nullopt;
+  // From t1 to t2 the apex lies on the left.
+  return FaceImages{f, corner, unfold_source(t2, t1, (*own)[before], (*own)[apex]),
+                    unfold_source(t1, t2, (*others)[apex], (*others)[before])};
+}
 
 }  // namespace
 
@@ -104,7 +75,17 @@ void cross_at_midpoints(const Mesh& mesh, const std::vector<EdgeId>& edges, cons
 
 std::vector<CrossingEstimate> refine_segments(const Mesh& mesh, const MidpointDistances& midpoints,
                                               const Crossings& crossings) {
-  return SegmentRefinement(mesh, midpoints, crossings).run();
+  std::vector<CrossingEstimate> estimates;
+  std::vector<BoundaryCrossing> boundary;
+  for (const FaceId f : crossed_faces(mesh, crossings)) {
+    boundary_crossings(mesh, crossings, f, boundary);
+    if (boundary.size() != 2) continue;
+    const int apex = corner_between(boundary[0].corner, boundary[1].corner);
+    const BoundaryCrossing& leaving = boundary[boundary[0].corner == apex ? 0 : 1];
+    const auto images = unfold_apart(mesh, midpoints, f, apex, leaving);
+    if (images) estimate_crossings(mesh, crossings, boundary, *images, estimates);
+  }
+  return estimates;
 }
 
 PaperTracer::PaperTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress)
