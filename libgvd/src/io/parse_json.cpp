@@ -121,9 +121,9 @@ std::vector<GeneratorEntry> parse_json(std::string_view content, const std::stri
   std::vector<GeneratorEntry> entries;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::int32_t line = i < document.lines.size() ? document.lines[i] : 1;
-    if (!list[i].is_object())
-      ListLocation{name, line}.refuse(fmt::format("element {} of \"generators\" must be an object", i));
-    entries.push_back(read_object(list[i], {name, line}));
+    const ListLocation at{name, line};
+    if (!list[i].is_object()) at.refuse(fmt::format("element {} of \"generators\" must be an object", i));
+    entries.push_back(read_object(list[i], at));
   }
   return entries;
 }

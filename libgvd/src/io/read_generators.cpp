@@ -28,7 +28,7 @@ std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& 
 std::string text_of(const std::vector<SurfacePoint>& points) {
   std::string out = "# generators: face b0 b1 b2\n";
   for (const auto& [face, bary] : points) {
-    fmt::format_to(std::back_inserter(out), "{} {} {} {}\n", face.value(), bary[0], bary[1], bary[2]);
+    fmt::format_to(std::back_inserter(out), "{} {}\n", face.value(), fmt::join(bary, " "));
   }
   return out;
 }
@@ -37,8 +37,8 @@ std::string csv_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   std::string out = "face,b0,b1,b2,x,y,z\n";
   for (const SurfacePoint& point : points) {
     const Vec3 p = position(mesh, point);
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", point.face.value(), point.bary[0], point.bary[1],
-                   point.bary[2], p.x(), p.y(), p.z());
+    fmt::format_to(std::back_inserter(out), "{},{},{}\n", point.face.value(), fmt::join(point.bary, ","),
+                   fmt::join(p.data(), p.data() + 3, ","));
   }
   return out;
 }
@@ -48,8 +48,8 @@ std::string json_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   const char* separator = "\n";
   for (const SurfacePoint& point : points) {
     const Vec3 p = position(mesh, point);
-    fmt::format_to(std::back_inserter(out), "{}{{\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]}}", separator,
-                   point.face.value(), point.bary[0], point.bary[1], point.bary[2], p.x(), p.y(), p.z());
+    fmt::format_to(std::back_inserter(out), "{}{{\"face\":{},\"bary\":[{}],\"position\":[{}]}}", separator,
+                   point.face.value(), fmt::join(point.bary, ","), fmt::join(p.data(), p.data() + 3, ","));
     separator = ",\n";
   }
   return out + "\n]}\n";

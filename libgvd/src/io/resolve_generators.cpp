@@ -160,7 +160,7 @@ class Resolver {
   }
 
   [[noreturn]] void refuse(std::size_t entry, const std::string& message) const {
-    throw Error(ErrorCode::precondition, location(entry) + ": " + message, static_cast<std::int64_t>(entry));
+    throw Error(ErrorCode::precondition, location(entry) + ": " + message, std::int64_t(entry));
   }
 
   /// Refuses the entry that is being resolved.
@@ -230,7 +230,7 @@ class Resolver {
                       twin, location(twin)));
       }
     }
-    kept.merged = static_cast<std::int32_t>(first.size() - kept.points.size());
+    kept.merged = std::int32_t(first.size() - kept.points.size());
     result_ = std::move(kept);
   }
 
@@ -248,7 +248,7 @@ std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<Su
   std::vector<std::int32_t> first;
   first.reserve(points.size());
   for (const SurfacePoint& point : points) {
-    first.push_back(grid.insert(canonical(mesh, point), static_cast<std::int32_t>(first.size())));
+    first.push_back(grid.insert(canonical(mesh, point), std::int32_t(first.size())));
   }
   return first;
 }

@@ -29,7 +29,7 @@ OutputFormat output_format(const std::filesystem::path& path);
 void check_format(const Mesh& mesh, OutputFormat format);
 
 /// A mesh and arrays over its elements; what is null is not written. `LabelledMesh{mesh}` is a plain mesh.
-/// It owns nothing: everything that it points to must outlive it.
+/// A LabelledMesh owns nothing: everything that it points to must outlive it.
 struct LabelledMesh {
   const Mesh& mesh;
   const IdVector<FaceId, GeneratorId>* face_label = nullptr;      ///< invalid ids are written as -1, in grey

@@ -12,7 +12,7 @@ namespace gvd {
 /// their generators become too inaccurate on the way through.
 inline constexpr std::size_t kMaxGapFaces = 200;
 
-/// How bisectors grow through a gap.
+/// The rules by which bisectors grow through a gap.
 struct GrowthRules {
   /// The origin of the images of an end's generators when the end enters a face.
   enum class Images {

@@ -95,7 +95,7 @@ struct GrowthEvent {
   Vec2 point = Vec2::Zero();  ///< of an intersection, in the plane of the face
 };
 
-/// Which event comes first.
+/// The order in which events are handled.
 enum class EventOrder {
   by_kind,      ///< every joining before every intersection, and these before every exit; then by distance
   by_distance,  ///< as the paper has it: one order for intersections and exits. It knows no joining; these come first

@@ -65,10 +65,10 @@ std::vector<Gap> connect_gaps(const Mesh& mesh, const IdVector<FaceId, char>& is
 /// The gaps of the faces whose tables hold three or more generators that are not dominated.
 std::vector<Gap> find_gaps(const Mesh& mesh, const GeneratorTable& table);
 
-/// What growth may do.
+/// The rules and limits of closing gaps.
 struct ClosingPlan {
   std::vector<GrowthRules> rules;  ///< tried in this order
-  /// How often a gap is enlarged after all rules failed.
+  /// The number of times that a gap is enlarged after all rules failed.
   int enlargements = 0;
   /// Edges where growth is not allowed, ascending: a gap does not grow with one of them.
   std::vector<EdgeId> forbidden;

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -20,10 +19,6 @@
 
 namespace gvd::io {
 namespace {
-
-void append_little_endian(std::string& bytes, std::uint32_t value, int width) {
-  for (int i = 0; i < width; ++i) bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xFF));
-}
 
 /// Largest doubled area, in barycentric coordinates, of a triangle that is left out. It is 1e-14 of the face's doubled
 /// area, a hundred times the rounding error of products of coordinates in [0, 1].
@@ -222,7 +217,7 @@ ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
 nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
   std::string bytes;
   bytes.reserve(4 * values.size());
-  for (const float value : values) append_little_endian(bytes, std::bit_cast<std::uint32_t>(value), 4);
+  for (const float value : values) bytes.append(little_endian(value).data(), 4);
   return add(std::move(bytes), "f32", values.size());
 }
 
@@ -231,7 +226,7 @@ nlohmann::json ViewBlobs::add_integers(const std::vector<std::uint32_t>& values)
   const int width = largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
   std::string bytes;
   bytes.reserve(width * values.size());
-  for (const std::uint32_t value : values) append_little_endian(bytes, value, width);
+  for (const std::uint32_t value : values) bytes.append(little_endian(value).data(), width);
   return add(std::move(bytes), width == 1 ? "u8" : width == 2 ? "u16" : "u32", values.size());
 }
 

@@ -21,33 +21,18 @@ namespace {
 
 using nlohmann::json;
 
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '<') {
-      escaped += "&lt;";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
+std::string replace_all(const std::string& text, char replaced, std::string_view by) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) c == replaced ? result.append(by) : result.append(1, c);
+  return result;
 }
+
+std::string escape_html(const std::string& text) { return replace_all(replace_all(text, '&', "&amp;"), '<', "&lt;"); }
 
 /// JSON without `<`, so that no text in it can end its HTML element or start a comment.
 std::string dump_for_html(const json& document) {
-  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string escaped;
-  escaped.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      escaped += "\\u003c";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
+  return replace_all(document.dump(-1, ' ', false, json::error_handler_t::replace), '<', "\\u003c");
 }
 
 std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& options) {

@@ -146,30 +146,25 @@ inline void print_point(ByteWriter& out, const Mesh& mesh, const SurfacePoint& p
   out.text("}");
 }
 
-/// An array: `print` prints each item on a line of its own.
+/// An array: `print` prints the items, with these separators before the first item, between items and after the last.
 template <class Items, class Print>
-void print_lines(ByteWriter& out, const Items& items, Print print) {
+void print_array(ByteWriter& out, const Items& items, Print print, std::string_view first = "",
+                 std::string_view between = ",", std::string_view last = "") {
   out.text("[");
-  bool first = true;
+  std::string_view separator = first;
   for (const auto& item : items) {
-    out.text(first ? "\n  " : ",\n  ");
-    first = false;
+    out.text(separator);
+    separator = between;
     print(item);
   }
-  out.text(first ? "]" : "\n]");
+  if (std::size(items) > 0) out.text(last);
+  out.text("]");
 }
 
-/// An array: `print` prints the items, all on one line.
+/// An array with each item on a line of its own.
 template <class Items, class Print>
-void print_array(ByteWriter& out, const Items& items, Print print) {
-  out.text("[");
-  bool first = true;
-  for (const auto& item : items) {
-    if (!first) out.text(",");
-    first = false;
-    print(item);
-  }
-  out.text("]");
+void print_lines(ByteWriter& out, const Items& items, Print print) {
+  print_array(out, items, print, "\n  ", ",\n  ", "\n");
 }
 
 }  // namespace gvd::io

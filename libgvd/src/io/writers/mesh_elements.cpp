@@ -33,7 +33,7 @@ struct Tone {
 /// Used in turn, so that labels with similar hues differ in tone.
 constexpr std::array<Tone, 3> kTones{{{0.62, 0.95}, {0.85, 0.78}, {0.45, 0.88}}};
 
-std::uint8_t to_byte(double channel) { return static_cast<std::uint8_t>(std::lround(255 * channel)); }
+std::uint8_t to_byte(double channel) { return std::uint8_t(std::lround(255 * channel)); }
 
 /// One channel of the colour (hue, saturation, value); `offset` is 5, 3, 1 for red, green, blue.
 double channel(double offset, double hue, const Tone& tone) {
@@ -74,19 +74,19 @@ class Splitter {
     std::vector<std::uint32_t> number(split_.size(), kUnseen);
     result.of_corner.resize(of_corner_.size());
     for (const Region& region : regions) {
-      result.first.push_back(static_cast<std::uint32_t>(result.vertices.size()));
+      result.first.push_back(std::uint32_t(result.vertices.size()));
       for (const FaceId f : region.faces) {
         for (const HalfedgeId h : {Mesh::halfedge(f, 0), Mesh::halfedge(f, 1), Mesh::halfedge(f, 2)}) {
           const std::uint32_t index = of_corner_[h];
           if (number[index] == kUnseen) {
-            number[index] = static_cast<std::uint32_t>(result.vertices.size());
+            number[index] = std::uint32_t(result.vertices.size());
             result.vertices.push_back(split_[index]);
           }
           result.of_corner[h] = number[index];
         }
       }
     }
-    result.first.push_back(static_cast<std::uint32_t>(result.vertices.size()));
+    result.first.push_back(std::uint32_t(result.vertices.size()));
     return result;
   }
 
@@ -107,7 +107,7 @@ class Splitter {
     const auto turn_to = [this](auto is_break) {
       for (std::size_t i = 0; i < ring_.size(); ++i) {
         if (!is_break(ring_[(i + ring_.size() - 1) % ring_.size()], ring_[i])) continue;
-        std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(i), ring_.end());
+        std::rotate(ring_.begin(), ring_.begin() + i, ring_.end());
         return true;
       }
       return false;
@@ -133,7 +133,7 @@ class Splitter {
       const Eigen::Vector3f normal = mean_normal(first, last);
       for (std::size_t i = first; i < last; ++i) {
         if (i == first || !same_region(ring_[i - 1], ring_[i])) split_.push_back({v, normal});
-        of_corner_[ring_[i]] = static_cast<std::uint32_t>(split_.size()) - 1;
+        of_corner_[ring_[i]] = std::uint32_t(split_.size()) - 1;
       }
     }
   }
@@ -153,7 +153,7 @@ std::vector<Region> collect_regions(const LabelledMesh& mesh) {
   std::map<std::uint32_t, Region> regions;
   for (const FaceId f : mesh.mesh.faces()) {
     const GeneratorId label = mesh.face_label != nullptr ? (*mesh.face_label)[f] : GeneratorId();
-    Region& region = regions[static_cast<std::uint32_t>(label.value())];
+    Region& region = regions[std::uint32_t(label.value())];
     region.label = label;
     region.faces.push_back(f);
   }

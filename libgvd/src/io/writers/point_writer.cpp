@@ -60,7 +60,7 @@ void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
   header.append(kNpyAlignment - 1 - (before + header.size()) % kNpyAlignment, ' ');
   header.push_back('\n');
   out.text(magic);
-  out.binary(static_cast<std::uint16_t>(header.size()));
+  out.binary(std::uint16_t(header.size()));
   out.text(header);
   for (const SurfaceSample& sample : samples) {
     write_columns(out, mesh, sample, double(sample.point.face.value()));

@@ -68,10 +68,10 @@ class GlbWriter {
       throw Error(ErrorCode::unwritable_output, "GLB holds 4 GiB and the mesh needs more; choose PLY or VTP");
     }
     ByteWriter out(stream);
-    for (const std::uint32_t word : {kMagic, kVersion, static_cast<std::uint32_t>(total)}) out.binary(word);
-    for (const std::uint32_t word : {static_cast<std::uint32_t>(text.size()), kJsonChunk}) out.binary(word);
+    for (const std::uint32_t word : {kMagic, kVersion, std::uint32_t(total)}) out.binary(word);
+    for (const std::uint32_t word : {std::uint32_t(text.size()), kJsonChunk}) out.binary(word);
     out.text(text);
-    for (const std::uint32_t word : {static_cast<std::uint32_t>(binary_bytes_), kBinaryChunk}) out.binary(word);
+    for (const std::uint32_t word : {std::uint32_t(binary_bytes_), kBinaryChunk}) out.binary(word);
     write_surface(out);
     write_bisectors(out);
     out.finish();
@@ -183,7 +183,7 @@ class GlbWriter {
   }
 
   static void write_point(ByteWriter& out, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) out.binary(static_cast<float>(p[i]));
+    for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
   }
 
   void write_surface(ByteWriter& out) const {

@@ -18,11 +18,11 @@ constexpr std::size_t kHeaderBytes = 80;
 
 /// Colours by that convention: bit 15 is set, then 5 bits each of red, green and blue.
 std::uint16_t attribute(const Rgb& color) {
-  return static_cast<std::uint16_t>(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
+  return std::uint16_t(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
 }
 
 void write_vector(ByteWriter& out, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) out.binary(static_cast<float>(p[i]));
+  for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
   std::string header(kHeader);
   header.resize(kHeaderBytes, ' ');
   out.text(header);
-  out.binary(static_cast<std::uint32_t>(mesh.face_count()));
+  out.binary(std::uint32_t(mesh.face_count()));
   for (const FaceId f : mesh.faces()) {
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3& origin = mesh.position(a);
