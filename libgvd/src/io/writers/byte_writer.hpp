@@ -146,25 +146,29 @@ inline void print_point(ByteWriter& out, const Mesh& mesh, const SurfacePoint& p
   out.text("}");
 }
 
-/// An array: `print` prints the items, with these separators before the first item, between items and after the last.
+/// The text of an array before its first item, between items, and after its last one.
+struct ArraySpacing {
+  std::string_view first, between, last;
+};
+
+/// An array: `print` prints the items, by default all on one line.
 template <class Items, class Print>
-void print_array(ByteWriter& out, const Items& items, Print print, std::string_view first = "",
-                 std::string_view between = ",", std::string_view last = "") {
+void print_array(ByteWriter& out, const Items& items, Print print, const ArraySpacing& spacing = {"", ",", ""}) {
   out.text("[");
-  std::string_view separator = first;
+  std::string_view before = spacing.first;
   for (const auto& item : items) {
-    out.text(separator);
-    separator = between;
+    out.text(before);
+    before = spacing.between;
     print(item);
   }
-  if (std::size(items) > 0) out.text(last);
+  if (std::size(items) > 0) out.text(spacing.last);
   out.text("]");
 }
 
 /// An array with each item on a line of its own.
 template <class Items, class Print>
 void print_lines(ByteWriter& out, const Items& items, Print print) {
-  print_array(out, items, print, "\n  ", ",\n  ", "\n");
+  print_array(out, items, print, {"\n  ", ",\n  ", "\n"});
 }
 
 }  // namespace gvd::io
