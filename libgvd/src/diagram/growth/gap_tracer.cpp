@@ -128,16 +128,13 @@ void GrowthTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const Ne
 }
 
 void GrowthTracer::close_faces(TracedDiagram& traced) const {
-  refine(traced);
+  // With planar fronts the rough crossings interpolate distances, and unfolding improves them. With circles they come
+  // from sources that were unfolded over the edge itself, the same for both of its faces. Refinement would replace
+  // these by images that were unfolded over other edges, which is less accurate (docs/developer/performance.md).
+  if (front() == Front::planar) {
+    weld_crossings(refine_bisectors(input(traced.labels), traced.crossings, progress()), traced.crossings);
+  }
   close(gaps_, traced);
-}
-
-/// With planar fronts the rough crossings interpolate distances, and unfolding improves them. With circles they come
-/// from sources that were unfolded over the edge itself, the same for both of its faces. Refinement would replace these
-/// by images that were unfolded over other edges, which is less accurate (docs/developer/performance.md has figures).
-void GrowthTracer::refine(TracedDiagram& traced) const {
-  if (front() == Front::circle) return;
-  weld_crossings(refine_bisectors(input(traced.labels), traced.crossings, progress()), traced.crossings);
 }
 
 }  // namespace gvd

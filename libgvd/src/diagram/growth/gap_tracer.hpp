@@ -67,8 +67,6 @@ class GrowthTracer : public GapTracer {
   void close_faces(TracedDiagram& traced) const;
 
  private:
-  void refine(TracedDiagram& traced) const;
-
   std::vector<Gap> gaps_;
 };
 
