@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/growth/check_growth.hpp"
-#include "diagram/growth/gaps.hpp"
+#include "diagram/growth/growth_steps.hpp"
 #include "support/stages.hpp"
 
 namespace gvd::test {
@@ -21,7 +21,7 @@ struct GrownGaps {
   GrownGaps(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Front front = Front::circle)
       : stages(mesh, generators, front), gaps(find_gaps(stages.mesh(), stages.table())) {
     for (const Gap& gap : gaps) {
-      grown.push_back(grow_gap(stages.input(), stages.rough, gap).grown);
+      grown.push_back(grow_bisectors(stages.input(), stages.rough, gap).grown);
       closed += grown.back().has_value() ? 1 : 0;
     }
   }

@@ -5,8 +5,7 @@
 
 #include "diagram/connected_tracer.hpp"
 #include "diagram/graph/nearest_labels.hpp"
-#include "diagram/growth/rough_bisectors.hpp"
-#include "diagram/growth/trace_growth.hpp"
+#include "diagram/growth/gap_tracer.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "mesh/working_mesh.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/evaluation/violations.hpp"
+#include "diagram/check_parts.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

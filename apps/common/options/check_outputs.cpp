@@ -12,7 +12,7 @@
 #include "common/options/file_extension.hpp"
 #include "common/options/plan_runs.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/write_file.hpp"
 
 namespace gvd::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "common/run/exit_code.hpp"
-#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/write_file.hpp"
 
 namespace gvd::app {
 

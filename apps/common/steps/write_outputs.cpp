@@ -7,7 +7,7 @@
 #include "common/options/file_extension.hpp"
 #include "common/run/standard_output.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/write_file.hpp"
 #include "gvd/io/diagram_json.hpp"
 
 namespace gvd::app {

@@ -24,12 +24,12 @@ struct ErrorMeasureOptions {
   int panels = 1;
 };
 
-/// How much the two distances differ along the bisectors of a diagram (section 5.2 of the paper).
+/// The difference of the two distances along the bisectors of a diagram (section 5.2 of the paper).
 struct ErrorMeasure {
   double error_integral = 0;  ///< E: the integral of |d_left - d_right| along the bisectors, square mesh units
   double error_mean = 0;      ///< error_integral / length, mesh units; 0 without bisectors
   double error_max = 0;       ///< largest |d_left - d_right| among the samples, mesh units
-  double length = 0;          ///< of the integrated bisectors, mesh units
+  double length = 0;          ///< total length of the integrated bisectors, mesh units
 };
 
 /// The error measure E: the sum over the bisectors of the integral of |d_left(p) - d_right(p)| dp, where d_left and

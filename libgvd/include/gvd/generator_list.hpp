@@ -33,7 +33,7 @@ struct GeneratorList {
   std::vector<GeneratorEntry> entries;
 };
 
-/// How a list is written; docs/guide/generators.md describes each.
+/// The formats of a list, which docs/guide/generators.md describes.
 enum class GeneratorFormat { text, csv, json };
 
 /// The format that a list is written in. JSON begins with a brace or bracket. A line of CSV that holds more than a

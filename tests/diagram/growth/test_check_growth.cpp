@@ -285,4 +285,232 @@ TEST_CASE("real gaps: the check refuses every changed arc or node") {
   }
 }
 
+const GapEdge& find_edge(const GapEdges& edges, EdgeId e) {
+  const auto& all = edges.edges();
+  return *std::find_if(all.begin(), all.end(), [&](const GapEdge& x) { return x.edge == e; });
+}
+
+TEST_CASE("a gap without crossings has its faces' edges, each once, and all of one face are rim inside the mesh") {
+  HandMade x;
+  const FaceId f = Mesh::face(x.halfedge(HandMade::at(1, 1), HandMade::at(2, 1)));
+  x.gap.faces = {f};
+  const GapEdges edges(x.mesh, x.crossings(), x.gap, x.grown);
+  REQUIRE(edges.edges().size() == 3);
+  for (const GapEdge& e : edges.edges()) {
+    CHECK(e.rim);
+    CHECK(e.crossings.empty());
+  }
+  CHECK(edges.rim_crossing_count() == 0);
+  CHECK(edges.are_consistent());
+}
+
+TEST_CASE("an edge on the mesh's boundary is not part of the rim") {
+  HandMade x;
+  const HalfedgeId h = x.halfedge(HandMade::at(0, 0), HandMade::at(1, 0));
+  REQUIRE(x.mesh.is_boundary(x.mesh.edge(h)));
+  x.gap.faces = {Mesh::face(h)};
+  const GapEdges edges(x.mesh, x.crossings(), x.gap, x.grown);
+  CHECK_FALSE(find_edge(edges, x.mesh.edge(h)).rim);
+  CHECK(std::count_if(edges.edges().begin(), edges.edges().end(), [](const GapEdge& e) { return e.rim; }) == 2);
+}
+
+TEST_CASE("rim edges keep their crossings, inner edges have those that grew, both ascending") {
+  TwoAcross x;
+  x.add_rim(x.a, x.c, 0.9, 0, 2);  // from before the growth, on the inner edge: replaced
+  const GapEdges edges(x.mesh, x.crossings(), x.gap, x.grown);
+  REQUIRE(edges.edges().size() == 5);
+  CHECK(std::is_sorted(edges.edges().begin(), edges.edges().end(),
+                       [](const GapEdge& a, const GapEdge& b) { return a.edge < b.edge; }));
+  CHECK(edges.rim_crossing_count() == 4);
+  const GapEdge& inner = find_edge(edges, x.mesh.edge(x.halfedge(x.a, x.c)));
+  CHECK_FALSE(inner.rim);
+  REQUIRE(inner.crossings.size() == 2);
+  CHECK(inner.crossings[0].t < inner.crossings[1].t);
+  CHECK(std::max(inner.crossings[0].t, inner.crossings[1].t) < 0.7);
+  CHECK(edges.are_consistent());
+}
+
+TEST_CASE("crossings too close to each other or to an end, or between cells that do not follow, are inconsistent") {
+  const auto consistent = [](double first, double second, int after, int before) {
+    HandMade x;
+    const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
+    x.gap.faces = {Mesh::face(x.halfedge(a, b))};
+    x.add_rim(a, b, first, 0, after);
+    x.add_rim(a, b, second, before, 0);
+    return GapEdges(x.mesh, x.crossings(), x.gap, x.grown).are_consistent();
+  };
+  CHECK(consistent(0.3, 0.6, 1, 1));
+  CHECK_FALSE(consistent(0.3, 0.6, 1, 2));
+  CHECK_FALSE(consistent(0.3, 0.3 + 0.5 * kCrossingGap, 1, 1));
+  CHECK_FALSE(consistent(0.5 * kCrossingGap, 0.6, 1, 1));
+  CHECK_FALSE(consistent(0.3, 1 - 0.5 * kCrossingGap, 1, 1));
+}
+
+bool check_nodes(const HandMade& x) {
+  const Crossings crossings = x.crossings();
+  return check_gap_nodes(x.mesh, crossings, x.gap, GapEdges(x.mesh, crossings, x.gap, x.grown), x.grown);
+}
+
+TEST_CASE("a gap that nothing crosses passes without nodes, and not with a branch point without arcs") {
+  HandMade x;
+  x.gap.faces = {FaceId(0)};
+  CHECK(check_nodes(x));
+  x.add_branch(FaceId(0), {0.3, 0.3, 0.4});
+  CHECK_FALSE(check_nodes(x));
+}
+
+TEST_CASE("sound nodes pass") {
+  CHECK(check_nodes(CornerAndBranch()));
+  CHECK(check_nodes(TwoBranches()));
+  CHECK(check_nodes(TwoAcross()));
+}
+
+TEST_CASE("a rim crossing needs exactly one node, with one arc") {
+  TwoAcross no_arc;
+  no_arc.grown.arcs.erase(no_arc.grown.arcs.begin());
+  CHECK_FALSE(check_nodes(no_arc));
+  TwoAcross twice;
+  twice.grown.nodes[1].rim = twice.grown.nodes[0].rim;
+  CHECK_FALSE(check_nodes(twice));
+  HandMade left_out;
+  const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
+  left_out.gap.faces = {Mesh::face(left_out.halfedge(a, b))};
+  left_out.add_rim(a, b, 0.3, 0, 1);
+  left_out.add_rim(a, b, 0.6, 1, 0);
+  CHECK_FALSE(check_nodes(left_out));
+}
+
+TEST_CASE("a new crossing needs an arc in each of its two faces") {
+  TwoAcross one_face;
+  one_face.grown.arcs[2].face = one_face.below;  // the arc above
+  CHECK_FALSE(check_nodes(one_face));
+  TwoAcross third_arc;
+  third_arc.grown.arcs.push_back(GapArc(third_arc.grown.arcs[0]));
+  CHECK_FALSE(check_nodes(third_arc));
+}
+
+TEST_CASE("a new crossing on the mesh's boundary needs one arc") {
+  HandMade x;
+  const HalfedgeId h = x.halfedge(HandMade::at(0, 0), HandMade::at(1, 0));
+  x.gap.faces = {Mesh::face(h)};
+  x.add_inside(HandMade::at(0, 0), HandMade::at(1, 0), 0.3, 0, 1);
+  x.add_inside(HandMade::at(0, 0), HandMade::at(1, 0), 0.6, 1, 0);
+  CHECK_FALSE(check_nodes(x));
+  x.add_arc(Mesh::face(h), 0, 1, 0, 1);
+  CHECK(check_nodes(x));
+}
+
+TEST_CASE("an arc has the cells of its ends, lies in a face of the gap, and a branch point in its own face") {
+  TwoAcross cells;
+  std::swap(cells.grown.arcs[0].left, cells.grown.arcs[0].right);
+  CHECK_FALSE(check_nodes(cells));
+  TwoAcross outside;
+  outside.grown.arcs[0].face = FaceId(0);
+  REQUIRE_FALSE(outside.gap.contains(FaceId(0)));
+  CHECK_FALSE(check_nodes(outside));
+  CornerAndBranch far;
+  far.grown.nodes[5].bary = far.at_corners(-0.01, 0.51, 0.5);
+  CHECK_FALSE(check_nodes(far));
+}
+
+using Moved = std::vector<std::pair<VertexId, GeneratorId>>;
+
+std::optional<Moved> find_moved(const HandMade& x) {
+  const Crossings crossings = x.crossings();
+  return find_moved_labels(x.working, x.labels, GapEdges(x.mesh, crossings, x.gap, x.grown));
+}
+
+TEST_CASE("a gap of one face without crossings moves no label") {
+  HandMade x;
+  x.gap.faces = {Mesh::face(x.halfedge(HandMade::at(1, 1), HandMade::at(2, 1)))};
+  CHECK(find_moved(x) == Moved{});
+}
+
+TEST_CASE("rim labels that no crossing separates contradict each other") {
+  HandMade x;
+  x.gap.faces = {Mesh::face(x.halfedge(HandMade::at(1, 1), HandMade::at(2, 1)))};
+  x.label(HandMade::at(2, 1), 1);
+  CHECK_FALSE(find_moved(x));
+}
+
+TEST_CASE("labels that agree with the crossings stay") {
+  CHECK(find_moved(TwoAcross()) == Moved{});
+  TwoAcross x;
+  x.label(x.c, 1);  // an edge leads there in cell 2
+  CHECK_FALSE(find_moved(x));
+}
+
+TEST_CASE("a vertex inside the gap takes the label of its edges, unless it is a generator's") {
+  Fan moved;
+  moved.cross({{moved.middle, moved.right},
+               {moved.middle, moved.at(3, 2)},
+               {moved.middle, moved.at(3, 3)},
+               {moved.middle, moved.up}});
+  CHECK(find_moved(moved) == Moved{{VertexId(moved.middle), GeneratorId(0)}});
+  Fan generator(HandMade::at(2, 2));
+  generator.cross({{generator.middle, generator.right},
+                   {generator.middle, generator.at(3, 2)},
+                   {generator.middle, generator.at(3, 3)},
+                   {generator.middle, generator.up}});
+  CHECK_FALSE(find_moved(generator));
+}
+
+TEST_CASE("an inner vertex whose edges say different labels contradicts itself") {
+  Fan x;
+  x.cross({{x.low, x.middle}});  // the bisector ends in the middle of the gap
+  CHECK_FALSE(find_moved(x));
+}
+
+TEST_CASE("in a gap that is the whole mesh, the generator's label spreads to all vertices") {
+  HandMade x(HandMade::at(4, 4));
+  for (int f = 0; f < x.mesh.face_count(); ++f) x.gap.faces.emplace_back(f);
+  CHECK(find_moved(x) == Moved{});
+}
+
+bool check_arcs(const HandMade& x) { return check_gap_arcs(x.mesh, x.crossings(), x.grown); }
+
+TEST_CASE("no arc, and one arc, are sound") {
+  HandMade x;
+  CHECK(check_arcs(x));
+  const int a = HandMade::at(1, 1), b = HandMade::at(2, 1);
+  x.add_rim(a, b, 0.3, 0, 1);
+  x.add_rim(a, b, 0.6, 1, 0);
+  x.add_rim_nodes();
+  x.add_arc(Mesh::face(x.halfedge(a, b)), 0, 1, 0, 1);
+  CHECK(check_arcs(x));
+}
+
+TEST_CASE("arcs that keep apart or have an end in common are sound") {
+  CHECK(check_arcs(CornerAndBranch()));
+  CHECK(check_arcs(TwoBranches()));
+  CHECK(check_arcs(TwoAcross()));
+}
+
+TEST_CASE("two arcs of a face that cross are refused, and arcs of different faces are not compared") {
+  CornerAndBranch x;
+  x.grown.nodes[5].bary = x.at_corners(0.94, 0.03, 0.03);  // beyond the arc that cuts the corner off
+  CHECK_FALSE(check_arcs(x));
+  TwoAcross crossed;
+  std::swap(crossed.grown.arcs[0].end, crossed.grown.arcs[1].end);
+  CHECK_FALSE(check_arcs(crossed));
+}
+
+TEST_CASE("a branch point whose cells are in another order than its arcs is refused") {
+  TwoBranches swapped;
+  std::swap(swapped.grown.arcs[2].left, swapped.grown.arcs[2].right);
+  CHECK_FALSE(check_arcs(swapped));
+  TwoBranches exchanged;  // the two branch points
+  std::swap(exchanged.grown.nodes[4].bary, exchanged.grown.nodes[5].bary);
+  CHECK_FALSE(check_arcs(exchanged));
+  TwoBranches missing;
+  missing.grown.arcs.pop_back();
+  CHECK_FALSE(check_arcs(missing));
+}
+
+TEST_CASE("one angle at a branch point may exceed half a turn") {
+  CornerAndBranch x;
+  x.grown.nodes[5].bary = x.at_corners(0.1, 0.85, 0.05);  // close to b: one of the three angles is 248 degrees
+  CHECK(check_arcs(x));
+}
+
 }  // namespace gvd::test_check_growth

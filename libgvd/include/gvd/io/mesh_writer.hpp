@@ -29,7 +29,7 @@ OutputFormat output_format(const std::filesystem::path& path);
 void check_format(const Mesh& mesh, OutputFormat format);
 
 /// A mesh and arrays over its elements; what is null is not written. `LabelledMesh{mesh}` is a plain mesh.
-/// It owns nothing: everything that it points to must outlive it.
+/// A LabelledMesh owns nothing: everything that it points to must outlive it.
 struct LabelledMesh {
   const Mesh& mesh;
   const IdVector<FaceId, GeneratorId>* face_label = nullptr;      ///< invalid ids are written as -1, in grey
@@ -49,7 +49,7 @@ struct LabelledMesh {
 
 /// Writes the mesh in one format. The stream is flushed and checked.
 ///
-/// In OBJ the stream holds the geometry and the groups; `write_materials` writes the materials.
+/// In OBJ the stream holds the geometry and the groups, without materials.
 /// Distances in PLY are floats, or doubles where a float can't hold one of them.
 /// Throws Error{precondition} where the length of an array is not the number of elements.
 /// Throws Error{invalid_option} for JSON without a diagram.
@@ -59,10 +59,7 @@ struct LabelledMesh {
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 
 /// Writes a complete file or none, in the format of its extension; for OBJ with labels also the .mtl beside it.
-/// Throws what `write_mesh` and AtomicFile throw.
+/// Throws what `write_mesh` to a stream and `write_file` throw.
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress = {});
-
-/// The .mtl of an OBJ: one material for each region.
-void write_materials(std::ostream& out, const LabelledMesh& mesh);
 
 }  // namespace gvd

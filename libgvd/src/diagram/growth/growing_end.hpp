@@ -1,13 +1,14 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <queue>
+#include <tuple>
+#include <vector>
 
-#include "base/segment.hpp"
-#include "diagram/graph/face_diagram.hpp"
-#include "geodesic/marching/unfold.hpp"
+#include "diagram/growth/growth_input.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
@@ -42,36 +43,22 @@ struct GrowingEnd {
 
 /// The exit event of an end: the first edge through which its ray leaves the face with these corners. None if the ray
 /// runs along an edge or away from the face, or has no direction.
-inline std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner) {
-  const Vec2 direction = end.direction();
-  if (!direction.allFinite()) return std::nullopt;
-  std::optional<Exit> first;
-  double soonest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vec2& a = corner[i];
-    const Vec2 along = corner[(i + 1) % 3] - a;
-    const double outward = cross(direction, along);  // > 0: the ray crosses this edge from inside to outside
-    if (!(outward > 0)) continue;
-    const double to_edge = std::max(0.0, intersect_lines(end.start, direction, a, along).s);
-    if (to_edge >= soonest) continue;
-    soonest = to_edge;
-    const Vec2 point = end.start + to_edge * direction;
-    first =
-        Exit{Mesh::halfedge(end.face, i), (point - a).dot(along) / along.squaredNorm(), point, end.distance_at(point)};
-  }
-  return first;
-}
+std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner);
 
 /// The intersection of two ends in one face, if both reach it before they leave the face (section 4.3, intersection
 /// computation). `first` is the left one of the two, so that the cell between them narrows towards the intersection.
-inline std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second) {
-  if (!first.exit || !second.exit) return std::nullopt;
-  const Vec2 d = first.exit->point - first.start, e = second.exit->point - second.start;
-  if (!(cross(d, e) > 0)) return std::nullopt;
-  const auto [s, t] = intersect_lines(first.start, d, second.start, e);
-  if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
-  return first.start + s * d;
-}
+std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second);
+
+/// Predicted distance from a point where two ends meet to its three generators, mesh units: the mean of the distances
+/// to their images (section 4.3). `first` is the left one of the two. Each end has an image of the generator between
+/// them; its distance is the mean of these two.
+double branch_distance(const GrowingEnd& first, const GrowingEnd& second, const Vec2& point);
+
+/// Whether a point where two ends meet may be a branch point: equally far from its three generators, and farther from
+/// all others whose distances the face's table holds (section 3, second principle).
+///
+/// Two distances count as equal if they differ by at most kEquidistance face sides. Cost: O(entries of the table).
+bool accept_branch(const GrowthInput& input, const GrowingEnd& first, const GrowingEnd& second, const Vec2& point);
 
 /// The rotation around an edge that takes the plane of one of its faces into the plane of the other (section 4.3).
 class EdgeRotation {
@@ -90,6 +77,56 @@ class EdgeRotation {
  private:
   Vec2 from_, to_;
   double cosine_, sine_;
+};
+
+/// The second end of an exit, which has one end only.
+inline constexpr std::size_t kNoEnd = std::numeric_limits<std::size_t>::max();
+
+/// An event of growing ends inside a face (section 4.3).
+struct GrowthEvent {
+  enum class Kind {
+    joining,       ///< two ends of one bisector face each other
+    intersection,  ///< two ends meet at `point`: the cell right of the first and left of the second ends there
+    exit,          ///< one end reaches an edge of its face
+  };
+  Kind kind;
+  double distance;            ///< predicted distance from the generators, mesh units; for a joining, of the two ends
+  std::size_t first, second;  ///< indices of the ends
+  Vec2 point = Vec2::Zero();  ///< of an intersection, in the plane of the face
+};
+
+/// The order in which events are handled.
+enum class EventOrder {
+  by_kind,      ///< every joining before every intersection, and these before every exit; then by distance
+  by_distance,  ///< as the paper has it: one order for intersections and exits. It knows no joining; these come first
+};
+
+/// The waiting events. Events that tie come in the order of their ends.
+class GrowthEvents {
+ public:
+  explicit GrowthEvents(EventOrder order) : queue_(Later{order}) {}
+
+  bool empty() const { return queue_.empty(); }
+  void push(const GrowthEvent& event) { queue_.push(event); }
+  GrowthEvent pop() {
+    const GrowthEvent event = queue_.top();
+    queue_.pop();
+    return event;
+  }
+
+ private:
+  struct Later {
+    EventOrder order;
+    int rank(const GrowthEvent& e) const {
+      if (e.kind == GrowthEvent::Kind::joining) return 0;
+      return order == EventOrder::by_distance ? 1 : static_cast<int>(e.kind);
+    }
+    bool operator()(const GrowthEvent& a, const GrowthEvent& b) const {
+      return std::tuple(rank(a), a.distance, a.first, a.second) > std::tuple(rank(b), b.distance, b.first, b.second);
+    }
+  };
+
+  std::priority_queue<GrowthEvent, std::vector<GrowthEvent>, Later> queue_;
 };
 
 }  // namespace gvd

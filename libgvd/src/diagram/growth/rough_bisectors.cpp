@@ -1,11 +1,17 @@
-#include "diagram/growth/rough_bisectors.hpp"
-
+// Rough bisectors (section 4.2): where they cross the edges, before any unfolding.
+//
+// The distance of each competing generator is taken at the ends of an edge and at its midpoint, the auxiliary point of
+// section 4.1, and is linear between them. The lower envelope of these functions is walked from the first end to the
+// last. A crossing lies at each change of the nearest generator.
+// Invariant: the crossings of an edge lead from the label of its first vertex to that of its second, whatever the
+// tables say, because labels were chosen so that cells are connected.
 #include <algorithm>
 #include <array>
 #include <tuple>
 
 #include "diagram/assembly/distance_form.hpp"
-#include "geodesic/marching/local_update.hpp"
+#include "diagram/growth/growth_steps.hpp"
+#include "geodesic/marching/auxiliary_distance.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"
 
@@ -30,15 +36,35 @@ class RoughEdgeEnvelope {
   explicit RoughEdgeEnvelope(const GrowthInput& input)
       : mesh_(input.mesh()), table_(input.table), labels_(input.labels), front_(input.front) {}
 
-  void find(EdgeId e, bool at_most_once, std::vector<Crossing>& crossings) {
-    const GeneratorId first = labels_.label[mesh_.from(mesh_.halfedge(e))];
-    const GeneratorId last = labels_.label[mesh_.to(mesh_.halfedge(e))];
-    if (at_most_once && first == last) return;
+  /// Appends all crossings of an edge.
+  void find_all(EdgeId e, std::vector<Crossing>& crossings) {
+    const auto [first, last] = end_labels(e);
     collect_ends(e);
     if (first == last && !may_have_interval(first, mesh_.length(e))) return;
     collect_midpoints(e);
-    if (at_most_once)
-      std::erase_if(candidates_, [&](const auto& c) { return c.generator != first && c.generator != last; });
+    trace(e, first, last, crossings);
+  }
+
+  /// Appends one crossing between the labels of an edge's ends, or none where these are the same.
+  void find_at_most_one(EdgeId e, std::vector<Crossing>& crossings) {
+    const auto [first, last] = end_labels(e);
+    if (first == last) return;
+    collect_ends(e);
+    collect_midpoints(e);
+    std::erase_if(candidates_, [first = first, last = last](const EdgeCandidate& c) {
+      return c.generator != first && c.generator != last;
+    });
+    trace(e, first, last, crossings);
+  }
+
+ private:
+  std::pair<GeneratorId, GeneratorId> end_labels(EdgeId e) const {
+    const HalfedgeId h = mesh_.halfedge(e);
+    return {labels_.label[mesh_.from(h)], labels_.label[mesh_.to(h)]};
+  }
+
+  /// Walks the lower envelope of the candidates from cell `first` to cell `last`.
+  void trace(EdgeId e, GeneratorId first, GeneratorId last, std::vector<Crossing>& crossings) {
     const GeneratorId middle = nearest(1);
     breaks_.clear();
     walk(0, first, middle);
@@ -46,7 +72,6 @@ class RoughEdgeEnvelope {
     emit(e, first, crossings);
   }
 
- private:
   /// Visits the entries of the side's face that are not dominated.
   template <class Visit>
   void for_each_entry(HalfedgeId side, Visit visit) {
@@ -55,13 +80,13 @@ class RoughEdgeEnvelope {
     });
   }
 
-  /// Candidates: the entries of the two faces' tables, and the labels of the two ends.
+  /// Makes candidates of the entries of the two faces' tables and of the labels of the two ends.
   void collect_ends(EdgeId e) {
     candidates_.clear();
     const HalfedgeId h = mesh_.halfedge(e);
     for (const HalfedgeId side : {h, mesh_.twin(h)}) {
       if (!side.valid()) continue;
-      const auto i = static_cast<std::size_t>(Mesh::corner(side));
+      const int i = Mesh::corner(side);
       for_each_entry(side, [&](const TableEntry& entry) {
         EdgeCandidate& c = candidate(entry.generator);
         const auto d = table_.corner_distances(entry);
@@ -110,7 +135,7 @@ class RoughEdgeEnvelope {
 
   /// Makes the label of an end the nearest generator there, whatever the tables say: labels were chosen so that cells
   /// are connected.
-  void require_label(VertexId v, std::size_t end, double length) {
+  void require_label(VertexId v, int end, double length) {
     EdgeCandidate& c = candidate(labels_.label[v]);
     double lowest = labels_.distance[v];
     for (const EdgeCandidate& other : candidates_) lowest = std::min(lowest, other.value[end]);
@@ -118,7 +143,7 @@ class RoughEdgeEnvelope {
     c.value[2 - end] = std::min(c.value[2 - end], labels_.distance[v] + length);
   }
 
-  GeneratorId nearest(std::size_t sample) const {
+  GeneratorId nearest(int sample) const {
     GeneratorId best;
     double least = kInfinity;
     for (const EdgeCandidate& c : candidates_) {
@@ -127,10 +152,9 @@ class RoughEdgeEnvelope {
     return best;
   }
 
-  /// Lower envelope of the candidates' linear distances over half `half` (0 or 1) of the edge, from cell `first` to
-  /// cell `last`.
-  void walk(std::size_t half, GeneratorId first, GeneratorId last) {
-    const double start = 0.5 * static_cast<double>(half);
+  /// Walks the envelope over half `half` (0 or 1) of the edge, on which the candidates' distances are linear.
+  void walk(int half, GeneratorId first, GeneratorId last) {
+    const double start = 0.5 * half;
     double s = 0;
     for (GeneratorId current = first; current != last;) {
       const EdgeCandidate c = candidate(current);
@@ -140,7 +164,7 @@ class RoughEdgeEnvelope {
         const double at_start = other.value[half] - c.value[half], at_end = other.value[half + 1] - c.value[half + 1];
         if (other.generator == current || !(at_end < 0 || other.generator == last)) continue;
         const double where = at_start > 0 && at_end < 0 ? at_start / (at_start - at_end) : at_start > 0 ? 1.0 : s;
-        // Of two that cross at the same point, the one that decreases faster is lower beyond it.
+        // Where two cross at the same point, the one that decreases faster is lower beyond it.
         if (std::tuple(where, at_end) < std::tuple(soonest, kInfinity)) {
           soonest = where;
           next = other.generator;
@@ -174,30 +198,22 @@ class RoughEdgeEnvelope {
   std::vector<std::pair<double, GeneratorId>> breaks_;
 };
 
-/// Whether at most one generator in the table of f is not dominated.
-bool has_one_competing_generator(const GeneratorTable& table, FaceId f) {
-  int competing = 0;
-  table.for_each(f, [&](const TableEntry& entry) { competing += entry.dominated ? 0 : 1; });
-  return competing <= 1;
-}
-
 /// Edges of the faces that have several generators at their corners, or several in their table that are not dominated;
 /// ascending.
 std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
   const Mesh& mesh = input.mesh();
-  std::vector<char> is_near(static_cast<std::size_t>(mesh.edge_count()), 0);
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId f(i);
+  IdVector<EdgeId, char> is_near(mesh.edge_count(), 0);
+  for (const FaceId f : mesh.faces()) {
     if (!input.table.reached(f)) continue;
     const auto& [a, b, c] = mesh.vertices(f);
     const bool one_label =
         input.labels.label[a] == input.labels.label[b] && input.labels.label[b] == input.labels.label[c];
-    if (one_label && has_one_competing_generator(input.table, f)) continue;
-    for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner)).index()] = 1;
+    if (one_label && count_competing(input.table, f) <= 1) continue;
+    for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner))] = 1;
   }
   std::vector<EdgeId> edges;
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
-    if (is_near[EdgeId(e).index()]) edges.push_back(EdgeId(e));
+  for (const EdgeId e : mesh.edges()) {
+    if (is_near[e]) edges.push_back(e);
   }
   return edges;
 }
@@ -210,7 +226,7 @@ Crossings find_rough_crossings(const GrowthInput& input, const Progress& progres
   const std::vector<EdgeId> edges = edges_near_bisectors(input);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i % kRoughStride == 0) report_progress(progress, steps::kCrossings, double(i) / double(edges.size()));
-    envelope.find(edges[i], false, crossings);
+    envelope.find_all(edges[i], crossings);
   }
   return Crossings(input.mesh().edge_count(), std::move(crossings));
 }
@@ -218,7 +234,7 @@ Crossings find_rough_crossings(const GrowthInput& input, const Progress& progres
 void cross_at_most_once(const GrowthInput& input, const std::vector<EdgeId>& edges, Crossings& crossings) {
   std::vector<Crossing> single;
   RoughEdgeEnvelope envelope(input);
-  for (const EdgeId e : edges) envelope.find(e, true, single);
+  for (const EdgeId e : edges) envelope.find_at_most_one(e, single);
   crossings.replace(edges, single);
 }
 

@@ -1,3 +1,9 @@
+// Colours of regions: few, and different ones for neighbours.
+//
+// The labels are coloured greedily in smallest-last order (Matula and Beck 1983), which needs few colours on surfaces
+// of low genus. Over the scenes of a slider, each scene starts from the colours of the later one, and labels with the
+// colour of a neighbour take another in turn until none is left.
+// Invariant: the choice depends on the labels and their neighbours alone, and ties go to the smaller label or colour.
 #include "io/view/region_colors.hpp"
 
 #include <algorithm>
@@ -19,17 +25,16 @@ void add_pair(std::vector<Pair>& pairs, GeneratorId a, GeneratorId b) {
 
 void add_face_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
   const Mesh& mesh = *scene.mesh;
-  for (int e = 0; e < mesh.edge_count(); ++e) {
-    const HalfedgeId h = mesh.halfedge(EdgeId(e));
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
     if (!mesh.twin(h).valid()) continue;
     add_pair(pairs, scene.face_label[Mesh::face(h)], scene.face_label[Mesh::face(mesh.twin(h))]);
   }
 }
 
 void add_cell_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
-  for (std::size_t i = 0; i < scene.cells.size(); ++i) {
-    for (const GeneratorId other : scene.cells.raw()[i].neighbours)
-      add_pair(pairs, GeneratorId(std::int64_t(i)), other);
+  for (const GeneratorId cell : scene.cells.ids()) {
+    for (const GeneratorId other : scene.cells[cell].neighbours) add_pair(pairs, cell, other);
   }
 }
 
@@ -44,7 +49,17 @@ Neighbours list_neighbours(std::size_t count, const std::vector<Pair>& adjacent)
   return neighbours;
 }
 
-/// Every label before those that were removed from the graph earlier, the one of least degree first.
+/// The number of labels with each colour, and of those without one.
+using Uses = std::array<std::size_t, kColors + 1>;
+
+Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std::size_t>& labels) {
+  Uses uses{};
+  for (const std::size_t label : labels) ++uses[choice[label]];
+  return uses;
+}
+
+/// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
+/// degree first.
 std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
   std::vector<std::size_t> degree(neighbours.size()), order;
   std::set<std::pair<std::size_t, std::size_t>> left;
@@ -74,12 +89,12 @@ class Adaptation {
       : neighbours_(neighbours), choice_(neighbours.size(), kUncoloured), tries_(neighbours.size()) {
     for (std::size_t label = 0; label < std::min(before.size(), choice_.size()); ++label) {
       const auto found = std::find(kRegionPalette.begin(), kRegionPalette.end(), before[label]);
-      choice_[label] = static_cast<std::size_t>(found - kRegionPalette.begin());
+      choice_[label] = std::size_t(found - kRegionPalette.begin());
       ++uses_[choice_[label]];
     }
   }
 
-  /// Whether neighbours differ at last.
+  /// Returns whether neighbours differ at last.
   bool run() {
     std::deque<std::size_t> open;
     for (std::size_t label = 0; label < choice_.size(); ++label) {
@@ -106,18 +121,14 @@ class Adaptation {
   /// Changes for each label, on the average, after which all colours are chosen anew.
   static constexpr std::size_t kMostChanges = 20;
 
-  std::array<std::size_t, kColors + 1> count_around(std::size_t label) const {
-    std::array<std::size_t, kColors + 1> around{};
-    for (const std::size_t other : neighbours_[label]) ++around[choice_[other]];
-    return around;
-  }
+  Uses count_around(std::size_t label) const { return count_colors(choice_, neighbours_[label]); }
   bool clashes(std::size_t label) const {
     return choice_[label] == kUncoloured || count_around(label)[choice_[label]] > 0;
   }
-  /// The usual colour that the fewest neighbours have. What a label has had before counts as if a neighbour had it:
-  /// colours would be passed round for ever.
+  /// The usual colour that the fewest neighbours have. A colour that the label had before counts as if a neighbour had
+  /// it; otherwise colours would be passed round for ever.
   std::size_t choose(std::size_t label) const {
-    const std::array<std::size_t, kColors + 1> around = count_around(label);
+    const Uses around = count_around(label);
     const auto cost = [&](std::size_t c) { return std::tuple(around[c] + tries_[label][c], uses_[c]); };
     std::size_t best = 0;
     for (std::size_t c = 1; c < kUsualColors; ++c) {
@@ -135,8 +146,27 @@ class Adaptation {
   const Neighbours& neighbours_;
   std::vector<std::size_t> choice_;
   std::vector<std::array<std::size_t, kUsualColors>> tries_;  // how often each label has taken each colour
-  std::array<std::size_t, kColors + 1> uses_{};
+  Uses uses_{};
 };
+
+/// One more than the largest label.
+std::size_t count_labels(const ViewScene& scene) {
+  std::int64_t labels = std::ssize(scene.cells);
+  for (const GeneratorId label : scene.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
+  for (const FacePiece& piece : scene.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
+  return static_cast<std::size_t>(labels);
+}
+
+/// Indices of the scenes of a slider, from the last iteration back.
+std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].iteration) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return *scenes[a].iteration > *scenes[b].iteration; });
+  return order;
+}
 
 }  // namespace
 
@@ -153,10 +183,9 @@ std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
 std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>& adjacent) {
   const Neighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
-  std::array<std::size_t, kColors> uses{};
+  Uses uses{};
   for (const std::size_t label : order_smallest_last(neighbours)) {
-    std::array<std::size_t, kColors + 1> around{};
-    for (const std::size_t other : neighbours[label]) ++around[choice[other]];
+    const Uses around = count_colors(choice, neighbours[label]);
     const auto cost = [&](std::size_t c) { return std::tuple(around[c], c >= kUsualColors, uses[c]); };
     std::size_t best = 0;
     for (std::size_t c = 1; c < kColors; ++c) {
@@ -173,6 +202,22 @@ std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t
   const Neighbours neighbours = list_neighbours(count, adjacent);
   Adaptation adaptation(neighbours, before);
   return adaptation.run() ? to_colors(adaptation.choice()) : choose_region_colors(count, adjacent);
+}
+
+std::vector<std::vector<Rgb>> choose_scene_colors(const std::vector<ViewScene>& scenes) {
+  std::vector<std::vector<Rgb>> colors(scenes.size());
+  const std::vector<Rgb>* later = nullptr;
+  for (const std::size_t i : list_iterations(scenes)) {
+    const std::size_t count = count_labels(scenes[i]);
+    const auto adjacent = find_adjacent_regions(scenes[i]);
+    colors[i] = later ? adapt_region_colors(*later, count, adjacent) : choose_region_colors(count, adjacent);
+    later = &colors[i];
+  }
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].iteration) continue;
+    colors[i] = choose_region_colors(count_labels(scenes[i]), find_adjacent_regions(scenes[i]));
+  }
+  return colors;
 }
 
 }  // namespace gvd::io

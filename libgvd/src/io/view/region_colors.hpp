@@ -54,4 +54,11 @@ std::vector<Rgb> choose_region_colors(std::size_t count,
 std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
                                      const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
 
+/// The colours of the labels of each scene, of the region palette, such that regions with a common border differ.
+///
+/// Scenes of several iterations belong together: from the last iteration back, each one keeps the colours of the one
+/// after it, and changes as few as it has to. A region can be followed over the slider so.
+/// Cost: O(n log n) time.
+std::vector<std::vector<Rgb>> choose_scene_colors(const std::vector<ViewScene>& scenes);
+
 }  // namespace gvd::io

@@ -1,14 +1,28 @@
+// A scene as the page reads it: an entry of JSON, which refers to arrays of numbers.
+//
+// Arrays are little-endian in Base64, floats of 32 bits and integers of the narrowest width that holds them. Equal
+// arrays are stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which
+// keeps a mesh of any size and place within the precision of 32-bit floats.
+// Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include "io/view/scene_entry.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/view/view_triangulate.hpp"
+#include "base/plane.hpp"
+#include "base/triangulate_plane_polygon.hpp"
+#include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {
 namespace {
+
+/// Largest doubled area, in barycentric coordinates, of a triangle that is left out. It is 1e-14 of the face's doubled
+/// area, a hundred times the rounding error of products of coordinates in [0, 1].
+constexpr double kShareLeftOut = 1e-14;
 
 using nlohmann::json;
 
@@ -21,7 +35,7 @@ constexpr std::uint32_t kFirstLabelCode = 2;
 constexpr double kLatticeParts = 65535;
 
 std::uint32_t code_of(GeneratorId label) {
-  return label.valid() ? kFirstLabelCode + static_cast<std::uint32_t>(label.value()) : kUnreachedCode;
+  return label.valid() ? kFirstLabelCode + std::uint32_t(label.value()) : kUnreachedCode;
 }
 
 class SceneEncoder {
@@ -62,14 +76,14 @@ class SceneEncoder {
   }
 
   void append(std::vector<float>& values, const Vec3& p) const {
-    for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>((p[i] - frame_.origin[i]) / frame_.scale));
+    for (int i = 0; i < 3; ++i) values.push_back(float((p[i] - frame_.origin[i]) / frame_.scale));
   }
 
   json faces(const Mesh& mesh) {
     std::vector<std::uint32_t> corners;
-    corners.reserve(static_cast<std::size_t>(mesh.halfedge_count()));
-    for (int f = 0; f < mesh.face_count(); ++f) {
-      for (const VertexId v : mesh.vertices(FaceId(f))) corners.push_back(static_cast<std::uint32_t>(v.value()));
+    corners.reserve(mesh.halfedge_count());
+    for (const FaceId f : mesh.faces()) {
+      for (const VertexId v : mesh.vertices(f)) corners.push_back(std::uint32_t(v.value()));
     }
     return blobs_.add_integers(corners);
   }
@@ -77,7 +91,7 @@ class SceneEncoder {
   json distances(const IdVector<VertexId, double>& given) {
     std::vector<float> values;
     values.reserve(given.size());
-    for (const double d : given) values.push_back(static_cast<float>(d / frame_.scale));
+    for (const double d : given) values.push_back(float(d / frame_.scale));
     return blobs_.add_floats(values);
   }
 
@@ -91,9 +105,9 @@ class SceneEncoder {
     if (lattice.empty()) return entry;
     const double largest = *std::max_element(lattice.begin(), lattice.end());
     std::vector<std::uint32_t> steps, values;
-    for (const std::int32_t k : given.samples.steps) steps.push_back(static_cast<std::uint32_t>(k));
+    for (const std::int32_t k : given.samples.steps) steps.push_back(std::uint32_t(k));
     for (const double d : lattice) {
-      values.push_back(largest > 0 ? static_cast<std::uint32_t>(std::lround(kLatticeParts * (d / largest))) : 0);
+      values.push_back(largest > 0 ? std::uint32_t(std::lround(kLatticeParts * (d / largest))) : 0);
     }
     entry["steps"] = blobs_.add_integers(steps);
     entry["lattice"] = blobs_.add_integers(values);
@@ -106,10 +120,10 @@ class SceneEncoder {
   }
 
   json codes() {
-    std::vector<std::uint32_t> codes(static_cast<std::size_t>(scene_.mesh->face_count()), kUnreachedCode);
-    for (std::size_t f = 0; f < scene_.face_label.size(); ++f) codes[f] = code_of(scene_.face_label.raw()[f]);
-    for (const FacePiece& piece : scene_.pieces) codes[piece.face.index()] = kCutCode;
-    return blobs_.add_integers(codes);
+    IdVector<FaceId, std::uint32_t> codes(scene_.mesh->face_count(), kUnreachedCode);
+    for (const FaceId f : scene_.face_label.ids()) codes[f] = code_of(scene_.face_label[f]);
+    for (const FacePiece& piece : scene_.pieces) codes[piece.face] = kCutCode;
+    return blobs_.add_integers(codes.raw());
   }
 
   /// Red, green and blue of every label that occurs.
@@ -127,15 +141,14 @@ class SceneEncoder {
       std::vector<Vec2> polygon;
       for (const auto& b : piece.corners) {
         polygon.emplace_back(b[1], b[2]);
-        corners.push_back(static_cast<float>(b[1]));
-        corners.push_back(static_cast<float>(b[2]));
+        corners.insert(corners.end(), {float(b[1]), float(b[2])});
       }
       const auto clipped = triangulate_polygon(polygon);
       for (const auto& triangle : clipped) triangles.insert(triangles.end(), triangle.begin(), triangle.end());
-      faces.push_back(static_cast<std::uint32_t>(piece.face.value()));
+      faces.push_back(std::uint32_t(piece.face.value()));
       codes.push_back(code_of(piece.generator));
-      corner_counts.push_back(static_cast<std::uint32_t>(polygon.size()));
-      triangle_counts.push_back(static_cast<std::uint32_t>(clipped.size()));
+      corner_counts.push_back(std::uint32_t(polygon.size()));
+      triangle_counts.push_back(std::uint32_t(clipped.size()));
     }
     return {{"faces", blobs_.add_integers(faces)},
             {"codes", blobs_.add_integers(codes)},
@@ -150,21 +163,21 @@ class SceneEncoder {
     std::vector<std::uint32_t> counts;
     for (const std::vector<Vec3>& polyline : scene_.bisectors) {
       for (const Vec3& p : polyline) append(values, p);
-      counts.push_back(static_cast<std::uint32_t>(polyline.size()));
+      counts.push_back(std::uint32_t(polyline.size()));
     }
     return {{"points", blobs_.add_floats(values)}, {"counts", blobs_.add_integers(counts)}};
   }
 
   json cells() const {
     json list = json::array();
-    for (const Cell& cell : scene_.cells) {
-      const std::size_t label = list.size();
+    for (const GeneratorId label : scene_.cells.ids()) {
+      const Cell& cell = scene_.cells[label];
       json neighbours = json::array();
       for (const GeneratorId g : cell.neighbours) neighbours.push_back(g.value());
       list.push_back({{"area", cell.area},
                       {"euler_characteristic", cell.euler_characteristic},
                       {"neighbours", std::move(neighbours)}});
-      if (!scene_.cell_energy.empty()) list.back()["energy"] = scene_.cell_energy.raw()[label];
+      if (!scene_.cell_energy.empty()) list.back()["energy"] = scene_.cell_energy[label];
     }
     return list;
   }
@@ -182,6 +195,65 @@ class SceneEncoder {
 };
 
 }  // namespace
+
+ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
+  Vec3 low = scenes.front().mesh->positions().front(), high = low;
+  const auto include = [&](const Mesh& mesh) {
+    for (const Vec3& p : mesh.positions()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  };
+  for (const ViewScene& scene : scenes) {
+    include(*scene.mesh);
+    if (scene.overlay) include(*scene.overlay->mesh);
+  }
+  // Halved before they are added: the sum of two large coordinates may overflow.
+  const Vec3 half = high / 2 - low / 2;
+  const double radius = half.stableNorm();
+  return {low / 2 + high / 2, radius > 0 && std::isfinite(radius) ? radius : 1};
+}
+
+nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
+  std::string bytes;
+  bytes.reserve(4 * values.size());
+  for (const float value : values) bytes.append(little_endian(value).data(), 4);
+  return add(std::move(bytes), "f32", values.size());
+}
+
+nlohmann::json ViewBlobs::add_integers(const std::vector<std::uint32_t>& values) {
+  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  const int width = largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
+  std::string bytes;
+  bytes.reserve(width * values.size());
+  for (const std::uint32_t value : values) bytes.append(little_endian(value).data(), width);
+  return add(std::move(bytes), width == 1 ? "u8" : width == 2 ? "u16" : "u32", values.size());
+}
+
+nlohmann::json ViewBlobs::add(std::string bytes, const char* type, std::size_t count) {
+  const auto [it, fresh] = index_of_.try_emplace(std::move(bytes), blobs_.size());
+  if (fresh) blobs_.push_back(&it->first);
+  return {{"blob", it->second}, {"type", type}, {"count", count}};
+}
+
+std::string ViewBlobs::html() const {
+  std::string html;
+  for (std::size_t i = 0; i < blobs_.size(); ++i) {
+    html += fmt::format("<script type=\"application/octet-stream\" id=\"blob-{}\">", i);
+    html += encode_base64(*blobs_[i]);
+    html += "</script>\n";
+  }
+  return html;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& [a, b, c] : triangulate_plane_polygon(corners)) {
+    if (cross(corners[b] - corners[a], corners[c] - corners[a]) <= kShareLeftOut) continue;
+    triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+  }
+  return triangles;
+}
 
 json make_scene_entry(const ViewScene& scene, const std::vector<Rgb>& colors, const ViewFrame& frame,
                       ViewBlobs& blobs) {

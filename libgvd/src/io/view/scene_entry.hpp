@@ -1,14 +1,55 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "gvd/io/label_color.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/view_blobs.hpp"
-#include "io/view/view_frame.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd::io {
+
+/// The page's coordinate system: position = origin + scale * page position, and distance = scale * page distance. It
+/// keeps meshes of any size and place within the range and precision of 32-bit floats.
+struct ViewFrame {
+  Vec3 origin = Vec3::Zero();
+  double scale = 1;
+};
+
+/// Centre and half the diagonal of the box around all scenes, of which there is at least one. Cost: O(n).
+ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes);
+
+/// The arrays of a page: little-endian, in Base64, equal ones stored once.
+class ViewBlobs {
+ public:
+  /// Adds an array of 32-bit floats. Returns its reference for the manifest: {"blob", "type", "count"}.
+  nlohmann::json add_floats(const std::vector<float>& values);
+
+  /// Adds an array of unsigned integers in the narrowest of 8, 16 and 32 bits that holds the largest of them.
+  nlohmann::json add_integers(const std::vector<std::uint32_t>& values);
+
+  /// One element `<script type="application/octet-stream" id="blob-K">` for each array, in the order in which they were
+  /// added.
+  std::string html() const;
+
+ private:
+  nlohmann::json add(std::string bytes, const char* type, std::size_t count);
+
+  std::map<std::string, std::size_t> index_of_;
+  std::vector<const std::string*> blobs_;  ///< keys of index_of_, which do not move
+};
+
+/// Triangles of a polygon by ear clipping, as indices of its corners: those of triangulate_plane_polygon with a visible
+/// area.
+///
+/// Inputs:  the corners of a simple polygon, counter-clockwise; sides may touch, corners may repeat
+/// Returns: counter-clockwise triangles of positive area that cover it; none where it has no area
+/// Cost:    O(n^2) worst, O(n log n) in practice, for n corners
+std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners);
 
 /// The scene's entry in the manifest of the page; its arrays go into `blobs`. docs/developer/viewer.md lists the
 /// members.

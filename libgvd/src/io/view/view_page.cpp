@@ -1,3 +1,8 @@
+// The HTML page: the template of web/, filled with a title, the entries of the scenes and their arrays.
+//
+// The build embeds the page's program, so one string is the whole page. Text from files is escaped for where it lands:
+// the title for HTML, the JSON so that it can't end its script element.
+// Invariant: a page is made of checked scenes only, and needs no file and no network when it is opened.
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -6,11 +11,9 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/check_view_scene.hpp"
-#include "io/view/scene_colors.hpp"
+#include "io/view/region_colors.hpp"
 #include "io/view/scene_entry.hpp"
-#include "io/view/view_blobs.hpp"
-#include "io/view/view_frame.hpp"
+#include "io/view/view_steps.hpp"
 #include "io/view/view_template.hpp"
 
 namespace gvd {
@@ -18,33 +21,18 @@ namespace {
 
 using nlohmann::json;
 
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '<') {
-      escaped += "&lt;";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
+std::string replace_all(const std::string& text, char replaced, std::string_view by) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) c == replaced ? result.append(by) : result.append(1, c);
+  return result;
 }
+
+std::string escape_html(const std::string& text) { return replace_all(replace_all(text, '&', "&amp;"), '<', "&lt;"); }
 
 /// JSON without `<`, so that no text in it can end its HTML element or start a comment.
 std::string dump_for_html(const json& document) {
-  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string escaped;
-  escaped.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      escaped += "\\u003c";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
+  return replace_all(document.dump(-1, ' ', false, json::error_handler_t::replace), '<', "\\u003c");
 }
 
 std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& options) {

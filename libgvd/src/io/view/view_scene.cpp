@@ -1,18 +1,62 @@
+// A diagram as a scene of the page, with its figures and the energies of its cells.
+//
+// The energy of a cell is integrated face by face, where the squared distance is a quadratic function of barycentric
+// coordinates; the midpoints of the sides of a triangle integrate it exactly. The Euler count compares the graph of the
+// bisectors with the topology of the cells, which were found independently.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/cell_energy.hpp"
+#include "io/view/view_steps.hpp"
 
 namespace gvd {
 namespace {
 
+/// The squared distance in one face, as a function of barycentric coordinates.
+class SquaredDistance {
+ public:
+  SquaredDistance(const Mesh& mesh, const Diagram& diagram, FaceId f) {
+    const auto& corners = mesh.vertices(f);
+    for (int i = 0; i < 3; ++i) {
+      corner_[i] = std::pow(diagram.vertex_distance[corners[i]], 2);
+      side_[i] = (mesh.position(corners[(i + 1) % 3]) - mesh.position(corners[i])).squaredNorm();
+    }
+  }
+
+  double operator()(const Bary& b) const {
+    const double value = b[0] * corner_[0] + b[1] * corner_[1] + b[2] * corner_[2] -
+                         (b[0] * b[1] * side_[0] + b[1] * b[2] * side_[1] + b[2] * b[0] * side_[2]);
+    return value > 0 ? value : 0;
+  }
+
+ private:
+  Bary corner_{}, side_{};
+};
+
+Bary midpoint(const Bary& a, const Bary& b) { return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; }
+
+/// Integral over a polygon of a face of area `area`: a fan of triangles with signed areas, each by the midpoints of its
+/// sides, which is exact for quadratic functions.
+double integrate(const SquaredDistance& squared, double area, const std::vector<Bary>& polygon) {
+  double sum = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Bary &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+    const double share = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+    sum += area * share * (squared(midpoint(a, b)) + squared(midpoint(b, c)) + squared(midpoint(c, a))) / 3;
+  }
+  return sum;
+}
+
 /// Twice the excess of the cells' Euler characteristics over that of the mesh, as the graph of the bisectors gives it.
 ///
-/// It follows from V - E + F over branch points, bisectors, boundary pieces and cells. A branch point of degree d
+/// The count follows from V - E + F over branch points, bisectors, boundary pieces and cells. A branch point of degree d
 /// counts d - 2 inside the mesh and d on the boundary. The end of a bisector on the boundary counts 1.
 std::int64_t count_excess(const Mesh& mesh, const Diagram& diagram) {
   std::int64_t excess = 0;
@@ -59,7 +103,7 @@ std::vector<Vec3> make_polyline(const Mesh& mesh, const Bisector& bisector) {
   return polyline;
 }
 
-/// What of a scene does not depend on the mesh that is shown.
+/// The part of a scene that does not depend on the mesh that is shown.
 ViewScene make_diagram_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
   ViewScene scene;
   scene.name = std::move(name);
@@ -72,6 +116,24 @@ ViewScene make_diagram_scene(std::string name, const Mesh& mesh, const Diagram& 
 }
 
 }  // namespace
+
+namespace io {
+
+IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram) {
+  IdVector<GeneratorId, double> energies(diagram.cells.size(), 0.0);
+  const auto add = [&](FaceId f, GeneratorId cell, const std::vector<Bary>& polygon) {
+    const double energy = integrate(SquaredDistance(mesh, diagram, f), mesh.area(f), polygon);
+    if (std::isfinite(energy)) energies[cell] += energy;
+  };
+  const std::vector<Bary> whole{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const FaceId f : diagram.face_label.ids()) {
+    if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], whole);
+  }
+  for (const FacePiece& piece : diagram.pieces) add(piece.face, piece.generator, piece.corners);
+  return energies;
+}
+
+}  // namespace io
 
 ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
   ViewScene scene = make_diagram_scene(std::move(name), mesh, diagram);

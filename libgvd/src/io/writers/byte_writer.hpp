@@ -5,15 +5,29 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 
+// Buffered text and bytes, Base64, and pieces of JSON.
 namespace gvd::io {
+
+/// The bytes of a number, the lowest first on every machine.
+template <class T>
+std::array<char, sizeof(T)> little_endian(T value) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
 
 /// Buffers text and little-endian numbers for a stream. Numbers are printed in any locale, doubles with the digits that
 /// bring the same double back.
@@ -34,8 +48,7 @@ class ByteWriter {
 
   template <class T>
   void binary(T value) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    const auto bytes = little_endian(value);
     buffer_.append(bytes.data(), bytes.data() + bytes.size());
     write_if_full();
   }
@@ -65,5 +78,97 @@ class ByteWriter {
   std::ostream& out_;
   fmt::memory_buffer buffer_;
 };
+
+/// Base64 of RFC 4648, with padding, of bytes that come one by one or as little-endian numbers. `Sink` has
+/// `text(std::string_view)`, which takes the digits in fours.
+template <class Sink>
+class Base64Writer {
+ public:
+  explicit Base64Writer(Sink& out) : out_(out) {}
+
+  void byte(unsigned char value) {
+    group_ = group_ << 8 | value;
+    if (++count_ == 3) put_group();
+  }
+
+  template <class T>
+  void binary(T value) {
+    for (const char value_byte : little_endian(value)) byte(static_cast<unsigned char>(value_byte));
+  }
+
+  /// Writes what is left, padded. To be called once, at the end.
+  void finish() {
+    if (count_ > 0) put_group();
+  }
+
+ private:
+  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+  void put_group() {
+    const std::uint32_t group = group_ << 8 * (3 - count_);
+    std::array<char, 4> quad{'=', '=', '=', '='};
+    for (int i = 0; i <= count_; ++i) quad[i] = kDigits[group >> (18 - 6 * i) & 63];
+    out_.text({quad.data(), quad.size()});
+    group_ = 0;
+    count_ = 0;
+  }
+
+  Sink& out_;
+  std::uint32_t group_ = 0;
+  int count_ = 0;  ///< bytes in the group
+};
+
+/// All of `bytes` in Base64. Cost: O(n).
+inline std::string encode_base64(std::string_view bytes) {
+  struct {
+    void text(std::string_view digits) { string.append(digits); }
+    std::string string;
+  } sink;
+  sink.string.reserve((bytes.size() + 2) / 3 * 4);
+  Base64Writer writer(sink);
+  for (const char byte : bytes) writer.byte(static_cast<unsigned char>(byte));
+  writer.finish();
+  return std::move(sink.string);
+}
+
+/// The shortest digits that bring the same double back; null for infinity and NaN, which JSON does not have.
+inline std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+
+/// The members "face", "bary" and "position", without braces.
+inline void print_point_members(ByteWriter& out, const SurfacePoint& point, const Vec3& position) {
+  out.print("\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]", point.face.value(), point.bary[0], point.bary[1],
+            point.bary[2], json_number(position.x()), json_number(position.y()), json_number(position.z()));
+}
+
+inline void print_point(ByteWriter& out, const Mesh& mesh, const SurfacePoint& point) {
+  out.text("{");
+  print_point_members(out, point, position(mesh, point));
+  out.text("}");
+}
+
+/// The text of an array before its first item, between items, and after its last one.
+struct ArraySpacing {
+  std::string_view first, between, last;
+};
+
+/// An array: `print` prints the items, by default all on one line.
+template <class Items, class Print>
+void print_array(ByteWriter& out, const Items& items, Print print, const ArraySpacing& spacing = {"", ",", ""}) {
+  out.text("[");
+  std::string_view before = spacing.first;
+  for (const auto& item : items) {
+    out.text(before);
+    before = spacing.between;
+    print(item);
+  }
+  if (std::size(items) > 0) out.text(spacing.last);
+  out.text("]");
+}
+
+/// An array with each item on a line of its own.
+template <class Items, class Print>
+void print_lines(ByteWriter& out, const Items& items, Print print) {
+  print_array(out, items, print, {"\n  ", ",\n  ", "\n"});
+}
 
 }  // namespace gvd::io

@@ -1,7 +1,10 @@
+// A diagram as JSON, `gvd-diagram/1`: every element on a line of its own, in the order of the ids.
+//
+// The text is printed piece by piece instead of built as a document, so memory does not grow with the diagram.
+// Invariant: infinity and NaN, which JSON does not have, are null; numbers bring the same double back.
 #include "gvd/io/diagram_json.hpp"
 
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/json_text.hpp"
 
 namespace gvd {
 namespace {

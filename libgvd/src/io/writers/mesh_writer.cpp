@@ -1,23 +1,24 @@
+// Meshes in any format: the extension picks the writer, and the arrays are checked before the first byte is written.
+//
+// An OBJ with labels is two files. The materials are written while the geometry is complete but has no name yet, so
+// both files are complete before either gets its name.
+// Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too.
 #include "gvd/io/mesh_writer.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
-#include "io/writers/single_precision.hpp"
-#include "io/writers/write_glb.hpp"
-#include "io/writers/write_obj.hpp"
-#include "io/writers/write_off.hpp"
-#include "io/writers/write_ply.hpp"
-#include "io/writers/write_stl.hpp"
-#include "io/writers/write_vtp.hpp"
+#include "gvd/io/write_file.hpp"
+#include "io/writers/format_writers.hpp"
 
 namespace gvd {
 namespace {
@@ -31,10 +32,10 @@ constexpr std::array<std::pair<std::string_view, OutputFormat>, 7> kExtensions{{
                                                                                 {"json", OutputFormat::json}}};
 
 void check_count(std::size_t count, std::int32_t expected, const char* what) {
-  if (count == static_cast<std::size_t>(expected)) return;
-  throw Error(ErrorCode::precondition, fmt::format("{}: {} for {}; give one for each", what,
-                                                   counted(static_cast<std::int64_t>(count), "value", "values"),
-                                                   counted(expected, "element", "elements")));
+  if (std::cmp_equal(count, expected)) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("{}: {} for {}; give one for each", what, counted(std::int64_t(count), "value", "values"),
+                          counted(expected, "element", "elements")));
 }
 
 template <class Array>
@@ -87,12 +88,9 @@ void write_format(std::ostream& out, const LabelledMesh& mesh, OutputFormat form
 }  // namespace
 
 std::optional<OutputFormat> parse_output_format(std::string_view extension) {
-  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string bare = io::bare_extension(extension);
   for (const auto& [name, format] : kExtensions) {
-    if (lower == name) return format;
+    if (bare == name) return format;
   }
   return std::nullopt;
 }
@@ -120,13 +118,39 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
     return write_file(
         path, [&](std::ostream& out) { write_mesh(out, mesh, format); }, progress);
   }
-  // Both files are complete before either gets its name.
   const std::filesystem::path materials = std::filesystem::path(path).replace_extension(".mtl");
-  AtomicFile material_file(materials, progress), mesh_file(path, progress);
-  write_format(mesh_file.stream(), mesh, format, materials.filename().string());
-  write_materials(material_file.stream(), mesh);
-  material_file.commit();
-  mesh_file.commit();
+  const auto write_both = [&](std::ostream& out) {
+    write_format(out, mesh, format, materials.filename().string());
+    write_file(
+        materials, [&](std::ostream& other) { io::write_materials(other, mesh); }, progress);
+  };
+  write_file(path, write_both, progress);
 }
 
 }  // namespace gvd
+
+namespace gvd::io {
+
+std::string bare_extension(std::string_view extension) {
+  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+void check_single_precision(const Mesh& mesh, std::string_view format) {
+  const double largest = mesh.largest_coordinate();
+  using Float = std::numeric_limits<float>;
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
+  };
+  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
+  const double step = std::max<double>(largest * Float::epsilon(), Float::min());
+  if (mesh.bbox_diagonal() <= step) {
+    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+                       mesh.bbox_diagonal(), largest));
+  }
+}
+
+}  // namespace gvd::io

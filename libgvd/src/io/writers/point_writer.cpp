@@ -1,4 +1,7 @@
-// Points on a surface as PLY, XYZ and NPY.
+// Points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
+//
+// PLY and NPY have the same numbers in the same order; XYZ has position and normal only. Invariant: numbers are
+// complete, so the same doubles are read back, in any locale.
 #include "gvd/io/point_writer.hpp"
 
 #include <array>
@@ -7,6 +10,7 @@
 
 #include "gvd/surface_normal.hpp"
 #include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
 
 namespace gvd {
 namespace {
@@ -22,6 +26,16 @@ std::array<double, 6> oriented_position(const Mesh& mesh, const SurfacePoint& po
   return {p.x(), p.y(), p.z(), n.x(), n.y(), n.z()};
 }
 
+/// Writes the twelve numbers of a sample; `face` is the id of its face in the type of the format.
+template <class Number>
+void write_columns(ByteWriter& out, const Mesh& mesh, const SurfaceSample& sample, Number face) {
+  for (const double value : oriented_position(mesh, sample.point)) out.binary(value);
+  out.binary(face);
+  for (const double b : sample.point.bary) out.binary(b);
+  out.binary(sample.area);
+  out.binary(sample.energy);
+}
+
 void write_ply(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples) {
   out.print("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", samples.size());
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out.print("property double {}\n", name);
@@ -29,11 +43,7 @@ void write_ply(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
   for (const char* name : {"b0", "b1", "b2", "area", "energy"}) out.print("property double {}\n", name);
   out.text("end_header\n");
   for (const SurfaceSample& sample : samples) {
-    for (const double value : oriented_position(mesh, sample.point)) out.binary(value);
-    out.binary(static_cast<std::int32_t>(sample.point.face.value()));
-    for (const double b : sample.point.bary) out.binary(b);
-    out.binary(sample.area);
-    out.binary(sample.energy);
+    write_columns(out, mesh, sample, sample.point.face.value());
   }
 }
 
@@ -50,27 +60,20 @@ void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
   header.append(kNpyAlignment - 1 - (before + header.size()) % kNpyAlignment, ' ');
   header.push_back('\n');
   out.text(magic);
-  out.binary(static_cast<std::uint16_t>(header.size()));
+  out.binary(std::uint16_t(header.size()));
   out.text(header);
   for (const SurfaceSample& sample : samples) {
-    for (const double value : oriented_position(mesh, sample.point)) out.binary(value);
-    out.binary(static_cast<double>(sample.point.face.value()));
-    for (const double b : sample.point.bary) out.binary(b);
-    out.binary(sample.area);
-    out.binary(sample.energy);
+    write_columns(out, mesh, sample, double(sample.point.face.value()));
   }
 }
 
 }  // namespace
 
 std::optional<PointFormat> parse_point_format(std::string_view extension) {
-  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  if (lower == "ply") return PointFormat::ply;
-  if (lower == "xyz") return PointFormat::xyz;
-  if (lower == "npy") return PointFormat::npy;
+  const std::string bare = io::bare_extension(extension);
+  if (bare == "ply") return PointFormat::ply;
+  if (bare == "xyz") return PointFormat::xyz;
+  if (bare == "npy") return PointFormat::npy;
   return std::nullopt;
 }
 

@@ -1,5 +1,8 @@
-#include "io/writers/write_glb.hpp"
-
+// Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
+//
+// The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the bisectors
+// are described first, which adds up the bytes, and then written in the same order. Invariant: every view begins where
+// the one before it ends, so that the description and the numbers agree.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,12 +13,10 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/label_color.hpp"
-#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/regions.hpp"
-#include "io/writers/shading_vertices.hpp"
+#include "io/writers/format_writers.hpp"
+#include "io/writers/mesh_elements.hpp"
 
-// Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 namespace gvd::io {
 namespace {
 
@@ -67,10 +68,10 @@ class GlbWriter {
       throw Error(ErrorCode::unwritable_output, "GLB holds 4 GiB and the mesh needs more; choose PLY or VTP");
     }
     ByteWriter out(stream);
-    for (const std::uint32_t word : {kMagic, kVersion, static_cast<std::uint32_t>(total)}) out.binary(word);
-    for (const std::uint32_t word : {static_cast<std::uint32_t>(text.size()), kJsonChunk}) out.binary(word);
+    for (const std::uint32_t word : {kMagic, kVersion, std::uint32_t(total)}) out.binary(word);
+    for (const std::uint32_t word : {std::uint32_t(text.size()), kJsonChunk}) out.binary(word);
     out.text(text);
-    for (const std::uint32_t word : {static_cast<std::uint32_t>(binary_bytes_), kBinaryChunk}) out.binary(word);
+    for (const std::uint32_t word : {std::uint32_t(binary_bytes_), kBinaryChunk}) out.binary(word);
     write_surface(out);
     write_bisectors(out);
     out.finish();
@@ -131,7 +132,7 @@ class GlbWriter {
     const std::uint64_t vertex_bytes = 12 * std::uint64_t{surface_.vertices.size()};
     surface_views_.positions = add_view(vertex_bytes, kVertexBuffer);
     surface_views_.normals = add_view(vertex_bytes, kVertexBuffer);
-    surface_views_.indices = add_view(12 * static_cast<std::uint64_t>(mesh_.face_count()), kIndexBuffer);
+    surface_views_.indices = add_view(12 * std::uint64_t(mesh_.face_count()), kIndexBuffer);
     Json primitives = Json::array();
     std::uint64_t index_offset = 0;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
@@ -182,7 +183,7 @@ class GlbWriter {
   }
 
   static void write_point(ByteWriter& out, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) out.binary(static_cast<float>(p[i]));
+    for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
   }
 
   void write_surface(ByteWriter& out) const {

@@ -1,5 +1,8 @@
-#include "io/writers/write_obj.hpp"
-
+// Wavefront OBJ, with its materials in a file of their own.
+//
+// A region is a group with a material. Bisectors are lines, whose vertices follow those of the mesh, so the numbers of
+// the mesh's vertices are those of the input. OBJ counts from 1, and shares texture coordinates between faces by
+// number.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +11,9 @@
 #include <vector>
 
 #include "gvd/io/label_color.hpp"
-#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
-#include "io/writers/regions.hpp"
+#include "io/writers/format_writers.hpp"
+#include "io/writers/mesh_elements.hpp"
 
 namespace gvd::io {
 namespace {
@@ -23,11 +26,11 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   std::vector<std::size_t> numbers;
   if (mesh.corner_texture == nullptr) return numbers;
   using Numbered = std::pair<std::array<double, 2>, std::size_t>;
-  IdVector<VertexId, std::vector<Numbered>> known(static_cast<std::size_t>(mesh.mesh.vertex_count()));
+  IdVector<VertexId, std::vector<Numbered>> known(mesh.mesh.vertex_count());
   std::size_t count = 0;
-  for (std::int32_t i = 0; i < mesh.mesh.halfedge_count(); ++i) {
-    const std::array<double, 2>& uv = (*mesh.corner_texture)[i];
-    std::vector<Numbered>& at = known[mesh.mesh.from(HalfedgeId(i))];
+  for (const HalfedgeId h : mesh.mesh.halfedges()) {
+    const std::array<double, 2>& uv = (*mesh.corner_texture)[h.index()];
+    std::vector<Numbered>& at = known[mesh.mesh.from(h)];
     auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
     if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
       out.print("vt {} {}\n", uv[0], uv[1]);
@@ -85,7 +88,7 @@ void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
   if (lines.empty()) return;
   out.text("g bisectors\n");
-  std::size_t index = static_cast<std::size_t>(mesh.mesh.vertex_count()) + 1;
+  std::size_t index = mesh.mesh.positions().size() + 1;
   for (const BisectorLine& line : lines) index = print_line(out, line, index);
 }
 
@@ -99,24 +102,20 @@ void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string
   if (mesh.face_label != nullptr) {
     print_regions(out, faces, mesh, !material_library.empty());
   } else {
-    for (int f = 0; f < mesh.mesh.face_count(); ++f) faces.print(FaceId(f));
+    for (const FaceId f : mesh.mesh.faces()) faces.print(f);
   }
   print_lines(out, mesh);
   out.finish();
 }
 
-}  // namespace gvd::io
-
-namespace gvd {
-
 void write_materials(std::ostream& stream, const LabelledMesh& mesh) {
-  io::ByteWriter out(stream);
-  for (const io::Region& region : io::collect_regions(mesh)) {
+  ByteWriter out(stream);
+  for (const Region& region : collect_regions(mesh)) {
     const Rgb color = label_color(region.label);
-    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", io::region_name(region.label), color.red / 255.0,
-              color.green / 255.0, color.blue / 255.0);
+    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", region_name(region.label), color.red / 255.0, color.green / 255.0,
+              color.blue / 255.0);
   }
   out.finish();
 }
 
-}  // namespace gvd
+}  // namespace gvd::io

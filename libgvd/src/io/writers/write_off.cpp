@@ -1,11 +1,12 @@
-#include "io/writers/write_off.hpp"
-
-#include "gvd/io/label_color.hpp"
-#include "io/writers/byte_writer.hpp"
-
+// OFF, the text format of Geomview.
+//
 // A coloured OFF has the header COFF. Four numbers from 0 to 1 follow each vertex, as Geomview specifies, and three
 // from 0 to 255 each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as the
 // next face.
+#include "gvd/io/label_color.hpp"
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
+
 namespace gvd::io {
 namespace {
 
@@ -15,7 +16,7 @@ GeneratorId vertex_label(const LabelledMesh& labelled, VertexId v) {
 }
 
 void print_vertices(ByteWriter& out, const LabelledMesh& labelled) {
-  for (VertexId v(0); v.value() < labelled.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
+  for (const VertexId v : labelled.mesh.vertices()) {
     const Vec3& p = labelled.mesh.position(v);
     out.print("{} {} {}", p.x(), p.y(), p.z());
     if (labelled.face_label != nullptr) {
@@ -27,7 +28,7 @@ void print_vertices(ByteWriter& out, const LabelledMesh& labelled) {
 }
 
 void print_faces(ByteWriter& out, const LabelledMesh& labelled) {
-  for (FaceId f(0); f.value() < labelled.mesh.face_count(); f = FaceId(f.value() + 1)) {
+  for (const FaceId f : labelled.mesh.faces()) {
     const auto& [a, b, c] = labelled.mesh.vertices(f);
     out.print("3 {} {} {}", a.value(), b.value(), c.value());
     if (labelled.face_label != nullptr) {

@@ -1,18 +1,21 @@
-#include "io/writers/write_ply.hpp"
-
+// PLY, binary or text, with labels, distances, colours and the further properties of the input.
+//
+// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
+// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
+// faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
 
-// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
-// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
-// faces in text only: in binary it takes the lists of all faces to lie behind each other.
 namespace gvd::io {
 namespace {
 
@@ -74,12 +77,13 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   print_further_properties(out, mesh, false);
 }
 
-/// The nearest number of the type; 0 for what is no number.
-template <class Integer>
-Integer to_integer(double value) {
-  using Limits = std::numeric_limits<Integer>;
+/// The nearest number of the type; for integers 0 for what is no number.
+template <class T>
+T nearest(double value) {
+  if constexpr (std::is_floating_point_v<T>) return static_cast<T>(value);
   if (std::isnan(value)) return 0;
-  return static_cast<Integer>(std::clamp(std::round(value), double(Limits::min()), double(Limits::max())));
+  using Limits = std::numeric_limits<T>;
+  return static_cast<T>(std::clamp(std::round(value), double(Limits::min()), double(Limits::max())));
 }
 
 /// Numbers of one element after the other, as bytes or as a line of text.
@@ -103,31 +107,19 @@ class Rows {
   }
 
   void put_number(NumberType type, double value) {
-    switch (type) {
-      case NumberType::int8:
-        return put(to_integer<std::int8_t>(value));
-      case NumberType::uint8:
-        return put(to_integer<std::uint8_t>(value));
-      case NumberType::int16:
-        return put(to_integer<std::int16_t>(value));
-      case NumberType::uint16:
-        return put(to_integer<std::uint16_t>(value));
-      case NumberType::int32:
-        return put(to_integer<std::int32_t>(value));
-      case NumberType::uint32:
-        return put(to_integer<std::uint32_t>(value));
-      case NumberType::float32:
-        return put(static_cast<float>(value));
-      case NumberType::float64:
-        return put(value);
-    }
+    // In the order of NumberType.
+    constexpr std::array kPut{&Rows::put_nearest<std::int8_t>,  &Rows::put_nearest<std::uint8_t>,
+                              &Rows::put_nearest<std::int16_t>, &Rows::put_nearest<std::uint16_t>,
+                              &Rows::put_nearest<std::int32_t>, &Rows::put_nearest<std::uint32_t>,
+                              &Rows::put_nearest<float>,        &Rows::put_nearest<double>};
+    (this->*kPut[static_cast<std::size_t>(type)])(value);
   }
 
   /// The number of element i, or its list.
   void put_property(const MeshProperty& property, std::size_t i) {
     if (!property.count_type) return put_number(property.type, property.values[i]);
     const std::size_t first = property.first_value[i], last = property.first_value[i + 1];
-    put_number(*property.count_type, static_cast<double>(last - first));
+    put_number(*property.count_type, double(last - first));
     for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
   }
 
@@ -136,9 +128,9 @@ class Rows {
     const bool has = std::all_of(corners, corners + 3, [](const std::array<double, 2>& uv) {
       return std::isfinite(uv[0]) && std::isfinite(uv[1]);
     });
-    put(static_cast<std::uint8_t>(has ? 6 : 0));
+    put(std::uint8_t(has ? 6 : 0));
     for (int i = 0; has && i < 3; ++i) {
-      for (const double number : corners[i]) put(static_cast<float>(number));
+      for (const double number : corners[i]) put(float(number));
     }
   }
 
@@ -148,6 +140,11 @@ class Rows {
   }
 
  private:
+  template <class T>
+  void put_nearest(double value) {
+    put(nearest<T>(value));
+  }
+
   ByteWriter& out_;
   bool text_;
   bool empty_ = true;
@@ -155,12 +152,12 @@ class Rows {
 
 void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
   const auto further = further_properties(mesh, true);
-  for (VertexId v(0); v.value() < mesh.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
+  for (const VertexId v : mesh.mesh.vertices()) {
     const Vec3& p = mesh.mesh.position(v);
     for (int i = 0; i < 3; ++i) rows.put(p[i]);
     if (mesh.vertex_distance != nullptr) {
       const double distance = (*mesh.vertex_distance)[v];
-      doubles ? rows.put(distance) : rows.put(static_cast<float>(distance));
+      doubles ? rows.put(distance) : rows.put(float(distance));
     }
     if (mesh.vertex_label != nullptr) rows.put_label((*mesh.vertex_label)[v]);
     for (const MeshProperty* property : further) rows.put_property(*property, v.index());
@@ -170,12 +167,12 @@ void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
 
 void write_faces(Rows& rows, const LabelledMesh& mesh) {
   const auto further = further_properties(mesh, false);
-  for (FaceId f(0); f.value() < mesh.mesh.face_count(); f = FaceId(f.value() + 1)) {
+  for (const FaceId f : mesh.mesh.faces()) {
     rows.put(std::uint8_t{3});
     for (const VertexId v : mesh.mesh.vertices(f)) rows.put(v.value());
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
     if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
-    if (mesh.face_label != nullptr) rows.put(static_cast<std::uint8_t>((*mesh.face_label)[f].value()));
+    if (mesh.face_label != nullptr) rows.put(std::uint8_t((*mesh.face_label)[f].value()));
     if (mesh.corner_texture != nullptr) rows.put_texture(mesh.corner_texture->data() + 3 * f.index());
     for (const MeshProperty* property : further) rows.put_property(*property, f.index());
     rows.end();

@@ -1,10 +1,13 @@
-#include "io/writers/write_stl.hpp"
-
+// Binary STL: 80 bytes of header, the number of triangles, and for each its normal, its corners and an attribute.
+//
+// STL has neither shared vertices nor labels. The colour of a label goes into the attribute, by the convention of
+// VisCAM and SolidView that most programs read.
 #include <cstdint>
 #include <string>
 
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
 
 namespace gvd::io {
 namespace {
@@ -13,13 +16,13 @@ namespace {
 constexpr std::string_view kHeader = "binary STL, 32-bit floats, face colours in the attribute";
 constexpr std::size_t kHeaderBytes = 80;
 
-/// The convention of VisCAM and SolidView: bit 15 is set, then 5 bits each of red, green and blue.
+/// Colours by that convention: bit 15 is set, then 5 bits each of red, green and blue.
 std::uint16_t attribute(const Rgb& color) {
-  return static_cast<std::uint16_t>(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
+  return std::uint16_t(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
 }
 
 void write_vector(ByteWriter& out, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) out.binary(static_cast<float>(p[i]));
+  for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
 }
 
 }  // namespace
@@ -30,8 +33,8 @@ void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
   std::string header(kHeader);
   header.resize(kHeaderBytes, ' ');
   out.text(header);
-  out.binary(static_cast<std::uint32_t>(mesh.face_count()));
-  for (FaceId f(0); f.value() < mesh.face_count(); f = FaceId(f.value() + 1)) {
+  out.binary(std::uint32_t(mesh.face_count()));
+  for (const FaceId f : mesh.faces()) {
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3& origin = mesh.position(a);
     // Normalized first: the product of two short edges can underflow. A face without area gets the normal 0.

@@ -1,12 +1,15 @@
-#include "io/writers/write_vtp.hpp"
-
+// VTK PolyData in XML, with arrays in Base64 (VTK File Formats, version 4.2).
+//
+// Points are the vertices of the mesh, then those of the bisectors. Cells are the bisectors as lines, then the faces:
+// VTK numbers lines before polygons. Invariant: an array has one value for each point or cell in that order, and -1
+// where an element has none.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
-#include "io/writers/base64.hpp"
-#include "io/writers/bisector_lines.hpp"
 #include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
+#include "io/writers/mesh_elements.hpp"
 
 namespace gvd::io {
 namespace {
@@ -57,7 +60,7 @@ class VtpWriter {
   }
 
  private:
-  std::size_t vertices() const { return static_cast<std::size_t>(mesh_.vertex_count()); }
+  std::size_t vertices() const { return mesh_.positions().size(); }
   std::size_t faces() const { return static_cast<std::size_t>(mesh_.face_count()); }
 
   void write_point_data() {
@@ -84,7 +87,7 @@ class VtpWriter {
   void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
     write_array<std::int32_t>(out_, name, lines_.size() + faces(), 1, [&](auto put) {
       for (const BisectorLine& line : lines_) put(of_line(line));
-      for (int f = 0; f < mesh_.face_count(); ++f) put(of_face(FaceId(f)));
+      for (const FaceId f : mesh_.faces()) put(of_face(f));
     });
   }
 
@@ -124,11 +127,11 @@ class VtpWriter {
   void write_lines() {
     out_.text("<Lines>\n");
     write_array<std::int64_t>(out_, "connectivity", line_points_, 1, [&](auto put) {
-      for (std::size_t i = 0; i < line_points_; ++i) put(static_cast<std::int64_t>(vertices() + i));
+      for (std::size_t i = 0; i < line_points_; ++i) put(std::ssize(mesh_.positions()) + std::int64_t(i));
     });
     write_array<std::int64_t>(out_, "offsets", lines_.size(), 1, [&](auto put) {
       std::int64_t end = 0;
-      for (const BisectorLine& line : lines_) put(end += static_cast<std::int64_t>(line.points.size()));
+      for (const BisectorLine& line : lines_) put(end += std::ssize(line.points));
     });
     out_.text("</Lines>\n");
   }
@@ -136,8 +139,8 @@ class VtpWriter {
   void write_polygons() {
     out_.text("<Polys>\n");
     write_array<std::int64_t>(out_, "connectivity", 3 * faces(), 1, [&](auto put) {
-      for (int f = 0; f < mesh_.face_count(); ++f) {
-        for (const VertexId v : mesh_.vertices(FaceId(f))) put(v.value());
+      for (const FaceId f : mesh_.faces()) {
+        for (const VertexId v : mesh_.vertices(f)) put(v.value());
       }
     });
     write_array<std::int64_t>(out_, "offsets", faces(), 1, [&](auto put) {

@@ -1,0 +1,221 @@
+// The paper's error measure E (section 5.2): how far the bisectors are from where the exact distances are equal.
+//
+// Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Where the difference of the two
+// distances changes its sign inside a panel, the cubic through the samples is split at its roots. Neighbouring panels
+// share the sample between them.
+// Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
+#include "gvd/error_measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "base/barycentric.hpp"
+#include "diagram/absolute_integral.hpp"
+#include "gvd/error.hpp"
+#include "mesh/point_views.hpp"
+
+namespace gvd {
+namespace {
+
+/// Bisections that reduce an interval of length 1 to the spacing of doubles near 1.
+constexpr int kBisections = 53;
+
+/// The cubic through the four samples, in Lagrange's form.
+double cubic(const std::array<double, 4>& samples, double x) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    double term = samples[i];
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j != i) term *= (x - kLobattoNodes[j]) / (kLobattoNodes[i] - kLobattoNodes[j]);
+    }
+    sum += term;
+  }
+  return sum;
+}
+
+double root_between(const std::array<double, 4>& samples, std::size_t node) {
+  double low = kLobattoNodes[node], high = kLobattoNodes[node + 1];
+  const bool negative = samples[node] < 0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = (low + high) / 2;
+    ((cubic(samples, middle) < 0) == negative ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for cubics.
+double absolute_integral(const std::array<double, 4>& samples, double a, double b) {
+  const double middle = (a + b) / 2, to_node = (b - a) / 2 * std::numbers::inv_sqrt3;
+  return std::abs(cubic(samples, middle - to_node) + cubic(samples, middle + to_node)) * (b - a) / 2;
+}
+
+/// One interval of the quadrature: the samples at its Gauss-Lobatto points.
+struct Panel {
+  std::array<std::size_t, 4> samples;
+  double length;
+};
+
+/// A point with its two distances, which come from two queries.
+struct Sample {
+  SurfacePoint point;
+  BisectorId bisector;
+  double left = 0;
+  double right = 0;
+};
+
+[[noreturn]] void refuse(BisectorId bisector, const std::string& what) {
+  throw Error(ErrorCode::precondition, fmt::format("bisector {} {}", bisector.value(), what), bisector.value());
+}
+
+/// The samples along all bisectors. Neighbouring panels share the sample between them.
+class BisectorSampling {
+ public:
+  BisectorSampling(const Mesh& mesh, const Diagram& diagram, int panels) : mesh_(mesh), panels_(panels) {
+    for (const BisectorId id : diagram.bisectors.ids()) {
+      check(id, diagram);
+      if (diagram.bisectors[id].left != diagram.bisectors[id].right) add(id, diagram.bisectors[id]);
+    }
+  }
+
+  std::vector<Sample> samples;
+  std::vector<Panel> all_panels;
+
+ private:
+  void check(BisectorId id, const Diagram& diagram) const {
+    const Bisector& bisector = diagram.bisectors[id];
+    for (const GeneratorId g : {bisector.left, bisector.right}) {
+      if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
+      check(id, diagram.generators[g.index()]);
+    }
+    for (const SurfacePoint& point : bisector.points) check(id, point);
+  }
+
+  void check(BisectorId id, const SurfacePoint& point) const {
+    if (!point.face.valid() || point.face.value() >= mesh_.face_count()) refuse(id, "refers to no face of the mesh");
+  }
+
+  std::size_t add_sample(BisectorId id, const SurfacePoint& point) {
+    samples.push_back({point, id});
+    return samples.size() - 1;
+  }
+
+  void add(BisectorId id, const Bisector& bisector) {
+    const std::size_t count = bisector.points.size();
+    if (count < 2) return;
+    const std::size_t first = add_sample(id, bisector.points.front());
+    std::size_t last = first;
+    const std::size_t segments = bisector.closed ? count : count - 1;
+    for (std::size_t i = 0; i < segments; ++i) {
+      const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % count]);
+      if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
+      add_segment(id, view->first, view->second, last);
+    }
+  }
+
+  void add_segment(BisectorId id, const SurfacePoint& a, const SurfacePoint& b, std::size_t& last) {
+    const double length = (position(mesh_, b) - position(mesh_, a)).norm();
+    if (length == 0) return;
+    for (int k = 0; k < panels_; ++k) {
+      Panel panel{{last, 0, 0, 0}, length / panels_};
+      for (std::size_t i = 1; i < 4; ++i) {
+        const double t = (k + kLobattoNodes[i]) / panels_;
+        panel.samples[i] = add_sample(id, make_surface_point(a.face, mix(a.bary, b.bary, t)));
+      }
+      last = panel.samples[3];
+      all_panels.push_back(panel);
+    }
+  }
+
+  const Mesh& mesh_;
+  int panels_;
+};
+
+/// Queries and stores the distances of all samples, in one query for each generator.
+void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
+  struct Wanted {
+    std::vector<SurfacePoint> points;
+    std::vector<double*> slots;
+  };
+  std::map<GeneratorId, Wanted> by_generator;
+  const auto want = [&](GeneratorId g, const SurfacePoint& point, double& slot) {
+    by_generator[g].points.push_back(point);
+    by_generator[g].slots.push_back(&slot);
+  };
+  for (Sample& sample : samples) {
+    want(diagram.bisectors[sample.bisector].left, sample.point, sample.left);
+    want(diagram.bisectors[sample.bisector].right, sample.point, sample.right);
+  }
+  if (by_generator.empty()) return;
+  std::vector<DistanceQuery> queries;
+  for (auto& [g, wanted] : by_generator) queries.push_back({diagram.generators[g.index()], std::move(wanted.points)});
+  const std::vector<std::vector<double>> answers = exact(queries);
+  std::size_t q = 0;
+  for (const auto& [g, wanted] : by_generator) {
+    if (answers.size() != queries.size() || answers[q].size() != wanted.slots.size()) {
+      throw Error(ErrorCode::precondition, "the exact distances do not match the points that were asked for");
+    }
+    for (std::size_t i = 0; i < wanted.slots.size(); ++i) *wanted.slots[i] = answers[q][i];
+    ++q;
+  }
+}
+
+/// d_left - d_right; infinite if either is, since infinity - infinity has no value.
+double difference(const Sample& sample) {
+  const double d = sample.left - sample.right;
+  return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
+}
+
+double integrate(const Panel& panel, const std::vector<Sample>& samples) {
+  std::array<double, 4> values{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    values[i] = difference(samples[panel.samples[i]]);
+    if (std::isinf(values[i])) return values[i];
+  }
+  return panel.length * integrate_absolute(values);
+}
+
+}  // namespace
+
+double integrate_absolute(const std::array<double, 4>& samples) {
+  double sum = 0, start = 0;
+  const auto cut_at = [&](double x) {
+    sum += absolute_integral(samples, start, x);
+    start = x;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((samples[i] < 0 && samples[i + 1] > 0) || (samples[i] > 0 && samples[i + 1] < 0)) {
+      cut_at(root_between(samples, i));
+    } else if (samples[i + 1] == 0) {
+      cut_at(kLobattoNodes[i + 1]);
+    }
+  }
+  cut_at(1);
+  return sum;
+}
+
+ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, const ExactDistances& exact,
+                                   const ErrorMeasureOptions& options) {
+  if (options.panels < 1) throw Error(ErrorCode::invalid_option, "the number of panels must be 1 or more");
+  BisectorSampling sampling(mesh, diagram, options.panels);
+  measure(diagram, exact, sampling.samples);
+  ErrorMeasure result;
+  for (const Panel& panel : sampling.all_panels) {
+    result.error_integral += integrate(panel, sampling.samples);
+    result.length += panel.length;
+  }
+  for (const Sample& sample : sampling.samples) {
+    result.error_max = std::max(result.error_max, std::abs(difference(sample)));
+  }
+  if (result.length > 0) result.error_mean = result.error_integral / result.length;
+  return result;
+}
+
+}  // namespace gvd

@@ -1,0 +1,140 @@
+// The steps of growth in their order (sections 4.2 and 4.3), and the assembly of all faces outside the gaps.
+//
+// Rough crossings are refined and welded, bisectors grow through the gaps, and every other crossed face is closed by
+// its own crossings. The paper draws one segment in a face of two labels and leaves the rest to growth; here the
+// assembly also completes what growth does not close.
+// Invariant: every crossed face is closed exactly once, either by a grown gap or by the assembly, so whether the
+// diagram is complete never depends on the growth.
+#include "diagram/growth/gap_tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagram/assembly/face_assembly.hpp"
+#include "diagram/assembly/form_distances.hpp"
+#include "gvd/diagram_steps.hpp"
+
+namespace gvd {
+namespace {
+
+/// Progress is reported once in so many faces.
+constexpr std::size_t kFaceStride = 1 << 10;
+
+/// A face and the distance forms of the generators whose cells lie along its boundary.
+struct FaceForms {
+  const Mesh& mesh;
+  FaceId face;
+  Front front;
+  std::vector<DistanceForm> forms;
+
+  /// Distance of generator g at a point of the face, mesh units.
+  double distance(GeneratorId g, const std::array<double, 3>& bary) const {
+    const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == g; });
+    if (front == Front::planar) return form->at(bary);
+    double squared = form->at(bary);
+    for (int i = 0; i < 3; ++i) {
+      const double length = mesh.length(Mesh::halfedge(face, i));
+      squared -= bary[i] * bary[(i + 1) % 3] * length * length;
+    }
+    return std::sqrt(std::max(0.0, squared));
+  }
+};
+
+/// Sets the distance of the branch points from `first_branch` on: the mean over the cells at each.
+void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
+  for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
+    const BranchPointId id(b);
+    FaceBranch& branch = diagram.branches[id];
+    double sum = 0;
+    int arcs = 0;
+    for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
+      const FaceArc& arc = diagram.arcs[a];
+      if (arc.begin != at(id) && arc.end != at(id)) continue;
+      sum += forms.distance(arc.begin == at(id) ? arc.left : arc.right, branch.bary);
+      ++arcs;
+    }
+    branch.distance = sum / arcs;
+  }
+}
+
+/// The faces of grown gaps, ascending.
+std::vector<FaceId> faces_of(const std::vector<ClosedGap>& closed) {
+  std::vector<FaceId> faces;
+  for (const ClosedGap& c : closed) faces.insert(faces.end(), c.gap.faces.begin(), c.gap.faces.end());
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
+                                     const std::vector<BoundaryCrossing>& boundary) {
+  std::set<GeneratorId> met;
+  for (const BoundaryCrossing& c : boundary) met.insert(c.next);
+  std::vector<DistanceForm> forms;
+  for (const GeneratorId g : met) {
+    DistanceForm form{g, corner_distances(input, f, g)};
+    for (double& value : form.corner) value = form_value(input.front, value);
+    forms.push_back(form);
+  }
+  return forms;
+}
+
+void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
+                    FaceDiagram& diagram, const Progress& progress) {
+  std::vector<BoundaryCrossing> boundary;
+  const std::vector<FaceId> faces = crossed_faces(input.mesh(), crossings);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceId f = faces[i];
+    if (i % kFaceStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
+    if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
+    boundary_crossings(input.mesh(), crossings, f, boundary);
+    if (boundary.size() == 2) {  // most faces: one arc, which depends on no distance
+      diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
+      continue;
+    }
+    const FaceForms forms{input.mesh(), f, input.front, face_forms(input, f, boundary)};
+    const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
+    assemble_face(f, boundary, FormDistances(forms.forms), diagram);
+    measure_branches(forms, first_arc, first_branch, diagram);
+  }
+}
+
+void GapTracer::close(const std::vector<Gap>& gaps, TracedDiagram& traced) const {
+  const GrowthInput growth = input(traced.labels);
+  const std::vector<ClosedGap> closed = close_gaps(growth, traced.crossings, gaps, plan_, progress_);
+  install_gaps(mesh(), closed, traced);
+  assemble_faces(growth, traced.crossings, faces_of(closed), traced.faces, progress_);
+  std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
+                   [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
+  traced.counts.gaps = std::ssize(gaps);
+  traced.counts.gaps_grown = 0;
+  for (const ClosedGap& c : closed) traced.counts.gaps_grown += std::ssize(c.merged);
+}
+
+GrowthTracer::GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front,
+                           const Progress& progress)
+    : GapTracer(working, table, front, progress, {{GrowthRules::Images::unfolded}, {GrowthRules::Images::rotated}}),
+      gaps_(find_gaps(mesh(), table)) {}
+
+Crossings GrowthTracer::cross_edges(const NearestLabels& labels) const {
+  return find_rough_crossings(input(labels), progress());
+}
+
+void GrowthTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                      Crossings& crossings) const {
+  gvd::cross_at_most_once(input(labels), edges, crossings);
+}
+
+void GrowthTracer::close_faces(TracedDiagram& traced) const {
+  // With planar fronts the rough crossings interpolate distances, and unfolding improves them. With circles they come
+  // from sources that were unfolded over the edge itself, the same for both of its faces. Refinement would replace
+  // these by images that were unfolded over other edges, which is less accurate (docs/developer/performance.md).
+  if (front() == Front::planar) {
+    weld_crossings(refine_bisectors(input(traced.labels), traced.crossings, progress()), traced.crossings);
+  }
+  close(gaps_, traced);
+}
+
+}  // namespace gvd

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "diagram/growth/growing_end.hpp"
+#include "diagram/growth/grown_gap.hpp"
+#include "diagram/growth/growth_input.hpp"
+
+namespace gvd {
+
+/// The largest number of faces of a gap that bisectors grow through. Larger gaps contain whole cells; the images of
+/// their generators become too inaccurate on the way through.
+inline constexpr std::size_t kMaxGapFaces = 200;
+
+/// The rules by which bisectors grow through a gap.
+struct GrowthRules {
+  /// The origin of the images of an end's generators when the end enters a face.
+  enum class Images {
+    rotated,   ///< from the face before, around the edge
+    unfolded,  ///< from the distances at the face's corners; rotated where the tables have none
+  };
+  Images images = Images::rotated;
+  EventOrder order = EventOrder::by_kind;
+  /// Whether an intersection has to be equally far from its three generators, and farther from all others (section 3).
+  bool require_equidistance = false;
+};
+
+/// The result of growing through a gap.
+struct GrowthOutcome {
+  std::optional<GrownGap> grown;  ///< none if growth failed
+  FaceId entered;                 ///< the face outside the gap that an end wants to enter; invalid if there is none
+};
+
+/// Grows the bisectors that cross the gap's rim through its faces, until every end is resolved.
+///
+/// There are two kinds of event. Ends that intersect inside a face are merged to one at a branch point. An end that
+/// leaves its face crosses the edge, and continues in the next face with the images of its generators there. The event
+/// of least predicted distance comes first, where an end's predicted distance is the mean of those to its images.
+///
+/// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event; the
+/// result is checked as a whole (`check_growth`), and no end is ever drawn back; with the default rules intersections
+/// come before exits, since distance is not monotone along a bisector, and images are rotated from face to face.
+/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than kMaxGapFaces.
+/// Cost: O(k^2) for k ends, those of later faces included; k is bounded by the faces of the gap.
+GrowthOutcome grow_bisectors(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
+                             const GrowthRules& rules = {});
+
+}  // namespace gvd

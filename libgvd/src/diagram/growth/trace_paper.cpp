@@ -1,0 +1,110 @@
+// Sections 4.1 to 4.3 as the paper has them (`--method paper`); docs/developer/paper-steps.md compares the results.
+//
+// A rough segment joins the midpoints of two edges in every face of two labels. Both generators are unfolded from their
+// distances at these midpoints (figure 6), which moves the segment to the bisector of the two images. Bisectors then
+// grow through the branching faces of section 3 with the paper's rules: one queue by distance, images unfolded in every
+// face, and branch points accepted by distance.
+// Deviation: the paper does not say what happens where growth fails. There the assembly completes the diagram.
+#include "diagram/growth/trace_paper.hpp"
+
+#include <utility>
+
+#include "diagram/graph/face_class.hpp"
+#include "geodesic/field/face_layout.hpp"
+#include "geodesic/marching/unfold.hpp"
+
+namespace gvd {
+namespace {
+
+/// The rules of section 4.3, and the second principle of section 3.
+constexpr GrowthRules kPaperRules{GrowthRules::Images::unfolded, EventOrder::by_distance, true};
+
+void append_midpoint(const Mesh& mesh, EdgeId e, const NearestLabels& labels, std::vector<Crossing>& crossings) {
+  const HalfedgeId h = mesh.halfedge(e);
+  const GeneratorId from = labels.label[mesh.from(h)], to = labels.label[mesh.to(h)];
+  if (from != to) crossings.push_back({e, 0.5, from, to});
+}
+
+/// The corner between two edges of a face; edge i leads from corner i to the next.
+int corner_between(int first_edge, int second_edge) { return second_edge == first_edge + 1 ? second_edge : 0; }
+
+/// Images in f of the apex's generator, on its side of the rough segment, and of the other one, on the other side.
+std::optional<FaceImages> unfold_apart(const Mesh& mesh, const MidpointDistances& midpoints, FaceId f, int apex,
+                                       const BoundaryCrossing& leaving) {
+  const auto corner = FaceLayout(mesh, f).corner;
+  const int next = (apex + 1) % 3, before = (apex + 2) % 3;
+  const Vec2 t1 = 0.5 * (corner[apex] + corner[next]), t2 = 0.5 * (corner[before] + corner[apex]);
+  // The cell of the apex lies before the crossing on the edge that leaves it.
+  const auto own = midpoints.find(f, leaving.previous), others = midpoints.find(f, leaving.next);
+  if (!own || !others) return std::nullopt;
+  // From t1 to t2 the apex lies on the left.
+  return FaceImages{f, corner, unfold_source(t2, t1, (*own)[before], (*own)[apex]),
+                    unfold_source(t1, t2, (*others)[apex], (*others)[before])};
+}
+
+}  // namespace
+
+MidpointDistances::MidpointDistances(const GeneratorTable& table, std::int32_t face_count)
+    : table_(table), of_entry_(table.entry_count()) {
+  for (const FaceId f : IdRange<FaceId>(face_count)) {
+    table.for_each(f, [&](const TableEntry& entry) {
+      const auto d = table.corner_distances(entry);
+      of_entry_[table.find(f, entry.generator)] = {0.5 * (d[0] + d[1]), 0.5 * (d[1] + d[2]), 0.5 * (d[2] + d[0])};
+    });
+  }
+}
+
+std::optional<std::array<double, 3>> MidpointDistances::find(FaceId f, GeneratorId g) const {
+  const std::int32_t entry = table_.find(f, g);
+  if (entry < 0) return std::nullopt;
+  return of_entry_[entry];
+}
+
+Crossings find_rough_segments(const Mesh& mesh, const NearestLabels& labels) {
+  std::vector<Crossing> crossings;
+  for (const EdgeId e : mesh.edges()) append_midpoint(mesh, e, labels, crossings);
+  return {mesh.edge_count(), std::move(crossings)};
+}
+
+void cross_at_midpoints(const Mesh& mesh, const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                        Crossings& crossings) {
+  std::vector<Crossing> midpoints;
+  for (const EdgeId e : edges) append_midpoint(mesh, e, labels, midpoints);
+  crossings.replace(edges, midpoints);
+}
+
+std::vector<CrossingEstimate> refine_segments(const Mesh& mesh, const MidpointDistances& midpoints,
+                                              const Crossings& crossings) {
+  std::vector<CrossingEstimate> estimates;
+  std::vector<BoundaryCrossing> boundary;
+  for (const FaceId f : crossed_faces(mesh, crossings)) {
+    boundary_crossings(mesh, crossings, f, boundary);
+    if (boundary.size() != 2) continue;
+    const int apex = corner_between(boundary[0].corner, boundary[1].corner);
+    const BoundaryCrossing& leaving = boundary[boundary[0].corner == apex ? 0 : 1];
+    const auto images = unfold_apart(mesh, midpoints, f, apex, leaving);
+    if (images) estimate_crossings(mesh, crossings, boundary, *images, estimates);
+  }
+  return estimates;
+}
+
+PaperTracer::PaperTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress)
+    : GapTracer(working, table, front, progress, {kPaperRules}), midpoints_(table, mesh().face_count()) {}
+
+Crossings PaperTracer::cross_edges(const NearestLabels& labels) const { return find_rough_segments(mesh(), labels); }
+
+void PaperTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                     Crossings& crossings) const {
+  cross_at_midpoints(mesh(), edges, labels, crossings);
+}
+
+void PaperTracer::close_faces(TracedDiagram& traced) const {
+  weld_crossings(refine_segments(mesh(), midpoints_, traced.crossings), traced.crossings);
+  IdVector<FaceId, char> is_branching(mesh().face_count());
+  for (const FaceId f : mesh().faces()) {
+    is_branching[f] = classify(mesh(), traced.labels.label, f) == FaceClass::branching;
+  }
+  close(connect_gaps(mesh(), is_branching), traced);
+}
+
+}  // namespace gvd

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "gvd/generator_list.hpp"
+
+// Lists as text, comma-separated values and JSON. `name` is the list's in all messages.
+namespace gvd::detail {
+
+/// Reads the content of a file that holds a list. `what` names its elements for messages: "generators".
+/// Throws Error{unreadable_input}.
+std::string read_list_file(const std::filesystem::path& path, std::string_view what);
+
+/// A line of a list, for messages. `name` must outlive it.
+struct ListLocation {
+  const std::string& name;  ///< of the file or option
+  std::int32_t line = 0;    ///< 1-based; 0 where the list has no lines
+
+  /// Throws Error{unreadable_input} with the location before the message.
+  [[noreturn]] void refuse(const std::string& message) const;
+  /// "name:line", or the name where there is no line.
+  std::string text() const;
+};
+
+/// A line without its comment, line break and outer blanks.
+struct ListLine {
+  std::string_view text;
+  std::int32_t number = 0;  ///< 1-based
+};
+
+/// The lines that are not empty. A byte order mark is skipped; # starts a comment. Cost: O(length).
+std::vector<ListLine> split_lines(std::string_view content);
+
+/// The fields of a line between blanks, and between any number of `separator`.
+std::vector<std::string_view> split_fields(std::string_view text, char separator = ' ');
+
+/// The number that `text` spells in full, in any locale.
+template <class T>
+std::optional<T> parse_field(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// An index >= 0. `what` names the element: "vertex". Throws Error{unreadable_input}.
+std::int64_t parse_index(std::string_view field, std::string_view what, const ListLocation& location);
+
+/// Three finite numbers. Throws Error{unreadable_input}.
+std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields, const ListLocation& location);
+
+/// A line as its fields.
+struct ListRow {
+  std::vector<std::string_view> fields;
+  std::int32_t number = 0;  ///< 1-based line
+};
+
+/// The entries of a list whose rows are `V`, `F b0 b1 b2`, `p x y z` or `x y z`.
+/// Three numbers are a position. The whole list decides: if every row of three holds different indices, the rows could
+/// be vertices as well, and the list is refused rather than guessed at. `separator` stands between the fields of the
+/// list, for messages.
+/// Throws Error{unreadable_input} with name and line. Cost: O(fields).
+std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, const std::string& name, char separator);
+
+/// Parses a list as text, one entry a line: `V`, `F b0 b1 b2`, `p x y z` or `x y z`; # starts a comment.
+/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+std::vector<GeneratorEntry> parse_text(std::string_view content, const std::string& name);
+
+/// Parses comma-separated values: the fields of the text form, or named columns below a header.
+/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::string& name);
+
+/// Parses JSON: the array `generators` of any object, such as a diagram or a report.
+/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name);
+
+}  // namespace gvd::detail

@@ -1,0 +1,260 @@
+// Entries of a list as points of a mesh, and points in the same place.
+//
+// Positions are snapped to the closest point of the surface. Two points coincide where they are close along the
+// surface: two sheets that touch hold different points at one position. Near each other, points lie in faces with a
+// common vertex, whose fan is unrolled into a plane to measure the distance. Invariant: barycentric coordinates of a
+// surface point are kept bit by bit, so that a written list comes back unchanged.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "base/plane.hpp"
+#include "gvd/closest_point.hpp"
+#include "gvd/error.hpp"
+#include "gvd/generator_list.hpp"
+#include "io/parse_lists.hpp"
+#include "mesh/coincidence.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+using Cube = std::array<std::int64_t, 3>;
+
+/// The place of a point in the unrolled fan of a vertex of its face: its distance from the vertex, and its angle from
+/// the side by which one enters the face counter-clockwise.
+struct Polar {
+  double radius, angle;
+  Polar(const Mesh& mesh, HalfedgeId outgoing, const Vec3& p) {
+    const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
+    radius = (p - apex).norm();
+    angle = std::atan2(side.cross(p - apex).norm(), side.dot(p - apex));
+  }
+  double distance(const Polar& other, double turn) const {
+    const double between = turn + other.angle - angle;
+    if (between >= std::numbers::pi) return radius + other.radius;
+    return (radius * unit_vector(angle) - other.radius * unit_vector(turn + other.angle)).norm();
+  }
+};
+
+double angle_between_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
+  const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
+  const Vec3 other = mesh.position(mesh.from(Mesh::previous(outgoing))) - apex;
+  return std::atan2(side.cross(other).norm(), side.dot(other));
+}
+
+/// Distance from p, in the face of a halfedge, to q in face g, counter-clockwise through the fan of the vertex that the
+/// halfedge leaves; infinite where the fan does not lead there.
+double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, FaceId g, const Vec3& q) {
+  const Polar start(mesh, from, p);
+  double turn = 0;
+  for (HalfedgeId h = from; h.valid();) {
+    if (Mesh::face(h) == g) return start.distance(Polar(mesh, h, q), turn);
+    turn += angle_between_outgoing(mesh, h);
+    h = next_outgoing(mesh, h);
+    if (h == from) break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Distance of two points along the surface, through the fans of the vertices that their faces have in common: exact
+/// for points that are much nearer than their faces are large. Infinite where the faces have no vertex in common.
+double distance_along_surface(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  const Vec3 p = position(mesh, a), q = position(mesh, b);
+  if (a.face == b.face) return (p - q).norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const HalfedgeId h = Mesh::halfedge(a.face, i);
+    least = std::min(least, distance_through_fan(mesh, h, p, b.face, q));
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId other = Mesh::halfedge(b.face, k);
+      if (mesh.from(other) == mesh.from(h)) least = std::min(least, distance_through_fan(mesh, other, q, a.face, p));
+    }
+  }
+  return least;
+}
+
+/// The points so far, in cubes with the tolerance as side: closer points lie in the same cube or in adjacent ones.
+class Grid {
+ public:
+  Grid(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
+    if (mesh.vertex_count() > 0) origin_ = mesh.position(VertexId(0));
+  }
+
+  /// Returns the smallest index of an earlier point that coincides with this one. Without one, inserts the point and
+  /// returns its own index.
+  std::int32_t insert(const SurfacePoint& point, std::int32_t index) {
+    const Vec3 location = position(mesh_, point);
+    const Cube centre = cube(location);
+    std::int32_t first = index;
+    for (int i = 0; i < 27; ++i) {
+      const Cube near{centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1};
+      const auto found = cubes_.find(near);
+      if (found == cubes_.end()) continue;
+      for (const Entry& other : found->second) {
+        if ((other.location - location).norm() > tolerance_) continue;
+        if (distance_along_surface(mesh_, other.point, point) <= tolerance_) first = std::min(first, other.index);
+      }
+    }
+    if (first == index) cubes_[centre].push_back({location, point, index});
+    return first;
+  }
+
+ private:
+  struct Entry {
+    Vec3 location;
+    SurfacePoint point;
+    std::int32_t index;
+  };
+
+  Cube cube(const Vec3& location) const {
+    const Vec3 scaled = (location - origin_) / tolerance_;
+    return {std::llround(scaled.x()), std::llround(scaled.y()), std::llround(scaled.z())};
+  }
+
+  const Mesh& mesh_;
+  double tolerance_;
+  Vec3 origin_ = Vec3::Zero();
+  std::map<Cube, std::vector<Entry>> cubes_;
+};
+
+using Kind = GeneratorEntry::Kind;
+
+/// Largest difference of the sum of three coordinates from 1 at which they are kept bit by bit. Dimensionless: above
+/// the rounding error of computed coordinates, and below that of coordinates with few printed digits, which are scaled.
+constexpr double kExactSum = 1e-12;
+
+/// The point of given coordinates. Those of a surface point are kept: make_surface_point would change their last bits.
+SurfacePoint keep_or_make_point(FaceId face, const std::array<double, 3>& bary) {
+  const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
+  const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
+  // JSON has no -0: the sum turns it into 0, so that a list means the same in each format.
+  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) {
+    return {face, {bary[0] + 0.0, bary[1] + 0.0, bary[2] + 0.0}};
+  }
+  return make_surface_point(face, bary);
+}
+
+class Resolver {
+ public:
+  Resolver(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options)
+      : mesh_(mesh), list_(list), options_(options) {}
+
+  ResolvedGenerators run() {
+    for (const GeneratorEntry& entry : list_.entries) {
+      report_progress(options_.progress, "generators", double(result_.points.size()) / double(list_.entries.size()));
+      result_.snap_distance.emplace_back();
+      result_.points.push_back(resolve(entry));
+    }
+    merge_coincident();
+    return std::move(result_);
+  }
+
+ private:
+  std::string location(std::size_t entry) const {
+    return detail::ListLocation{list_.name, list_.entries[entry].line}.text();
+  }
+
+  [[noreturn]] void refuse(std::size_t entry, const std::string& message) const {
+    throw Error(ErrorCode::precondition, location(entry) + ": " + message, std::int64_t(entry));
+  }
+
+  /// Refuses the entry that is being resolved.
+  [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
+
+  SurfacePoint resolve(const GeneratorEntry& entry) {
+    switch (entry.kind) {
+      case Kind::vertex:
+        return resolve_vertex(entry.index);
+      case Kind::face:
+        return resolve_face(entry);
+      case Kind::position:
+        break;
+    }
+    return snap({entry.values[0], entry.values[1], entry.values[2]});
+  }
+
+  SurfacePoint resolve_vertex(std::int64_t index) const {
+    const std::vector<VertexId>* const map = options_.input_vertices;
+    const std::int64_t count = map ? std::ssize(*map) : mesh_.vertex_count();
+    if (index >= count) refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
+    const VertexId v = map ? (*map)[index] : VertexId(index);
+    if (!v.valid()) refuse(fmt::format("vertex {} is in no face of the mesh; choose another", index));
+    return vertex_point(mesh_, v);
+  }
+
+  SurfacePoint resolve_face(const GeneratorEntry& entry) const {
+    const std::int32_t count = mesh_.face_count();
+    if (entry.index >= count) {
+      refuse(fmt::format("there is no face {}; the mesh has {}, numbered from 0", entry.index, count));
+    }
+    try {
+      return keep_or_make_point(FaceId(entry.index), entry.values);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+  }
+
+  SurfacePoint snap(const Vec3& given) {
+    if (!tree_) tree_.emplace(mesh_);
+    ClosestPoint closest;
+    try {
+      closest = tree_->query(given);
+    } catch (const Error& error) {
+      refuse(error.what());
+    }
+    if (options_.max_snap && closest.distance > *options_.max_snap) {
+      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise max_snap",
+                         closest.distance, *options_.max_snap));
+    }
+    result_.snap_distance.back() = closest.distance;
+    return closest.point;
+  }
+
+  /// Leaves out or refuses entries that coincide with an earlier one.
+  void merge_coincident() {
+    const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
+    ResolvedGenerators kept;
+    for (int i = 0; i < std::ssize(first); ++i) {
+      const int twin = first[i];
+      if (twin == i) {
+        kept.points.push_back(result_.points[i]);
+        kept.snap_distance.push_back(result_.snap_distance[i]);
+      } else if (!options_.merge_coincident) {
+        refuse(i, fmt::format(
+                      "generator {} is in the same place as generator {} ({}); remove one, or set merge_coincident", i,
+                      twin, location(twin)));
+      }
+    }
+    kept.merged = std::int32_t(first.size() - kept.points.size());
+    result_ = std::move(kept);
+  }
+
+  const Mesh& mesh_;
+  const GeneratorList& list_;
+  const ResolveOptions& options_;
+  std::optional<ClosestPointTree> tree_;
+  ResolvedGenerators result_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  Grid grid(mesh, std::max(coincidence(mesh), std::numeric_limits<double>::denorm_min()));
+  std::vector<std::int32_t> first;
+  first.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    first.push_back(grid.insert(canonical(mesh, point), std::int32_t(first.size())));
+  }
+  return first;
+}
+
+ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options) {
+  return Resolver(mesh, list, options).run();
+}
+
+}  // namespace gvd

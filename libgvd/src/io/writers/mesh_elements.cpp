@@ -1,0 +1,195 @@
+// The elements of an output that several formats share: regions, bisectors as polylines, vertices with normals, and
+// colours of labels.
+//
+// A renderer needs a vertex once for every normal. So the ring of faces around a vertex is split at creases, where the
+// normal changes, and at borders between regions, where it does not: shading runs on over a border.
+// Invariant: the order of regions, lines and vertices depends on the mesh alone, and colours on the label alone, so
+// that all formats agree and the same input gives the same bytes.
+#include "io/writers/mesh_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "gvd/io/label_color.hpp"
+#include "gvd/surface_normal.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// The golden angle as a fraction of the circle: (3 - sqrt 5) / 2. Its multiples are spread evenly.
+constexpr double kGoldenTurn = 0.38196601125010515;
+
+struct Tone {
+  double saturation;
+  double value;
+};
+/// Used in turn, so that labels with similar hues differ in tone.
+constexpr std::array<Tone, 3> kTones{{{0.62, 0.95}, {0.85, 0.78}, {0.45, 0.88}}};
+
+std::uint8_t to_byte(double channel) { return std::uint8_t(std::lround(255 * channel)); }
+
+/// One channel of the colour (hue, saturation, value); `offset` is 5, 3, 1 for red, green, blue.
+double channel(double offset, double hue, const Tone& tone) {
+  const double k = std::fmod(offset + 6 * hue, 6.0);
+  return tone.value * (1 - tone.saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
+}
+
+}  // namespace
+
+Rgb label_color(GeneratorId generator) {
+  if (!generator.valid()) return kUnlabelledColor;
+  const double turns = kGoldenTurn * generator.value();
+  const double hue = turns - std::floor(turns);
+  const Tone& tone = kTones[generator.index() % kTones.size()];
+  return {to_byte(channel(5, hue, tone)), to_byte(channel(3, hue, tone)), to_byte(channel(1, hue, tone))};
+}
+
+}  // namespace gvd
+
+namespace gvd::io {
+namespace {
+
+/// cos(40 degrees), as on the page of --view: curved surfaces look smooth, creases sharp.
+constexpr double kCreaseCosine = 0.7660444431189780;
+constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+
+class Splitter {
+ public:
+  Splitter(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label) : mesh_(mesh), label_(label) {
+    for (const FaceId f : mesh.faces()) face_normal_.push_back(face_normal(mesh, f));
+    of_corner_.resize(mesh.halfedge_count());
+    for (const VertexId v : mesh.vertices()) split(v);
+  }
+
+  /// Numbers the vertices by region, in the order in which its faces use them.
+  ShadingVertices run(const std::vector<Region>& regions) {
+    ShadingVertices result;
+    std::vector<std::uint32_t> number(split_.size(), kUnseen);
+    result.of_corner.resize(of_corner_.size());
+    for (const Region& region : regions) {
+      result.first.push_back(std::uint32_t(result.vertices.size()));
+      for (const FaceId f : region.faces) {
+        for (const HalfedgeId h : {Mesh::halfedge(f, 0), Mesh::halfedge(f, 1), Mesh::halfedge(f, 2)}) {
+          const std::uint32_t index = of_corner_[h];
+          if (number[index] == kUnseen) {
+            number[index] = std::uint32_t(result.vertices.size());
+            result.vertices.push_back(split_[index]);
+          }
+          result.of_corner[h] = number[index];
+        }
+      }
+    }
+    result.first.push_back(std::uint32_t(result.vertices.size()));
+    return result;
+  }
+
+ private:
+  bool same_region(HalfedgeId g, HalfedgeId h) const {
+    return label_ == nullptr || (*label_)[Mesh::face(g)] == (*label_)[Mesh::face(h)];
+  }
+
+  /// A face without area is no crease.
+  bool is_crease(HalfedgeId g, HalfedgeId h) const {
+    const Vec3 &m = face_normal_[Mesh::face(g)], &n = face_normal_[Mesh::face(h)];
+    return !m.isZero(0) && !n.isZero(0) && m.dot(n) < kCreaseCosine;
+  }
+
+  /// Turns a closed ring so that it begins behind a crease or, where there is none, behind a border between regions.
+  /// So faces that lie together in the ring lie together in the list.
+  void begin_at_break() {
+    const auto turn_to = [this](auto is_break) {
+      for (std::size_t i = 0; i < ring_.size(); ++i) {
+        if (!is_break(ring_[(i + ring_.size() - 1) % ring_.size()], ring_[i])) continue;
+        std::rotate(ring_.begin(), ring_.begin() + i, ring_.end());
+        return true;
+      }
+      return false;
+    };
+    if (turn_to([this](HalfedgeId g, HalfedgeId h) { return is_crease(g, h); })) return;
+    turn_to([this](HalfedgeId g, HalfedgeId h) { return !same_region(g, h); });
+  }
+
+  Eigen::Vector3f mean_normal(std::size_t first, std::size_t last) const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = first; i < last; ++i)
+      sum += corner_angle(mesh_, ring_[i]) * face_normal_[Mesh::face(ring_[i])];
+    const Vec3 unit = sum.stableNormalized();
+    return unit.isZero(0) ? Eigen::Vector3f(0, 0, 1) : Eigen::Vector3f(unit.cast<float>());
+  }
+
+  void split(VertexId v) {
+    ring_.clear();
+    for_each_outgoing(mesh_, v, [this](HalfedgeId h) { ring_.push_back(h); });
+    if (!mesh_.is_boundary(v)) begin_at_break();
+    for (std::size_t first = 0, last = 0; first < ring_.size(); first = last) {
+      for (last = first + 1; last < ring_.size() && !is_crease(ring_[last - 1], ring_[last]);) ++last;
+      const Eigen::Vector3f normal = mean_normal(first, last);
+      for (std::size_t i = first; i < last; ++i) {
+        if (i == first || !same_region(ring_[i - 1], ring_[i])) split_.push_back({v, normal});
+        of_corner_[ring_[i]] = std::uint32_t(split_.size()) - 1;
+      }
+    }
+  }
+
+  const Mesh& mesh_;
+  const IdVector<FaceId, GeneratorId>* label_;
+  IdVector<FaceId, Vec3> face_normal_;
+  std::vector<ShadingVertex> split_;  ///< by vertex
+  IdVector<HalfedgeId, std::uint32_t> of_corner_;
+  std::vector<HalfedgeId> ring_;  ///< of one vertex, counter-clockwise
+};
+
+}  // namespace
+
+std::vector<Region> collect_regions(const LabelledMesh& mesh) {
+  // As an unsigned number the invalid label -1 is the largest: it comes last.
+  std::map<std::uint32_t, Region> regions;
+  for (const FaceId f : mesh.mesh.faces()) {
+    const GeneratorId label = mesh.face_label != nullptr ? (*mesh.face_label)[f] : GeneratorId();
+    Region& region = regions[std::uint32_t(label.value())];
+    region.label = label;
+    region.faces.push_back(f);
+  }
+  std::vector<Region> result;
+  for (auto& [label, region] : regions) result.push_back(std::move(region));
+  return result;
+}
+
+std::string region_name(GeneratorId label) {
+  return label.valid() ? fmt::format("region_{}", label.value()) : "unlabelled";
+}
+
+std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
+  std::vector<BisectorLine> lines;
+  if (mesh.diagram == nullptr) return lines;
+  const IdVector<VertexId, double>& distance = mesh.diagram->vertex_distance;
+  const Mesh& surface = mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh;
+  for (const Bisector& bisector : mesh.diagram->bisectors) {
+    if (bisector.points.size() < 2) continue;
+    BisectorLine& line = lines.emplace_back();
+    line.left = bisector.left;
+    line.right = bisector.right;
+    const auto add = [&](const SurfacePoint& point) {
+      line.points.push_back(position(surface, point));
+      line.distance.push_back(distance.empty() ? std::numeric_limits<double>::infinity()
+                                               : interpolate_at(surface, distance, point));
+    };
+    for (const SurfacePoint& point : bisector.points) add(point);
+    if (bisector.closed) add(bisector.points.front());
+  }
+  return lines;
+}
+
+ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label,
+                                       const std::vector<Region>& regions) {
+  return Splitter(mesh, label).run(regions);
+}
+
+}  // namespace gvd::io
