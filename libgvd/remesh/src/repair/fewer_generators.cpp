@@ -1,3 +1,9 @@
+// The search for generators that were added in vain.
+//
+// Leaving out one added generator, or putting one in the place of two, is tried on a part of the mesh first. What
+// leaves no defect there is decided on the whole one, by the caller. Every change leaves one generator less, so the
+// search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
+
 #include "repair/fewer_generators.hpp"
 
 #include <algorithm>
@@ -17,8 +23,8 @@ constexpr std::size_t kMostDefects = 4;
 /// Changes in one place that pass on a part and fail on the whole mesh, before the next place is tried.
 constexpr int kMostRefusals = 3;
 
-/// So many vertices of a part are candidates, in the cells with defects. With twice as many the search took half as
-/// long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
+/// Number of vertices of a part that are candidates, in the cells with defects. With twice as many the search took half
+/// as long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
 constexpr std::int32_t kVertexCandidates = 60;
 
 }  // namespace
@@ -28,7 +34,7 @@ void FewerGenerators::search() {
   }
 }
 
-/// Whether anything has changed at one of the added generators, from the last one on.
+/// Tries each added generator, from the last one on. False where nothing has changed.
 bool FewerGenerators::pass_over_added() {
   bool changed = false;
   for (std::size_t i = diagram_.generators.size(); i-- > given_;) {
@@ -69,7 +75,7 @@ bool FewerGenerators::replace(const std::vector<GeneratorId>& removed, const Loc
 std::optional<LocalDual::Result> FewerGenerators::compute(const LocalDual& local,
                                                           const std::vector<SurfacePoint>& added) {
   // A part has as many generators for its faces as the whole.
-  searched_ += local.part().size() * whole_size() / static_cast<std::size_t>(mesh_.face_count());
+  searched_ += local.part().size() * whole_size() / std::size_t(mesh_.face_count());
   return local.compute(added);
 }
 
@@ -111,10 +117,10 @@ std::vector<SurfacePoint> FewerGenerators::list_candidates(const LocalDual& loca
   return points;
 }
 
-/// In space: along the surface it would cost a propagation.
+/// The added generator that is nearest in space: along the surface it would cost a propagation.
 std::optional<GeneratorId> FewerGenerators::find_nearest_added(GeneratorId g) const {
   std::optional<GeneratorId> nearest;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   const Vec3 at = position(mesh_, diagram_.generators[g.index()]);
   for (std::size_t i = given_; i < diagram_.generators.size(); ++i) {
     const GeneratorId other(i);

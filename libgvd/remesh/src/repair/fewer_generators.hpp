@@ -51,7 +51,7 @@ class FewerGenerators {
   std::vector<SurfacePoint> list_candidates(const LocalDual& local, const LocalDual::Result& without) const;
   std::optional<GeneratorId> find_nearest_added(GeneratorId g) const;
   /// Faces and generators of the whole diagram.
-  std::size_t whole_size() const { return static_cast<std::size_t>(mesh_.face_count()) + diagram_.generators.size(); }
+  std::size_t whole_size() const { return mesh_.face_count() + diagram_.generators.size(); }
   /// Whether all diagrams so far exceed the bounds, or these bounds times `factor`.
   bool is_beyond_bounds(std::size_t factor = 1) const {
     return searched_ > factor * std::min(kSearchedElements, kSearchedMeshes * whole_size());

@@ -1,8 +1,15 @@
+// The dual near some cells of a diagram, after generators have been removed and added there.
+//
+// Only the faces of these cells and of two rings of cells round them are computed again. The result is trusted for the
+// inner cells: those that meet no face of the part's fringe, in which other cells begin. If a new cell reaches the
+// fringe, the part can't tell, and there is no result. docs/developer/proofs.md has the proof.
+
 #include "repair/local_dual.hpp"
 
 #include <algorithm>
 
 #include "gvd/error.hpp"
+#include "triangle_defects.hpp"
 
 namespace gvd {
 namespace {
@@ -63,9 +70,9 @@ bool LocalDual::add_generators(const std::vector<SurfacePoint>& added, std::vect
 
 CellFlags LocalDual::find_inner_cells(const Diagram& diagram) const {
   CellFlags inner(diagram.generators.size(), 1);
-  for (std::int32_t i = 0; i < part_.mesh().face_count(); ++i) {
-    const GeneratorId g = diagram.face_label[FaceId(i)];
-    if (g.valid() && part_.is_fringe(FaceId(i))) inner[g] = 0;
+  for (const FaceId f : part_.mesh().faces()) {
+    const GeneratorId g = diagram.face_label[f];
+    if (g.valid() && part_.is_fringe(f)) inner[g] = 0;
   }
   for (const FacePiece& piece : diagram.pieces) {
     if (part_.is_fringe(piece.face)) inner[piece.generator] = 0;
@@ -74,16 +81,12 @@ CellFlags LocalDual::find_inner_cells(const Diagram& diagram) const {
 }
 
 std::vector<DualDefect> LocalDual::find_defects(const Result& result) const {
-  std::vector<DualDefect> defects = check_dual(part_.mesh(), result.diagram);
+  const DualMesh dual = build_dual(part_.mesh(), result.diagram);
+  std::vector<DualDefect> defects = check_dual(part_.mesh(), result.diagram, dual);
   std::erase_if(defects, [&](const DualDefect& d) { return !are_all(result.inner, d.cells); });
   if (!defects.empty()) return defects;
-  const DualMesh dual = build_dual(part_.mesh(), result.diagram);
   for (const std::size_t i : find_flipped_triangles(part_.mesh(), result.diagram, dual)) {
-    const auto& [a, b, c] = dual.faces[i];
-    DualDefect defect;
-    defect.property = DualProperty::not_flipped;
-    defect.cells = {a, b, c};
-    defect.branch_point = dual.branch_points[i];
+    DualDefect defect = triangle_defect(result.diagram, dual, i, "is flipped");
     if (are_all(result.inner, defect.cells)) defects.push_back(std::move(defect));
   }
   return defects;

@@ -1,7 +1,15 @@
+// The faces that meet some cells of a diagram, as a mesh of their own.
+//
+// Faces keep their corners, so points go there and back by their face alone. Vertices are numbered anew, one for each
+// fan of connected faces: a vertex at which two fans meet would be no manifold. The fringe is what the part has in
+// common with other cells: faces that they meet too, and faces at an edge where the part ends and the mesh does not.
+
 #include "repair/mesh_part.hpp"
 
 #include <array>
 #include <utility>
+
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 
@@ -23,23 +31,21 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
   return flags;
 }
 
-MeshPart::MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part)
-    : part_face_(static_cast<std::size_t>(mesh.face_count())) {
+MeshPart::MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) : part_face_(mesh.face_count()) {
   choose_faces(mesh, diagram, in_part);
   build(mesh);
 }
 
 void MeshPart::choose_faces(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) {
   IdVector<FaceId, char> meets(part_face_.size(), 0), meets_others(part_face_.size(), 0);
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const GeneratorId g = diagram.face_label[FaceId(i)];
-    if (g.valid()) meets[FaceId(i)] = in_part[g];
+  for (const FaceId f : mesh.faces()) {
+    const GeneratorId g = diagram.face_label[f];
+    if (g.valid()) meets[f] = in_part[g];
   }
   for (const FacePiece& piece : diagram.pieces) {
     (in_part[piece.generator] ? meets : meets_others)[piece.face] = 1;
   }
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId f(i);
+  for (const FaceId f : mesh.faces()) {
     if (!meets[f]) continue;
     bool is_fringe = meets_others[f] != 0;
     for (int corner = 0; corner < 3; ++corner) {
@@ -75,14 +81,10 @@ void MeshPart::number_fan(const Mesh& mesh, HalfedgeId outgoing, VertexId v,
     corner = v;
     return true;
   };
-  const auto right = [&](HalfedgeId h) {
-    const HalfedgeId twin = mesh.twin(h);
-    return twin.valid() ? Mesh::next(twin) : HalfedgeId();
-  };
   HalfedgeId h = outgoing;
-  while (number(h)) h = mesh.twin(Mesh::previous(h));
-  h = right(outgoing);
-  while (number(h)) h = right(h);
+  while (number(h)) h = next_outgoing(mesh, h);
+  h = previous_outgoing(mesh, outgoing);
+  while (number(h)) h = previous_outgoing(mesh, h);
 }
 
 std::optional<SurfacePoint> MeshPart::to_part(const SurfacePoint& point) const {

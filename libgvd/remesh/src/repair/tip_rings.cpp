@@ -1,3 +1,10 @@
+// Generators that divide a cell round a tip, as three at one distance from it.
+//
+// Where one generator's cell surrounds a tip, a vertex with a total angle below pi, the cell is an annulus. Two more
+// generators on the circle through it round the tip make three cells of it. They are the ends of straight lines from
+// the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp tip the
+// circle is too short for three generators: such a tip is reported as narrow.
+
 #include "repair/tip_rings.hpp"
 
 #include <algorithm>
@@ -40,8 +47,7 @@ bool is_tip(const Mesh& mesh, VertexId v) { return v.valid() && total_angle(mesh
 IdVector<GeneratorId, VertexId> find_sharpest_vertices(const Mesh& mesh, const Diagram& diagram) {
   IdVector<GeneratorId, VertexId> sharpest(diagram.generators.size());
   std::vector<double> least(diagram.generators.size(), 10 * std::numbers::pi);
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const VertexId v(i);
+  for (const VertexId v : mesh.vertices()) {
     const GeneratorId g = diagram.vertex_label[v];
     if (!g.valid() || mesh.is_boundary(v)) continue;
     const double angle = total_angle(mesh, v);
