@@ -272,9 +272,8 @@ class Remesher {
 
   void search_fewer() {
     enter(RemeshStage::search);
-    FewerGenerators fewer(mesh_, result_.diagram, given_count(), options_.diagram,
-                          [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
-    fewer.search();
+    search_fewer_generators(mesh_, result_.diagram, given_count(), options_.diagram,
+                            [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
   }
 
   /// Makes the result that of these generators, with the same given ones, if their dual has no defect.
