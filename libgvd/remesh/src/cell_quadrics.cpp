@@ -1,4 +1,4 @@
-// What the surface inside a cell wants from the cell's vertex: the quadric of its faces, and the creases in it.
+// Wishes of the surface inside a cell for the cell's vertex: the quadric of its faces, and the creases in it.
 //
 // A quadric sums square distances from planes and lines. Its minimum is a corner where a cell has one, a point of the
 // crease where it has a crease, and free along the surface elsewhere. The sharp edges in a cell tell whether its

@@ -60,7 +60,7 @@ std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVe
   return result;
 }
 
-/// For every component of the remesh, the component of the surface that its generators lie on. Empty unless the
+/// The component of the surface that the generators of each component of the remesh lie on. Empty unless the
 /// components correspond one to one.
 std::vector<std::int32_t> pair_components(const IdVector<FaceId, std::int32_t>& surface_component, const Mesh& remesh,
                                           const IdVector<FaceId, std::int32_t>& remesh_component,

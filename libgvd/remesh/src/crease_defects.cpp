@@ -1,4 +1,4 @@
-// Where the dual leaves the creases, and the generators that bring it back to them.
+// Defects of the dual at creases, and the generators that bring its edges back to them.
 //
 // Along each curve, every part between two consecutive generators has to belong to their two cells. A part that belongs
 // to another cell is a defect, and takes a generator. Opposite generators of two parallel curves do not disturb each

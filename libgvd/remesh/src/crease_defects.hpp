@@ -10,8 +10,8 @@
 
 namespace gvd {
 
-/// Shorter label intervals between two generators of a crease, relative to the generators' distance, count as none:
-/// cells may touch a crease in a point.
+/// Least length of a label interval between two generators of a crease that counts, relative to the generators'
+/// distance: cells may touch a crease in a point.
 inline constexpr double kLeastForeignShare = 1e-6;
 
 /// New generators are not nearer than this to the generators on their two sides, relative to the distance of these.

@@ -50,7 +50,7 @@ inline constexpr double kLeastBendingShare = 0.7;
 /// eighth of them is enough.
 inline constexpr std::int64_t kLeastCreaseCells = 12;
 
-/// What the sharp edges and the boundary want from the vertex of a cell.
+/// The wishes of the sharp edges and of the boundary for the vertex of a cell.
 struct CreaseCell {
   bool is_creased = false;        ///< its triangles should meet a crease, or the boundary while the generator is off it
   Vec3 direction = Vec3::Zero();  ///< unit, along the crease; zero where there is none, or where several meet
@@ -75,7 +75,7 @@ struct VertexShape {
 /// of a vertex to there are Jacobi steps of a smoothing. Cost: O(n).
 std::vector<VertexShape> find_vertex_shapes(const Mesh& mesh);
 
-/// What a vertex may do in the rounds of a fit.
+/// The freedom of a vertex in the rounds of a fit.
 enum class VertexRole : char {
   free,         ///< goes along the surface to where its triangles are good
   near_crease,  ///< a neighbour of vertices at creases: nothing but the samples moves it along the surface
@@ -83,7 +83,7 @@ enum class VertexRole : char {
   held,         ///< stays where the rounds begin: at its generator if fixed, else at the boundary's quadric minimum
 };
 
-/// What the springs of the vertices depend on, beside their positions.
+/// The data that the springs of the vertices depend on, beside their positions.
 struct SpringPlan {
   const Mesh* remesh = nullptr;  ///< with its vertices at the generators
   IdVector<GeneratorId, CreaseCell> creases;

@@ -34,7 +34,7 @@ namespace {
 /// than that stays as it is.
 std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
 
-/// Where more than this fraction of the given generators was added, fewer are looked for.
+/// The fraction of the given generators that may be added without a search for fewer.
 constexpr double kWorthSearching = 0.1;
 
 /// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others

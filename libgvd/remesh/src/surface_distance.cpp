@@ -32,7 +32,7 @@ constexpr double kLeastTriangles = 1 << 15;
 constexpr double kTrianglesPerFace = 8;
 /// Elements whose closest points one thread finds at a time, each near that of the one before.
 constexpr std::size_t kFacesPerChunk = 128;
-/// Where more triangles than this are left, the search for the largest distance ends, with the bound known then.
+/// The most triangles that the search for the largest distance keeps. With more it ends, with the bound known then.
 constexpr std::size_t kMaxPieces = 1 << 18;
 
 /// A point of the surface and the closest point of the other one.
@@ -50,7 +50,7 @@ struct Piece {
   double bound = 0;  ///< no point of the piece is farther than this
 };
 
-/// What is known of some triangles.
+/// Results for some triangles.
 struct Findings {
   double square_sum = 0;      ///< integral of the square distance
   double farthest = 0;        ///< largest distance of a sample

@@ -87,7 +87,7 @@ std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
                                        const std::vector<SurfacePoint>& face_points);
 
-/// The same for the triangles of a dual, by index, ascending. The dual may have other defects. Cost: O(k).
+/// find_flipped_faces for the triangles of a dual, by index, ascending. The dual may have other defects. Cost: O(k).
 std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual);
 
 }  // namespace gvd

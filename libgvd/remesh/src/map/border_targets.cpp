@@ -1,4 +1,4 @@
-// Where the border of a cell goes: on the remesh, and in the plane.
+// Positions of the border of a cell: on the remesh, and in the plane.
 //
 // On the remesh a border runs from polygon to polygon, straight from a centre to a crossing on an edge and on to the
 // next centre. In the plane it is a star with nearly the shape of that part of the remesh, or a circle. The vertices of
@@ -51,7 +51,7 @@ using Path = std::vector<VertexId>;
 /// Bounds of a crossing on its edge, from 0 to 1: near an end it would squeeze the triangles of one of the cells' fans.
 constexpr double kLeastCrossing = 0.1;
 
-/// Where a bisector crosses the edge between the remesh's vertices of its cells.
+/// The point where a bisector crosses the edge between the remesh's vertices of its cells.
 struct Crossing {
   std::size_t number = 0;  ///< of the bisector's vertex
   double t = 0.5;          ///< on the edge, from the vertex of the cell with the smaller id

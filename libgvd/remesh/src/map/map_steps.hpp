@@ -70,7 +70,7 @@ struct DualPolygon {
   std::vector<GeneratorId> cells;
   std::vector<Triangle> triangles;
   Vec2 centre = Vec2::Zero();  ///< the image of the branch point: inside, or on a side at the boundary
-  /// Where the bisector crosses each side, from 0 at its corner to 1 at the next one.
+  /// Parameters at which the bisectors cross the sides, from 0 at a corner to 1 at the next one.
   std::vector<double> crossings;
 
   Vec2 corner(std::size_t i) const;
@@ -121,7 +121,7 @@ std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>&
 /// Needs two numbers at least, of which the last one is above 0. Cost: O(k).
 void scale_and_even(std::vector<double>& values, double last, double even_share);
 
-/// Where the map takes a halfedge of a cell's border that is between two cells: to a straight piece of a polygon. With
+/// The straight piece of a polygon to which the map takes a halfedge of a cell's border that is between two cells. With
 /// the polygon's corner of the cell, the apex, the piece is a triangle.
 struct BorderTarget {
   HalfedgeId halfedge;
@@ -153,14 +153,15 @@ struct BorderPoint {
   Vec2 point;
 };
 
-/// Where the border of a cell is put. That of a cell at the boundary is a sector, whose corner is the anchor, at the
+/// The border of a cell in the plane. That of a cell at the boundary is a sector, whose corner is the anchor, at the
 /// origin. Its two straight sides are the run along the boundary.
 struct PlaneBorder {
   std::vector<BorderPoint> points;
   std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
 };
 
-/// `targets`: of the cell; at least three, or two at the boundary. Cost: O(k) for k halfedges.
+/// Puts the border of a cell into the plane. `targets`: those of the cell; at least three, or two at the boundary.
+/// Cost: O(k) for k halfedges.
 PlaneBorder place_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
                          const std::vector<BorderTarget>& targets, BorderShape shape);
 
@@ -210,7 +211,7 @@ struct PlaneCell {
   SurfacePoint image(const Vec2& point) const;
 };
 
-/// What the map of a cell needs.
+/// The input of the map of a cell.
 struct CellMapInput {
   const Mesh& surface;  ///< before it was cut
   const RemeshResult& result;

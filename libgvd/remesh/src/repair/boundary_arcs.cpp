@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// Where a bisector ends on a boundary halfedge.
+/// The end of a bisector on a boundary halfedge.
 struct BoundaryEnd {
   double at = 0;      ///< parameter along the halfedge
   GeneratorId after;  ///< the cell that follows it along the halfedge

@@ -18,7 +18,7 @@
 namespace gvd {
 namespace {
 
-/// Where two generators leave more defects than this, one in their place is not tried. Those that were replaced in
+/// The most defects that two generators may leave for one in their place to be tried. Pairs that were replaced in
 /// trials left one to three.
 constexpr std::size_t kMostDefects = 4;
 

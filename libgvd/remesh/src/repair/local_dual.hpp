@@ -69,10 +69,10 @@ class LocalDual {
   struct Result {
     Diagram diagram;  ///< of the part; its first generators are those kept, in their order, then the added ones
     CellFlags inner;  ///< cells that are the same in the diagram of the whole mesh
-    /// Of the dual, as far as all their cells are inner. Flipped triangles follow where there are no others.
+    /// The defects of the dual whose cells are all inner. Flipped triangles follow where there are no others.
     std::vector<DualDefect> defects;
   };
-  /// With these points of the whole mesh added. Nothing where that can't be told from the part: a new cell reaches its
+  /// The part with these points of the whole mesh added. Nothing where the part can't tell: a new cell reaches its
   /// fringe, or a point lies outside. Nothing too where a point coincides with another generator, or a component of the
   /// mesh is left without any.
   std::optional<Result> compute(const std::vector<SurfacePoint>& added) const;

@@ -22,7 +22,7 @@ namespace {
 /// counts as a shortest path. Distances are right to 1e-13 of themselves; a line across a fold is longer by far.
 constexpr double kStraightTolerance = 1e-9;
 
-/// Where the two new points of a ring may lie, as parts of a full turn from the generator. Equal angles are best on a
+/// Positions of the two new points of a ring, as parts of a full turn from the generator. Equal angles are best on a
 /// round tip. On a flat one, which is folded along two lines, they coincide in space if the generator lies on a fold.
 constexpr std::array<std::pair<double, double>, 3> kRingTurns{
     {{1.0 / 3, 2.0 / 3}, {1.0 / 4, 1.0 / 2}, {1.0 / 2, 3.0 / 4}}};
@@ -130,7 +130,7 @@ std::vector<std::vector<GeneratorId>> TipRings::list_sides(GeneratorId annulus) 
   return sides;
 }
 
-/// Where the cell's generator lies, seen from the tip that the cell surrounds.
+/// Locates the cell's generator, seen from the tip that the cell surrounds.
 std::optional<TipRings::Polar> TipRings::locate(GeneratorId cell) const {
   const std::vector<VertexId>& tips = tips_[cell];
   if (tips.empty()) return std::nullopt;
