@@ -1,20 +1,31 @@
+// A remesh: rounds of a diagram and its dual, with new generators where the dual has defects.
+//
+// A round is a value: the triangles of the dual, the mesh that they make, and the defects in the way. Creases come
+// first, then the topology, flipped triangles, and at last, on the placed mesh, triangles that intersect. Each defect
+// asks for generators near it. The rounds end because each adds a generator, of which there may be only so many. After
+// them, a search leaves out generators that were added in vain, and the certificate is measured on the result alone.
+// docs/developer/remesh.md tells why the result is right.
+
 #include "gvd/remesh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <utility>
 
-#include "creases/follow_creases.hpp"
-#include "dual_mesh_maker.hpp"
+#include "crease_defects.hpp"
+#include "face_boxes.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/surface_area.hpp"
+#include "placement_steps.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
-#include "repair/propose_nearby.hpp"
+#include "triangle_defects.hpp"
 
 namespace gvd {
 namespace {
@@ -23,8 +34,13 @@ namespace {
 /// than that stays as it is.
 std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
 
-/// Where more than this fraction of the given generators was added, fewer are looked for.
+/// The fraction of the given generators that may be added without a search for fewer.
 constexpr double kWorthSearching = 0.1;
+
+/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
+/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
+/// remeshes end before.
+constexpr std::int32_t kRoundsWithoutFlips = 12;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
   if (options.max_added && *options.max_added < 0) {
@@ -45,10 +61,111 @@ std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
 }
 
 std::string others(std::size_t count) {
-  return count == 0 ? "" : ", and " + counted(static_cast<std::int64_t>(count), "more defect", "more defects");
+  return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
 }
 
-/// The rounds of a remesh: diagram, dual, new generators where it has defects; then the search and the certificate.
+/// The mesh that the generators of a diagram give, and the defects in the way.
+struct RemeshRound {
+  DualMesh dual;
+  Mesh mesh;  ///< none where the dual has defects
+  std::vector<SurfacePoint> face_points;
+  std::vector<DualDefect> defects;
+};
+
+class RoundMaker {
+ public:
+  /// Both must outlive this.
+  RoundMaker(const Mesh& mesh, const RemeshOptions& options) : mesh_(mesh), options_(options) {}
+
+  /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
+  /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
+  RemeshRound build(const Diagram& diagram, std::int32_t number) const {
+    RemeshRound round;
+    round.dual = build_dual(mesh_, diagram);
+    round.defects = check_dual(mesh_, diagram, round.dual);
+    const bool is_sound = round.defects.empty();
+    if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
+    if (!is_sound && number > kRoundsWithoutFlips) {
+      for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
+        round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
+      }
+    }
+    if (!round.defects.empty()) return round;
+    build_mesh(diagram, round);
+    for (const FaceId f : find_flipped_faces(mesh_, round.mesh, diagram.generators, round.face_points)) {
+      round.defects.push_back(triangle_defect(diagram, round.dual, f.index(), "is flipped"));
+    }
+    return round;
+  }
+
+  /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.
+  void place(const Diagram& diagram, RemeshRound& round) {
+    PlacementOptions options = options_.placement;
+    options.threads = options_.diagram.threads;
+    if (options.method != Placement::generator) {
+      round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
+    }
+    for (const FacePair& pair : find_intersections(round.mesh)) {
+      for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+        const auto& [a, b, c] = round.dual.faces[g.index()];
+        const std::string what = fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value());
+        round.defects.push_back(
+            triangle_defect(diagram, round.dual, f.index(), what, DualProperty::no_self_intersection));
+      }
+    }
+  }
+
+ private:
+  /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
+  /// are far apart on the surface.
+  std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const {
+    const auto at = [&](GeneratorId g) { return position(mesh_, diagram.generators[g.index()]); };
+    std::vector<DualDefect> defects;
+    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+      const auto& [a, b, c] = dual.faces[i];
+      if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a)) continue;
+      defects.push_back(triangle_defect(diagram, dual, i, "has an edge of length 0"));
+    }
+    return defects;
+  }
+
+  void build_mesh(const Diagram& diagram, RemeshRound& round) const {
+    std::vector<Vec3> positions;
+    for (const SurfacePoint& p : diagram.generators) positions.push_back(position(mesh_, p));
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const auto& [a, b, c] : round.dual.faces) {
+      faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
+    }
+    for (const BranchPointId b : round.dual.branch_points) round.face_points.push_back(diagram.branch_points[b].point);
+    try {
+      round.mesh = Mesh(std::move(positions), std::move(faces));
+    } catch (const Error& error) {
+      throw Error(ErrorCode::no_valid_result,
+                  std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
+                      "; move or remove generators",
+                  error.element());
+    }
+  }
+
+  /// The pairs of faces of the placed mesh that intersect, without those that the input's intersections excuse: the
+  /// vertices may have left the intersections that there were at the generators.
+  std::vector<FacePair> find_intersections(const Mesh& placed) {
+    if (options_.allow_intersections) return {};
+    const std::vector<FacePair> pairs = find_self_intersections(placed, options_.diagram.threads);
+    if (pairs.empty()) return {};
+    if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads);
+    const std::vector<FacePair> inherited = find_inherited(mesh_, *of_input_, placed, pairs);
+    std::vector<FacePair> own;
+    std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
+    return own;
+  }
+
+  const Mesh& mesh_;
+  const RemeshOptions& options_;
+  std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
+};
+
+/// The rounds of a remesh; then the search for fewer generators, and the certificate.
 class Remesher {
  public:
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
@@ -65,23 +182,25 @@ class Remesher {
     return run(compute_diagram(mesh_, result_.generators, options_.diagram));
   }
 
-  /// `first`: of the given generators.
+  /// `first`: the diagram of the given generators.
   RemeshResult run(Diagram&& first) {
     result_.diagram = std::move(first);
     while (true) {
       ++result_.rounds;
       enter(RemeshStage::dual);
-      const DualMesh dual = build_dual(mesh_, result_.diagram);
-      std::vector<DualDefect> defects = maker_.build(dual);
-      if (result_.rounds == 1) result_.given_defects = defects;
-      if (!follow_creases()) {
-        if (defects.empty()) {
-          enter(RemeshStage::placement);
-          defects = maker_.place(dual);
-          if (result_.rounds == 1) result_.given_defects = defects;
+      RemeshRound round = maker_.build(result_.diagram, result_.rounds);
+      const bool follows_creases = follow_creases();
+      if (!follows_creases && round.defects.empty()) {
+        enter(RemeshStage::placement);
+        maker_.place(result_.diagram, round);
+      }
+      if (result_.rounds == 1) result_.given_defects = round.defects;
+      if (!follows_creases) {
+        if (round.defects.empty()) {
+          take(std::move(round));
+          break;
         }
-        if (defects.empty()) break;
-        refine(defects);
+        refine(round.defects);
       }
       enter(RemeshStage::diagram);
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
@@ -96,7 +215,12 @@ class Remesher {
     if (options_.on_stage) options_.on_stage(stage);
   }
 
-  /// Adds generators on creases. They come before repairs, which they often make needless.
+  void take(RemeshRound&& round) {
+    result_.mesh = std::move(round.mesh);
+    result_.face_points = std::move(round.face_points);
+  }
+
+  /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.
   bool follow_creases() {
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
     result_.crease_gap_length = creases_.gap_length();
@@ -106,7 +230,7 @@ class Remesher {
 
   void append(const std::vector<SurfacePoint>& points) {
     result_.generators.insert(result_.generators.end(), points.begin(), points.end());
-    result_.added += static_cast<std::int64_t>(points.size());
+    result_.added += std::ssize(points);
   }
 
   void refine(const std::vector<DualDefect>& defects) {
@@ -118,14 +242,12 @@ class Remesher {
                          counted(result_.added, "generator was", "generators were"),
                          counted(result_.rounds, "round", "rounds"), may_add <= 0 ? ", or raise max_added" : ""));
     }
-    const auto [points, narrow] =
-        propose_generators(mesh_, result_.diagram, defects, static_cast<std::size_t>(may_add));
+    const auto [points, narrow] = propose_generators(mesh_, result_.diagram, defects, may_add);
     if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     }
-    const auto nearby = propose_nearby(mesh_, result_.diagram, points,
-                                       static_cast<std::size_t>(may_add) - points.size(), options_.diagram);
+    const auto nearby = propose_nearby(mesh_, result_.diagram, points, may_add - points.size(), options_.diagram);
     append(points);
     append(nearby);
   }
@@ -141,35 +263,35 @@ class Remesher {
                 cells.empty() ? -1 : cells.front().value());
   }
 
-  std::size_t given_count() const { return result_.generators.size() - static_cast<std::size_t>(result_.added); }
+  std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }
 
-  /// Not where edges shall follow creases: fewer generators could leave these.
+  /// Whether fewer generators are looked for. With fewer of them, edges could leave creases that they follow.
   bool is_worth_searching() const {
-    return options_.creases.empty() &&
-           static_cast<double>(result_.added) > kWorthSearching * static_cast<double>(given_count());
+    return options_.creases.empty() && double(result_.added) > kWorthSearching * double(given_count());
   }
 
   void search_fewer() {
     enter(RemeshStage::search);
-    FewerGenerators fewer(mesh_, result_.diagram, given_count(), options_.diagram,
-                          [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
-    fewer.search();
+    search_fewer_generators(mesh_, result_.diagram, given_count(), options_.diagram,
+                            [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
   }
 
   /// Makes the result that of these generators, with the same given ones, if their dual has no defect.
   bool take_if_right(const std::vector<SurfacePoint>& generators) {
-    RemeshResult before = result_;
-    result_.added -= std::ssize(result_.generators) - std::ssize(generators);
-    result_.generators = generators;
     try {
-      result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
-      const DualMesh dual = build_dual(mesh_, result_.diagram);
-      if (maker_.build(dual).empty() && maker_.place(dual).empty()) return true;
+      Diagram diagram = compute_diagram(mesh_, generators, options_.diagram);
+      RemeshRound round = maker_.build(diagram, result_.rounds);
+      if (round.defects.empty()) maker_.place(diagram, round);
+      if (!round.defects.empty()) return false;
+      result_.added -= std::ssize(result_.generators) - std::ssize(generators);
+      result_.generators = generators;
+      result_.diagram = std::move(diagram);
+      take(std::move(round));
+      return true;
     } catch (const Error& error) {
       if (error.code() != ErrorCode::no_valid_result) throw;
+      return false;
     }
-    result_ = std::move(before);
-    return false;
   }
 
   void measure() {
@@ -195,7 +317,7 @@ class Remesher {
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
-  DualMeshMaker maker_{mesh_, options_, result_};
+  RoundMaker maker_{mesh_, options_};
 };
 
 }  // namespace

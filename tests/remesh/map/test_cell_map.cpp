@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/plane.hpp"
-#include "map/cell_map.hpp"
+#include "map/map_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,5 @@
-// The map from a surface to its remesh: one-to-one, from boundary to boundary, the same for every number of threads.
+// The map from a surface to its remesh: one-to-one, from boundary to boundary, the same for every number of threads;
+// and the nearest points, each in its cell's triangles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,6 +7,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/remesh_map.hpp"
+#include "map/map_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -134,6 +136,31 @@ TEST_CASE("map to a remesh: refuses the remesh of another surface") {
   const Mesh sphere = test::make_sphere(2), other = test::make_sphere(3);
   const RemeshResult result = remesh(sphere, test::random_generators(sphere, 10, 1));
   CHECK_THROWS_AS(map_to_remesh(other, result), Error);
+}
+
+/// Whether a triangle has the vertex or one of its neighbours as a corner.
+bool is_near(const Mesh& mesh, FaceId f, VertexId vertex, const Cell& cell) {
+  for (const VertexId v : mesh.vertices(f)) {
+    const GeneratorId g(v.value());
+    if (v == vertex || std::binary_search(cell.neighbours.begin(), cell.neighbours.end(), g)) return true;
+  }
+  return false;
+}
+
+TEST_CASE("nearest points: each is in a triangle of the vertex's cell or of a neighbour") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const int count : {5, 40}) {
+      INFO(name << ", " << count << " generators");
+      const RemeshResult result = remesh(mesh, test::random_generators(mesh, count, 1));
+      const auto points = nearest_points(mesh, result, 0);
+      REQUIRE(points.size() == static_cast<std::size_t>(mesh.vertex_count()));
+      for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
+        const GeneratorId label = result.diagram.vertex_label[VertexId(i)];
+        REQUIRE(is_near(result.mesh, points[VertexId(i)].face, VertexId(label.value()), result.diagram.cells[label]));
+        REQUIRE((!mesh.is_boundary(VertexId(i)) || is_on_boundary(result.mesh, points[VertexId(i)])));
+      }
+    }
+  }
 }
 
 }  // namespace gvd::test_map_to_remesh

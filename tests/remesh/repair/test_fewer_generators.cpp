@@ -37,13 +37,12 @@ std::vector<SurfacePoint> repair(const Mesh& mesh, std::vector<SurfacePoint> gen
 
 std::vector<SurfacePoint> search(const Mesh& mesh, const std::vector<SurfacePoint>& generators, std::size_t given) {
   Diagram diagram = compute_diagram(mesh, generators);
-  FewerGenerators fewer(mesh, diagram, given, {}, [&](const std::vector<SurfacePoint>& tried) {
+  search_fewer_generators(mesh, diagram, given, {}, [&](const std::vector<SurfacePoint>& tried) {
     Diagram after = compute_diagram(mesh, tried);
     if (!check_dual(mesh, after).empty()) return false;
     diagram = std::move(after);
     return true;
   });
-  fewer.search();
   return diagram.generators;
 }
 

@@ -42,6 +42,17 @@ struct DualDefect {
   BranchPointId branch_point;      ///< valid where the property is one of branch points
 };
 
+/// The dual as triangles.
+struct DualMesh {
+  std::vector<std::array<GeneratorId, 3>> faces;  ///< counter-clockwise, in the order of their branch points
+  std::vector<BranchPointId> branch_points;       ///< of each face
+};
+
+/// Cuts the polygons of the branch points into triangles by ear clipping. An ear is allowed if its new edge is not an
+/// edge yet; the allowed ear with the best Q (see quality.hpp) is cut first. If a polygon has no allowed ear left, the
+/// rest of its triangles is missing, and check_dual reports it. Cost: O(k log k).
+DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
+
 /// Checks whether the dual of a diagram is a proper mesh: a simplicial complex with the topology of the surface.
 ///
 /// Properties:
@@ -60,16 +71,8 @@ struct DualDefect {
 /// Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram);
 
-/// The dual as triangles.
-struct DualMesh {
-  std::vector<std::array<GeneratorId, 3>> faces;  ///< counter-clockwise, in the order of their branch points
-  std::vector<BranchPointId> branch_points;       ///< of each face
-};
-
-/// Cuts the polygons of the branch points into triangles by ear clipping. An ear is allowed if its new edge is not an
-/// edge yet; the allowed ear with the best Q (see quality.hpp) is cut first. If a polygon has no allowed ear left, the
-/// rest of its triangles is missing, and check_dual reports it. Cost: O(k log k).
-DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
+/// check_dual where the triangles of the dual are known: `dual` is that of build_dual.
+std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual);
 
 /// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this value. It counts as
 /// degenerate unless twice its area exceeds this fraction of its longest edge squared. A million times the rounding.
@@ -84,7 +87,7 @@ std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
                                        const std::vector<SurfacePoint>& face_points);
 
-/// The same for the triangles of a dual, by index, ascending. The dual may have other defects. Cost: O(k).
+/// find_flipped_faces for the triangles of a dual, by index, ascending. The dual may have other defects. Cost: O(k).
 std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual);
 
 }  // namespace gvd

@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// Where the vertices of a remesh are.
+/// The positions of the vertices of a remesh.
 enum class Placement {
   generator,  ///< at the generators, on the surface
   quadric,    ///< at the points nearest to the planes of their cells' faces, in the sense of least squares
@@ -21,7 +21,7 @@ struct PlacementOptions {
   std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
   /// No move takes an angle of a triangle below this; degrees, in [0, 60]. Smaller ones do not shrink.
   double least_angle = 33;
-  /// The same of triangles at creases, and of all triangles with Placement::quadric; degrees, in [0, 60].
+  /// The least angle of triangles at creases, and of all triangles with Placement::quadric; degrees, in [0, 60].
   double least_crease_angle = 10;
   int threads = 0;  ///< 0: one a core; the result does not depend on it
 };

@@ -93,7 +93,7 @@ struct RemeshResult {
 /// for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
-/// The same where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must
+/// remesh where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must
 /// be that of `mesh` with `options.diagram`. Throws Error{precondition} also where it has not the mesh's vertices and
 /// faces.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});

@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// What holds for a remesh, measured on the returned mesh itself.
+/// The properties of a remesh, measured on the returned mesh itself.
 struct RemeshCertificate {
   MeshSummary input;
   MeshSummary output;

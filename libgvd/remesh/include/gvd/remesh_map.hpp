@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// Where a surface and its remesh are on each other.
+/// Points of a surface on its remesh, and of the remesh on the surface.
 struct RemeshMap {
   IdVector<VertexId, SurfacePoint> points;   ///< per vertex of the surface: its point of the remesh
   IdVector<VertexId, SurfacePoint> origins;  ///< per vertex of the remesh: its point of the surface

@@ -21,7 +21,7 @@ struct FacePair {
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0);
 
-/// Of the pairs of faces of a remesh that intersect, those that intersect where the surface does itself, ascending.
+/// The pairs of faces of a remesh that intersect where the surface intersects itself, ascending.
 ///
 /// They are those near an intersecting pair of the surface, where a remesh can't be free of intersections. Take the
 /// common part of the boxes of the remesh's two faces, grown on all sides by half the longer diagonal of the two boxes.

@@ -18,7 +18,7 @@ inline constexpr int kMaxHausdorffRounds = 20;
 /// The search for the largest distance ends where the bound exceeds the distance found by no more than this fraction of
 /// it. Dimensionless.
 inline constexpr double kHausdorffTolerance = 0.01;
-/// The same as a fraction of the bounding box's diagonal, for surfaces that agree.
+/// The tolerance for surfaces that agree, as a fraction of the bounding box's diagonal.
 inline constexpr double kLeastHausdorffTolerance = 1e-6;
 
 /// Distances of the points of `from` from `to`: one of the two directions.

@@ -1,10 +1,23 @@
+// Properties and texture coordinates of the input on its remesh.
+//
+// Each vertex of the remesh has an origin on the surface. Numbers are interpolated there, labels taken from the nearest
+// corner. Texture coordinates jump at seams, so a face takes all of its corners from one chart, the one in which its
+// branch point is: no triangle goes across a seam. A single corner gives its value bit by bit, so that vertices at
+// vertices of the input keep their values.
+
 #include "gvd/carry_properties.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
 #include <string_view>
 #include <utility>
+
+#include "base/union_find.hpp"
+#include "gvd/closest_point.hpp"
 
 namespace gvd {
 namespace {
@@ -20,25 +33,25 @@ bool is_color(const MeshProperty& property) {
 
 /// A vertex of the input file, and its weight.
 struct Share {
-  std::size_t vertex = 0;
+  std::int32_t vertex = 0;
   double weight = 0;
 };
 
-/// Of the corners of a point's face that have a weight and are in the file; the weights sum to 1. If only the midpoint
-/// of a split edge has a weight, the others share it.
+/// The shares of the corners of a point's face that have a weight and are in the file; they sum to 1. If only the
+/// midpoint of a split edge has a weight, the others share it.
 std::vector<Share> find_shares(const CheckedMesh& input, const SurfacePoint& point) {
   std::vector<Share> known, used;
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int32_t vertex = input.input_vertex[input.mesh.vertices(point.face)[i]];
     if (vertex < 0) continue;
-    known.push_back({static_cast<std::size_t>(vertex), 1});
+    known.push_back({vertex, 1});
     if (!(point.bary[i] > 0)) continue;
-    used.push_back({static_cast<std::size_t>(vertex), point.bary[i]});
+    used.push_back({vertex, point.bary[i]});
     sum += point.bary[i];
   }
   std::vector<Share>& shares = used.empty() ? known : used;
-  if (used.empty()) sum = static_cast<double>(known.size());
+  if (used.empty()) sum = double(known.size());
   for (Share& share : shares) share.weight /= sum;
   return shares;
 }
@@ -52,7 +65,7 @@ double weighted_mean(const std::vector<Share>& shares, const std::vector<double>
 }
 
 /// The vertex with the largest share.
-std::size_t largest_share(const std::vector<Share>& shares) {
+std::int32_t largest_share(const std::vector<Share>& shares) {
   const auto largest = std::max_element(shares.begin(), shares.end(),
                                         [](const Share& a, const Share& b) { return a.weight < b.weight; });
   return largest == shares.end() ? 0 : largest->vertex;
@@ -66,9 +79,7 @@ MeshProperty without_values(const MeshProperty& property) {
 }
 
 void append_list(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
-  const auto at = [&](std::size_t i) {
-    return property.values.begin() + static_cast<std::ptrdiff_t>(property.first_value[i]);
-  };
+  const auto at = [&](std::size_t i) { return property.values.begin() + property.first_value[i]; };
   carried.values.insert(carried.values.end(), at(element), at(element + 1));
   carried.first_value.push_back(carried.values.size());
 }
@@ -92,7 +103,7 @@ MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, co
 MeshProperty carry_to_faces(const CheckedMesh& input, const RemeshResult& result, const MeshProperty& property) {
   MeshProperty carried = without_values(property);
   for (const SurfacePoint& point : result.face_points) {
-    const auto polygon = static_cast<std::size_t>(input.input_polygon[point.face]);
+    const std::int32_t polygon = input.input_polygon[point.face];
     property.count_type ? append_list(property, polygon, carried) : carried.values.push_back(property.values[polygon]);
   }
   return carried;
@@ -114,14 +125,138 @@ void scale_normals(std::vector<MeshProperty>& properties) {
   }
 }
 
+using Uv = std::array<double, 2>;
+constexpr Uv kNone{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+bool is_finite(const Uv& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
+
+/// The faces of a chart, apart from each other: neighbours need not have the chart's coordinates in common elsewhere.
+class ChartSurface {
+ public:
+  ChartSurface(const Mesh& mesh, std::vector<FaceId> faces) : faces_(std::move(faces)), surface_(take(mesh, faces_)) {}
+
+  SurfacePoint nearest(const Vec3& point) const {
+    const SurfacePoint found = tree_.query(point).point;
+    return {faces_[found.face.index()], found.bary};
+  }
+
+ private:
+  static Mesh take(const Mesh& mesh, const std::vector<FaceId>& faces) {
+    std::vector<Vec3> positions;
+    std::vector<std::array<VertexId, 3>> triangles;
+    for (const FaceId f : faces) {
+      const std::size_t first = positions.size();
+      for (const VertexId v : mesh.vertices(f)) positions.push_back(mesh.position(v));
+      triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
+    }
+    return Mesh(std::move(positions), std::move(triangles));
+  }
+
+  std::vector<FaceId> faces_;
+  Mesh surface_;
+  ClosestPointTree tree_{surface_};
+};
+
+class TextureCarrier {
+ public:
+  TextureCarrier(const CheckedMesh& input, const CornerTexture& texture)
+      : mesh_(input.mesh), corners_(input.mesh.halfedge_count(), kNone) {
+    for (const FaceId f : mesh_.faces()) find_corners(input, texture, f);
+    find_charts();
+  }
+
+  std::vector<Uv> run(const RemeshResult& result, const RemeshMap& map) {
+    std::vector<Uv> carried;
+    for (const FaceId f : result.mesh.faces()) {
+      const FaceId at = result.face_points[f.index()].face;
+      for (const VertexId v : result.mesh.vertices(f)) {
+        carried.push_back(has_texture(at) ? in_chart(chart_[at], map.origins[v]) : kNone);
+      }
+    }
+    return carried;
+  }
+
+ private:
+  const Uv& corner(FaceId f, int i) const { return corners_[Mesh::halfedge(f, i)]; }
+  bool has_texture(FaceId f) const {
+    return is_finite(corner(f, 0)) && is_finite(corner(f, 1)) && is_finite(corner(f, 2));
+  }
+
+  /// Finds the polygon's corner at each of the face's vertices: the first one of a vertex that the repair welded.
+  void find_corners(const CheckedMesh& input, const CornerTexture& texture, FaceId f) {
+    const std::int32_t polygon = input.input_polygon[f];
+    if (polygon + 1 >= std::ssize(texture.first_corner)) return;
+    for (int i = 0; i < 3; ++i) {
+      const VertexId v = mesh_.vertices(f)[i];
+      for (std::size_t c = texture.first_corner[polygon + 1]; c-- > texture.first_corner[polygon];) {
+        const std::int32_t vertex = texture.corners[c];
+        if (vertex != input.input_vertex[v] && input.mesh_vertex[vertex] != v) continue;
+        corners_[Mesh::halfedge(f, i)] = texture.coordinates[c];
+      }
+    }
+  }
+
+  void find_charts() {
+    UnionFind sets(mesh_.face_count());
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      const HalfedgeId twin = mesh_.twin(h);
+      if (!twin.valid() || !has_texture(Mesh::face(h)) || !has_texture(Mesh::face(twin))) continue;
+      if (corners_[h] == corners_[Mesh::next(twin)] && corners_[Mesh::next(h)] == corners_[twin]) {
+        sets.unite(Mesh::face(h).value(), Mesh::face(twin).value());
+      }
+    }
+    for (const FaceId f : mesh_.faces()) {
+      chart_.push_back(has_texture(f) ? FaceId(sets.find(f.value())) : FaceId());
+      if (chart_[f].valid()) faces_[chart_[f]].push_back(f);
+    }
+  }
+
+  Uv in_chart(FaceId chart, const SurfacePoint& point) {
+    for (const FaceId f : faces_around(mesh_, point)) {
+      if (chart_[f] == chart) return interpolate(f, weights_in(f, point));
+    }
+    std::unique_ptr<ChartSurface>& surface = surfaces_[chart];
+    if (!surface) surface = std::make_unique<ChartSurface>(mesh_, faces_[chart]);
+    const SurfacePoint nearest = surface->nearest(position(mesh_, point));
+    return interpolate(nearest.face, nearest.bary);
+  }
+
+  /// The barycentric coordinates in f of a point of f that is given in another face.
+  std::array<double, 3> weights_in(FaceId f, const SurfacePoint& point) const {
+    if (f == point.face) return point.bary;
+    std::array<double, 3> weights{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (mesh_.vertices(f)[i] == mesh_.vertices(point.face)[k]) weights[i] = point.bary[k];
+      }
+    }
+    return weights;
+  }
+
+  Uv interpolate(FaceId f, const std::array<double, 3>& weights) const {
+    Uv sum{};
+    for (int i = 0; i < 3; ++i) {
+      if (weights[i] == 1) return corner(f, i);
+      for (std::size_t k = 0; k < 2; ++k) sum[k] += weights[i] * corner(f, i)[k];
+    }
+    return sum;
+  }
+
+  const Mesh& mesh_;
+  IdVector<HalfedgeId, Uv> corners_;  // where each halfedge begins
+  IdVector<FaceId, FaceId> chart_;    // the smallest face of the chart; invalid without texture coordinates
+  std::map<FaceId, std::vector<FaceId>> faces_;
+  std::map<FaceId, std::unique_ptr<ChartSurface>> surfaces_;  // where a point outside of the chart was looked for
+};
+
 }  // namespace
 
 std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::vector<MeshProperty>& properties,
                                            const RemeshResult& result, const RemeshMap& map) {
   std::vector<std::vector<Share>> shares;
   for (const SurfacePoint& point : map.origins) shares.push_back(find_shares(input, point));
-  const auto polygons = static_cast<std::size_t>(
-      input.input_polygon.empty() ? 0 : 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end()));
+  const std::size_t polygons =
+      input.input_polygon.empty() ? 0 : 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end());
   std::vector<MeshProperty> carried;
   for (const MeshProperty& property : properties) {
     if (property.of_vertices && property.element_count() == input.mesh_vertex.size()) {
@@ -132,6 +267,11 @@ std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::
   }
   scale_normals(carried);
   return carried;
+}
+
+std::vector<std::array<double, 2>> carry_texture(const CheckedMesh& input, const CornerTexture& texture,
+                                                 const RemeshResult& result, const RemeshMap& map) {
+  return TextureCarrier(input, texture).run(result, map);
 }
 
 }  // namespace gvd

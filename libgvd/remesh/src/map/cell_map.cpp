@@ -1,10 +1,14 @@
-#include "map/cell_map.hpp"
+// The map of one cell: its disc in the plane on one side, a fan of triangles on the other.
+//
+// The disc holds the faces of the surface, the fan the cell's part of the remesh. They have the same border, so a point
+// goes from the surface to the plane by its face, and from there to the remesh by its triangle of the fan. Shapes and
+// weights are tried in turn, from the best looking to the safest, until no triangle of either side is turned round. The
+// signs are certain, so a cell that passes is mapped one-to-one: docs/developer/proofs.md, section 7.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -14,7 +18,7 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_normal.hpp"
-#include "map/plane_border.hpp"
+#include "map/map_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -62,7 +66,8 @@ class CellFlattener {
   /// the border, it takes the generator. Faces that are turned away from the remesh count only if there are no others.
   void place_apex() {
     const Vec3& vertex = input_.result.mesh.position(plane_.vertex);
-    set_origin(nearest(vertex, surface_normal(input_.result.mesh, vertex_point(input_.result.mesh, plane_.vertex))));
+    set_origin(find_nearest_facing(
+        mesh_, faces_, vertex, surface_normal(input_.result.mesh, vertex_point(input_.result.mesh, plane_.vertex))));
     const Vec2 found = plane_.apex;
     plane_.apex /= kLargestApex;
     if (is_fan()) {
@@ -70,7 +75,8 @@ class CellFlattener {
       return;
     }
     const SurfacePoint& generator = input_.result.generators[cell_.index()];
-    set_origin(nearest(position(input_.surface, generator), surface_normal(input_.surface, generator)));
+    set_origin(find_nearest_facing(mesh_, faces_, position(input_.surface, generator),
+                                   surface_normal(input_.surface, generator)));
   }
 
   void place_anchor() {
@@ -83,24 +89,9 @@ class CellFlattener {
     }
   }
 
-  /// For a point of a face of the cut surface.
+  /// The point of the surface for a point of a face of the cut surface.
   SurfacePoint on_surface(FaceId f, const Vec3& point) const {
     return closest_point_on_face(input_.surface, input_.cells.cut.parent[f], point).point;
-  }
-
-  /// Of the cell, in the cut surface.
-  SurfacePoint nearest(const Vec3& point, const Vec3& normal) const {
-    SurfacePoint best;
-    std::tuple<bool, double> least(true, std::numeric_limits<double>::infinity());
-    for (const FaceId f : faces_) {
-      const ClosestPoint found = closest_point_on_face(mesh_, f, point);
-      const std::tuple rank(face_normal(mesh_, f).dot(normal) < 0, found.distance);
-      if (rank < least) {
-        least = rank;
-        best = found.point;
-      }
-    }
-    return best;
   }
 
   void set_origin(const SurfacePoint& point) {
@@ -132,6 +123,21 @@ class CellFlattener {
 
 }  // namespace
 
+SurfacePoint find_nearest_facing(const Mesh& mesh, const std::vector<FaceId>& faces, const Vec3& point,
+                                 const Vec3& normal) {
+  SurfacePoint best;
+  std::tuple<bool, double> least(true, kInfinity);
+  for (const FaceId f : faces) {
+    const ClosestPoint found = closest_point_on_face(mesh, f, point);
+    const std::tuple rank(face_normal(mesh, f).dot(normal) < 0, found.distance);
+    if (rank < least) {
+      least = rank;
+      best = found.point;
+    }
+  }
+  return best;
+}
+
 SurfacePoint PlaneCell::image(const Vec2& point) const {
   const Vec2 first = bases.front() - apex;
   const double angle = angle_between(first, point - apex);
@@ -139,7 +145,7 @@ SurfacePoint PlaneCell::image(const Vec2& point) const {
   const auto behind = std::upper_bound(bases.begin() + 1, bases.end() - 1, angle, [&](double value, const Vec2& base) {
     return value < angle_between(first, base - apex);
   });
-  const auto i = static_cast<std::size_t>(behind - bases.begin()) - 1;
+  const std::size_t i = behind - bases.begin() - 1;
   const double area = twice_signed_area(apex, bases[i], bases[i + 1]);
   const double from = std::max(twice_signed_area(apex, point, bases[i + 1]) / area, 0.0),
                to = std::max(twice_signed_area(apex, bases[i], point) / area, 0.0);

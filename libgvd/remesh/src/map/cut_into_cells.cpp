@@ -1,10 +1,18 @@
-#include "map/cut_into_cells.hpp"
+// The surface of a remesh, cut into cells with the vertices that the one-to-one map needs.
+//
+// The map flattens each cell onto a convex disc and takes borders to borders, vertex by vertex. So cells must be discs,
+// bisectors need an inner vertex where they cross an edge of the remesh, and cells at the boundary an anchor, which
+// goes to the remesh's vertex. Chords between vertices of one straight side would flatten to nothing: they are split.
+// After each kind of split the borders are traced anew. The conditions are those of docs/developer/proofs.md,
+// section 7.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <vector>
 
+#include "gvd/error.hpp"
+#include "map/map_steps.hpp"
 #include "mesh/foot_on_edge.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -12,11 +20,148 @@
 namespace gvd {
 namespace {
 
+[[noreturn]] void refuse_cell(GeneratorId cell, const char* what) {
+  throw Error(ErrorCode::no_valid_result, fmt::format("cell {} {}", cell.value(), what), cell.value());
+}
+
+class BorderTracer {
+ public:
+  BorderTracer(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t cells)
+      : mesh_(mesh), label_(label), sizes_(cells), borders_(cells), is_reached_(label.size(), 0) {}
+
+  IdVector<GeneratorId, CellBorder> run() {
+    count_faces();
+    count_vertices();
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      if (is_border(h) && borders_[cell(h)].loop.empty()) trace(h);
+    }
+    for (const GeneratorId g : borders_.ids()) check(g);
+    return std::move(borders_);
+  }
+
+ private:
+  struct Size {
+    std::int64_t faces = 0, border_edges = 0, inner_vertices = 0, reached_faces = 0;
+  };
+
+  GeneratorId cell(HalfedgeId h) const { return label_[Mesh::face(h)]; }
+
+  /// The cell beyond the halfedge; invalid beyond the boundary.
+  GeneratorId other(HalfedgeId h) const { return mesh_.twin(h).valid() ? cell(mesh_.twin(h)) : GeneratorId(); }
+  bool is_border(HalfedgeId h) const { return other(h) != cell(h); }
+
+  void count_faces() {
+    for (const FaceId f : mesh_.faces()) {
+      const GeneratorId g = label_[f];
+      if (!g.valid() || g.index() >= sizes_.size()) {
+        throw Error(ErrorCode::no_valid_result, fmt::format("face {} is in no cell", f.value()), f.value());
+      }
+      ++sizes_[g].faces;
+      for (int corner = 0; corner < 3; ++corner) sizes_[g].border_edges += is_border(Mesh::halfedge(f, corner));
+    }
+  }
+
+  void count_vertices() {
+    IdVector<VertexId, char> is_on_border(mesh_.vertex_count(), 0);
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      if (is_border(h)) is_on_border[mesh_.from(h)] = is_on_border[mesh_.to(h)] = 1;
+    }
+    for (const VertexId v : mesh_.vertices()) {
+      if (!is_on_border[v]) ++sizes_[cell(mesh_.halfedge(v))].inner_vertices;
+    }
+  }
+
+  HalfedgeId next_on_border(HalfedgeId h) const {
+    HalfedgeId next = Mesh::next(h);
+    while (!is_border(next)) next = Mesh::next(mesh_.twin(next));
+    return next;
+  }
+
+  void trace(HalfedgeId start) {
+    CellBorder& border = borders_[cell(start)];
+    HalfedgeId h = start;
+    do {
+      border.loop.push_back(h);
+      h = next_on_border(h);
+    } while (h != start);
+    rotate_to_run(border.loop);
+    for (std::size_t i = 0; i < border.loop.size(); ++i) {
+      const GeneratorId beyond = other(border.loop[i]);
+      if (i == 0 || beyond != border.runs.back().other) border.runs.push_back({beyond, i, i});
+      ++border.runs.back().end;
+    }
+    flood(start);
+  }
+
+  /// Lets the loop begin where a run begins: behind the one along the boundary, if there is one.
+  void rotate_to_run(std::vector<HalfedgeId>& loop) const {
+    const auto begins_run = [&](std::size_t i) {
+      return other(loop[i]) != other(loop[(i + loop.size() - 1) % loop.size()]);
+    };
+    std::size_t first = loop.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (!begins_run(i)) continue;
+      if (first == loop.size()) first = i;
+      if (!other(loop[(i + loop.size() - 1) % loop.size()]).valid()) first = i;
+    }
+    if (first < loop.size()) std::rotate(loop.begin(), loop.begin() + first, loop.end());
+  }
+
+  /// Counts the faces of the cell that are connected with h's.
+  void flood(HalfedgeId h) {
+    std::vector<FaceId> stack{Mesh::face(h)};
+    is_reached_[stack.back()] = 1;
+    while (!stack.empty()) {
+      const FaceId f = stack.back();
+      stack.pop_back();
+      ++sizes_[label_[f]].reached_faces;
+      for (int corner = 0; corner < 3; ++corner) {
+        const HalfedgeId side = Mesh::halfedge(f, corner);
+        if (is_border(side) || is_reached_[Mesh::face(mesh_.twin(side))]) continue;
+        is_reached_[Mesh::face(mesh_.twin(side))] = 1;
+        stack.push_back(Mesh::face(mesh_.twin(side)));
+      }
+    }
+  }
+
+  /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1.
+  void check(GeneratorId g) const {
+    const Size& size = sizes_[g];
+    const CellBorder& border = borders_[g];
+    const std::int64_t length = std::ssize(border.loop);
+    const std::int64_t twice_euler = 2 * (size.inner_vertices + length + size.faces) - (3 * size.faces + length);
+    if (length == 0 || length != size.border_edges || size.reached_faces != size.faces || twice_euler != 2 ||
+        has_repeated_vertex(border)) {
+      refuse_cell(g, "is not a disc");
+    }
+    std::vector<GeneratorId> others;
+    for (const BorderRun& run : border.runs) others.push_back(run.other);
+    std::sort(others.begin(), others.end());
+    const auto twice = std::adjacent_find(others.begin(), others.end());
+    if (twice != others.end())
+      refuse_cell(g, twice->valid() ? "touches a neighbour twice" : "touches the boundary twice");
+    if (others.size() < 2) refuse_cell(g, "has too few neighbours");
+  }
+
+  bool has_repeated_vertex(const CellBorder& border) const {
+    std::vector<VertexId> vertices;
+    for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
+    std::sort(vertices.begin(), vertices.end());
+    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+  }
+
+  const Mesh& mesh_;
+  const IdVector<FaceId, GeneratorId>& label_;
+  IdVector<GeneratorId, Size> sizes_;
+  IdVector<GeneratorId, CellBorder> borders_;
+  IdVector<FaceId, char> is_reached_;
+};
+
 /// A generator on the boundary within this fraction of an edge from a vertex is taken to be there. Far above the
 /// rounding of positions, far below a distance that shows.
 constexpr double kAtVertex = 1e-6;
 
-/// A place on an edge.
+/// A point on an edge, between its ends.
 struct EdgeCut {
   HalfedgeId edge;
   double t = 0.5;
@@ -51,8 +196,8 @@ class CellCutter {
     const VertexId v = MeshEditor(cells_.cut.mesh).split_edge(h, at);
     for (const FaceId f : faces) {
       if (!f.valid()) continue;
-      cells_.cut.parent.push_back(FaceId(cells_.cut.parent[f]));
-      cells_.cut.label.push_back(GeneratorId(cells_.cut.label[f]));
+      cells_.cut.parent.push_back(cells_.cut.parent[f]);
+      cells_.cut.label.push_back(cells_.cut.label[f]);
     }
     return v;
   }
@@ -64,8 +209,7 @@ class CellCutter {
 
   void split_short_runs() {
     std::vector<EdgeId> edges;
-    for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(i);
+    for (const GeneratorId g : cells_.borders.ids()) {
       for (const BorderRun& run : cells_.borders[g].runs) {
         if (run.end == run.begin + 1 && run.other > g) edges.push_back(mesh().edge(cells_.borders[g].loop[run.begin]));
       }
@@ -78,7 +222,7 @@ class CellCutter {
     const CellBorder& border = cells_.borders[g];
     const Vec3 at = position(surface_, generators_[g.index()]);
     EdgeCut best;
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (std::size_t i = border.runs.back().begin; i < border.runs.back().end; ++i) {
       const HalfedgeId h = border.loop[i];
       const Vec3 &from = mesh().position(mesh().from(h)), along = mesh().position(mesh().to(h)) - from;
@@ -94,8 +238,7 @@ class CellCutter {
 
   /// The ends of the run belong to other cells, too: they can't be anchors.
   void split_at_anchors() {
-    for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(i);
+    for (const GeneratorId g : cells_.borders.ids()) {
       const CellBorder& border = cells_.borders[g];
       if (!border.at_boundary()) continue;
       const EdgeCut cut = nearest_on_boundary(g);
@@ -119,9 +262,8 @@ class CellCutter {
 
   void split_chords() {
     std::vector<EdgeId> chords;
-    IdVector<VertexId, GeneratorId> side(static_cast<std::size_t>(mesh().vertex_count()));
-    for (std::size_t i = 0; i < cells_.borders.size(); ++i) {
-      const GeneratorId g(i);
+    IdVector<VertexId, GeneratorId> side(mesh().vertex_count());
+    for (const GeneratorId g : cells_.borders.ids()) {
       const CellBorder& border = cells_.borders[g];
       if (!border.at_boundary()) continue;
       const std::vector<VertexId> vertices = run_vertices(mesh(), border, border.runs.back());
@@ -154,6 +296,18 @@ class CellCutter {
 };
 
 }  // namespace
+
+std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, const BorderRun& run) {
+  std::vector<VertexId> vertices;
+  for (std::size_t i = run.begin; i < run.end; ++i) vertices.push_back(mesh.from(border.loop[i]));
+  vertices.push_back(mesh.to(border.loop[run.end - 1]));
+  return vertices;
+}
+
+IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
+                                                     std::size_t cells) {
+  return BorderTracer(mesh, label, cells).run();
+}
 
 CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result) {
   return CellCutter(surface, result).run();

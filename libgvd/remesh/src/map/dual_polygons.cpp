@@ -1,16 +1,20 @@
-#include "map/dual_polygons.hpp"
+// The faces of the remesh that stand for a branch point, as a polygon of the plane.
+//
+// A branch point of k cells is k - 2 faces of the remesh. A regular polygon with a corner for each cell, cut as these
+// faces are, gives all of them one set of coordinates. The branch point goes to the polygon's centre, and the parts of
+// the cells are bounded by the lines from the centre to the crossings on the sides. Each face of the remesh belongs to
+// exactly one polygon, or there is no map.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 #include "base/barycentric.hpp"
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "map/map_steps.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -20,7 +24,7 @@ namespace {
 /// centre near a side would squeeze the parts of the cells there.
 constexpr double kLeastOfCentre = 0.08;
 
-[[noreturn]] void refuse(VertexId at, const char* what) {
+[[noreturn]] void refuse_cells_at(VertexId at, const char* what) {
   throw Error(ErrorCode::no_valid_result,
               fmt::format("the cells round vertex {} of the cut surface {}", at.value(), what), at.value());
 }
@@ -61,17 +65,17 @@ Vec2 inner_centre(const DualPolygon& polygon, const Mesh& remesh, const Vec3& br
 }  // namespace
 
 Vec2 DualPolygon::corner(std::size_t i) const {
-  return unit_vector(2 * std::numbers::pi * static_cast<double>(i % cells.size()) / static_cast<double>(cells.size()));
+  return unit_vector(2 * std::numbers::pi * double(i % cells.size()) / double(cells.size()));
 }
 
 std::size_t DualPolygon::find(GeneratorId cell) const {
-  return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+  return std::find(cells.begin(), cells.end(), cell) - cells.begin();
 }
 
 SurfacePoint DualPolygon::on_remesh(const Vec2& point) const {
   FaceId face;
   Bary best{};
-  double largest = -std::numeric_limits<double>::infinity();
+  double largest = -kInfinity;
   for (const Triangle& triangle : triangles) {
     const Bary bary = coordinates(*this, triangle, point);
     const double least = std::min({bary[0], bary[1], bary[2]});
@@ -85,16 +89,14 @@ SurfacePoint DualPolygon::on_remesh(const Vec2& point) const {
 }
 
 DualPolygons::DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh)
-    : remesh_(remesh),
-      number_(static_cast<std::size_t>(cut.vertex_count()), -1),
-      is_used_(static_cast<std::size_t>(remesh.face_count()), 0) {
-  for (std::int32_t i = 0; i < cut.vertex_count(); ++i) {
-    std::vector<GeneratorId> cells = cells_round(cut, label, VertexId(i));
-    if (cells.size() >= 3) add(cut, VertexId(i), std::move(cells));
+    : remesh_(remesh), number_(cut.vertex_count(), -1), is_used_(remesh.face_count(), 0) {
+  for (const VertexId v : cut.vertices()) {
+    std::vector<GeneratorId> cells = cells_round(cut, label, v);
+    if (cells.size() >= 3) add(cut, v, std::move(cells));
   }
   const auto unused = std::find(is_used_.begin(), is_used_.end(), 0);
   if (unused == is_used_.end()) return;
-  const auto f = static_cast<std::int64_t>(unused - is_used_.begin());
+  const std::int64_t f = unused - is_used_.begin();
   throw Error(ErrorCode::no_valid_result,
               fmt::format("face {} of the remesh stands for no point of the cut surface", f), f);
 }
@@ -118,7 +120,8 @@ void DualPolygons::set_crossing(VertexId v, GeneratorId a, double t) {
   polygon.crossings[polygon.find(a)] = t;
 }
 
-/// From the side between the last corner and the first one, which determines one triangle, across its other two sides.
+/// Fills a polygon with the faces of the remesh, from the side between the last corner and the first one, which
+/// determines one triangle, across its other two sides.
 void DualPolygons::fill(DualPolygon& polygon, VertexId at) {
   std::vector<std::pair<std::size_t, std::size_t>> chains{{0, polygon.cells.size() - 1}};
   while (!chains.empty()) {
@@ -126,7 +129,8 @@ void DualPolygons::fill(DualPolygon& polygon, VertexId at) {
     chains.pop_back();
     const HalfedgeId side = find_halfedge(polygon.cells[last], polygon.cells[first], at);
     const std::size_t apex = polygon.find(GeneratorId(remesh_.opposite(side).value()));
-    if (apex <= first || apex >= last || is_used_[Mesh::face(side)]) refuse(at, "are not those of faces of the remesh");
+    if (apex <= first || apex >= last || is_used_[Mesh::face(side)])
+      refuse_cells_at(at, "are not those of faces of the remesh");
     is_used_[Mesh::face(side)] = 1;
     DualPolygon::Triangle triangle{Mesh::face(side), {}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -143,7 +147,7 @@ HalfedgeId DualPolygons::find_halfedge(GeneratorId from, GeneratorId to, VertexI
   for_each_outgoing(remesh_, VertexId(from.value()), [&](HalfedgeId h) {
     if (remesh_.to(h).value() == to.value()) found = h;
   });
-  if (!found.valid()) refuse(at, "are not joined by edges of the remesh");
+  if (!found.valid()) refuse_cells_at(at, "are not joined by edges of the remesh");
   return found;
 }
 

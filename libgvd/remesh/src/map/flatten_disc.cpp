@@ -1,15 +1,18 @@
-#include "map/flatten_disc.hpp"
+// The convex combination map of a disc: every inner vertex is the weighted mean of its neighbours.
+//
+// If the border is convex and the weights are positive, the map is one-to-one. Mean value weights nearly keep the
+// angles; those of needles are limited to a range, beyond which rounding would decide. The check that no triangle is
+// turned round is certain: it counts a triangle only where the orientation's sign does not depend on rounding.
+// Sources: M. Floater, One-to-one piecewise linear mappings over triangulations, 2003; for the weights, M. Floater, Mean
+// value coordinates, 2003.
 
-#include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
+#include "map/map_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -115,7 +118,7 @@ class DiscFlattener {
 }  // namespace
 
 std::size_t PlaneDisc::number(VertexId v) const {
-  return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
 }
 
 PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,

@@ -1,14 +1,190 @@
+// The map of a surface onto its remesh: one-to-one where the proof's conditions hold, else by nearest points.
+//
+// The one-to-one map works cell by cell, in parallel: cut the surface into cells, lay out the polygons of the branch
+// points, then flatten each cell and read the points off. Each vertex of the surface lies in one cell, or on the border
+// of two, which agree. If a check fails anywhere, all points are nearest points instead, so that a map is always one of
+// the two kinds. At last the images of all faces are measured.
+
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
+#include "base/parallel_chunks.hpp"
 #include "gvd/error.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/surface_normal.hpp"
-#include "map/nearest_map.hpp"
-#include "map/one_to_one_map.hpp"
+#include "map/map_steps.hpp"
+#include "mesh/foot_on_edge.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
+
+/// Points by a one-to-one map and its inverse.
+struct MapPoints {
+  IdVector<VertexId, SurfacePoint> images;   ///< per vertex of the surface: its point of the remesh
+  IdVector<VertexId, SurfacePoint> origins;  ///< per vertex of the remesh: its point of the surface
+};
+
+/// Faces of a chunk of cells: their systems take milliseconds.
+constexpr std::size_t kMapFacesPerChunk = 2048;
+
+struct Image {
+  VertexId vertex;  ///< of the surface
+  SurfacePoint point;
+};
+
+struct CellPoints {
+  SurfacePoint origin;
+  std::vector<Image> images;
+};
+
+/// Maps cell by cell. Throws Error{no_valid_result} where a condition of the proof does not hold, with the first one
+/// that fails. Deterministic, for every number of threads.
+class OneToOneMapper {
+ public:
+  OneToOneMapper(const Mesh& surface, const RemeshResult& result)
+      : surface_(surface),
+        result_(result),
+        cells_(cut_into_cells(surface, result)),
+        polygons_(cells_.cut.mesh, cells_.cut.label, result.mesh),
+        input_{surface_, result_, cells_, polygons_},
+        faces_(result.generators.size()) {
+    place_crossings(cells_, polygons_);
+    for (const FaceId f : cells_.cut.label.ids()) faces_[cells_.cut.label[f]].push_back(f);
+  }
+
+  MapPoints run(int threads) const {
+    const Progress none;
+    const ParallelChunks parallel(threads, none);
+    const auto chunks =
+        cut_by_work(faces_.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces_.raw()[i].size(); });
+    const std::vector<CellPoints> cells = parallel.collect(chunks, {}, [&](const Chunk& chunk) {
+      std::vector<CellPoints> found;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) found.push_back(map_cell(GeneratorId(i)));
+      return found;
+    });
+    MapPoints points;
+    points.images.resize(surface_.vertex_count());
+    for (const CellPoints& cell : cells) {
+      points.origins.push_back(cell.origin);
+      for (const Image& image : cell.images) points.images[image.vertex] = image.point;
+    }
+    return points;
+  }
+
+ private:
+  /// Vertices between two cells are on both borders; there, they have the same point.
+  CellPoints map_cell(GeneratorId g) const {
+    const PlaneCell plane = flatten_cell(input_, g, faces_[g]);
+    CellPoints cell{plane.origin, {}};
+    for (std::size_t i = 0; i < plane.disc.vertices.size(); ++i) {
+      const VertexId v = plane.disc.vertices[i];
+      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
+    }
+    for (const BorderTarget& t : plane.targets) {
+      const VertexId v = cells_.cut.mesh.from(t.halfedge);
+      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
+    }
+    if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
+      cell.images.push_back({vertex(surface_, plane.origin), vertex_point(result_.mesh, plane.vertex)});
+    }
+    return cell;
+  }
+
+  const Mesh& surface_;
+  const RemeshResult& result_;
+  CellSurface cells_;
+  DualPolygons polygons_;
+  CellMapInput input_;
+  IdVector<GeneratorId, std::vector<FaceId>> faces_;
+};
+
+/// Vertices of a chunk: each takes some tens of closest points.
+constexpr std::size_t kVerticesPerChunk = 512;
+
+/// The triangles at a vertex and its neighbours, ascending, and their boundary halfedges.
+struct Patch {
+  std::vector<FaceId> faces;
+  std::vector<HalfedgeId> boundary;
+};
+
+Patch collect_patch(const Mesh& mesh, VertexId centre) {
+  Patch patch;
+  const auto add_star = [&](VertexId v) {
+    for_each_outgoing(mesh, v, [&](HalfedgeId h) { patch.faces.push_back(Mesh::face(h)); });
+  };
+  add_star(centre);
+  for_each_neighbour(mesh, centre, [&](VertexId v, HalfedgeId) { add_star(v); });
+  std::sort(patch.faces.begin(), patch.faces.end());
+  patch.faces.erase(std::unique(patch.faces.begin(), patch.faces.end()), patch.faces.end());
+  for (const FaceId f : patch.faces) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const HalfedgeId h = Mesh::halfedge(f, corner);
+      if (!mesh.twin(h).valid()) patch.boundary.push_back(h);
+    }
+  }
+  return patch;
+}
+
+class NearestMapper {
+ public:
+  NearestMapper(const Mesh& surface, const RemeshResult& result) : surface_(surface), result_(result) {
+    at_vertex_.resize(result.diagram.vertex_label.size());
+    for (const VertexId v : result.mesh.vertices()) {
+      patches_.push_back(collect_patch(result.mesh, v));
+      remember(result.generators[v.index()], v);
+    }
+  }
+
+  IdVector<VertexId, SurfacePoint> run(int threads) const {
+    const Progress none;
+    const ParallelChunks parallel(threads, none);
+    const auto chunks = cut_into_chunks(result_.diagram.vertex_label.size(), kVerticesPerChunk);
+    return IdVector<VertexId, SurfacePoint>(parallel.collect(chunks, {}, [&](const Chunk& chunk) {
+      std::vector<SurfacePoint> points;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(map_vertex(VertexId(i)));
+      return points;
+    }));
+  }
+
+ private:
+  void remember(const SurfacePoint& generator, VertexId vertex) {
+    const auto corner = std::find(generator.bary.begin(), generator.bary.end(), 1.0) - generator.bary.begin();
+    if (corner < 3) at_vertex_[surface_.vertices(generator.face)[corner]] = vertex;
+  }
+
+  SurfacePoint map_vertex(VertexId v) const {
+    if (at_vertex_[v].valid()) return vertex_point(result_.mesh, at_vertex_[v]);
+    const GeneratorId label = result_.diagram.vertex_label[v];
+    if (!label.valid()) throw Error(ErrorCode::precondition, "a vertex is in no cell", v.value());
+    const Patch& patch = patches_[label.index()];
+    return surface_.is_boundary(v) && !patch.boundary.empty() ? on_boundary(v, patch) : on_faces(v, patch);
+  }
+
+  SurfacePoint on_boundary(VertexId v, const Patch& patch) const {
+    const Vec3& at = surface_.position(v);
+    SurfacePoint best;
+    double least = kInfinity;
+    for (const HalfedgeId h : patch.boundary) {
+      const SurfacePoint found = edge_point(h, std::clamp(foot_on_edge(result_.mesh, h, at), 0.0, 1.0));
+      const double distance = (position(result_.mesh, found) - at).norm();
+      if (distance < least) std::tie(least, best) = std::tuple(distance, found);
+    }
+    return best;
+  }
+
+  SurfacePoint on_faces(VertexId v, const Patch& patch) const {
+    const Vec3 normal = surface_normal(surface_, vertex_point(surface_, v));
+    const SurfacePoint best = find_nearest_facing(result_.mesh, patch.faces, surface_.position(v), normal);
+    return make_surface_point(best.face, best.bary);
+  }
+
+  const Mesh& surface_;
+  const RemeshResult& result_;
+  std::vector<Patch> patches_;              // per vertex of the remesh
+  IdVector<VertexId, VertexId> at_vertex_;  // per vertex of the surface: of the remesh; invalid without a generator
+};
 
 /// An image has no area unless twice its area exceeds this fraction of its longest edge squared. It is above the
 /// rounding of the corners of images that are a millionth of the mesh in size.
@@ -20,13 +196,13 @@ class MapMeasure {
 
   void run() {
     double sum = 0;
-    for (std::int32_t i = 0; i < surface_.vertex_count(); ++i) {
-      const double move = (image(VertexId(i)) - surface_.position(VertexId(i))).norm();
+    for (const VertexId v : surface_.vertices()) {
+      const double move = (image(v) - surface_.position(v)).norm();
       map_.largest_move = std::max(map_.largest_move, move);
       sum += move;
     }
     map_.mean_move = sum / surface_.vertex_count();
-    for (std::int32_t f = 0; f < surface_.face_count(); ++f) count(FaceId(f));
+    for (const FaceId f : surface_.faces()) count(f);
   }
 
  private:
@@ -54,14 +230,18 @@ class MapMeasure {
 
 }  // namespace
 
+IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads) {
+  return NearestMapper(surface, result).run(threads);
+}
+
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads) {
-  if (result.diagram.vertex_label.size() != static_cast<std::size_t>(surface.vertex_count()) ||
-      result.generators.size() != static_cast<std::size_t>(result.mesh.vertex_count())) {
+  if (result.diagram.vertex_label.count() != surface.vertex_count() ||
+      std::ssize(result.generators) != result.mesh.vertex_count()) {
     throw Error(ErrorCode::precondition, "the remesh is not one of this surface");
   }
   RemeshMap map;
   try {
-    MapPoints points = one_to_one_points(surface, result, threads);
+    MapPoints points = OneToOneMapper(surface, result).run(threads);
     map.points = std::move(points.images);
     map.origins = std::move(points.origins);
     map.one_to_one = true;

@@ -1,11 +1,45 @@
+// A list of new generators, each with a least distance from all others.
+//
+// Distances are Euclidean, except for points that are nearly the same in space: they may lie on the two banks of a slit
+// or on two sheets that touch. For these, a search over the faces within the distance tells whether one connected part
+// of the surface holds both. Where the distance is less than the surface's features, this agrees with the geodesic one.
+
 #include "repair/added_generators.hpp"
 
 #include <cmath>
-#include <limits>
+#include <set>
 
-#include "repair/are_near.hpp"
+#include "mesh/foot_on_edge.hpp"
 
 namespace gvd {
+namespace {
+
+/// Euclidean distance of a point from an edge.
+double distance_to_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
+  const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
+  return (from + std::clamp(foot_on_edge(mesh, h, point), 0.0, 1.0) * along - point).norm();
+}
+
+}  // namespace
+
+bool are_near(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double radius) {
+  const Vec3 centre = position(mesh, a);
+  if (!((position(mesh, b) - centre).norm() <= radius)) return false;
+  const std::vector<FaceId> goal = faces_around(mesh, b);
+  std::vector<FaceId> open = faces_around(mesh, a);
+  std::set<FaceId> seen(open.begin(), open.end());
+  while (!open.empty()) {
+    const FaceId f = open.back();
+    open.pop_back();
+    if (std::find(goal.begin(), goal.end(), f) != goal.end()) return true;
+    for (int corner = 0; corner < 3; ++corner) {
+      const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh.twin(h);
+      if (!twin.valid() || distance_to_edge(mesh, h, centre) > radius) continue;
+      if (seen.insert(Mesh::face(twin)).second) open.push_back(Mesh::face(twin));
+    }
+  }
+  return false;
+}
 
 AddedGenerators::AddedGenerators(const Mesh& mesh, const std::vector<SurfacePoint>& existing, std::size_t max_count)
     : mesh_(mesh),
@@ -25,7 +59,7 @@ bool AddedGenerators::add(const SurfacePoint& point) {
 double AddedGenerators::clearance(const SurfacePoint& point) const {
   const Vec3 at = position(mesh_, point);
   const std::int32_t component = component_[point.face];
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     if (component_[all_[i].face] != component) continue;
     const double squared = (positions_[GeneratorId(i)] - at).squaredNorm();

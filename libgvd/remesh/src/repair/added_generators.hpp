@@ -16,6 +16,12 @@ namespace gvd {
 /// box's diagonal. Shorter edges can have length zero in programs that work in single precision (1.2e-7).
 inline constexpr double kMinAddedSpacing = 1e-6;
 
+/// Whether two points are near each other along the surface: one connected part of the surface within the Euclidean
+/// distance `radius` of `a` holds both. Points on the two banks of a slit, or on two sheets that touch, are near in
+/// space only. Where the radius is less than the surface's features, this agrees with the geodesic distance.
+/// Cost: O(k log k) for k faces within the radius; O(1) where the points are farther apart than that in space.
+bool are_near(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double radius);
+
 /// Generators to be added to a diagram: at most `max_count`, each with a least distance from all others.
 class AddedGenerators {
  public:

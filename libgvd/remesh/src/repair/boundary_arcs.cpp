@@ -1,7 +1,11 @@
+// The arcs of the mesh's boundary that lie in one cell each.
+//
+// Bisectors that end on the boundary cut its loops into arcs. The ends on each halfedge are sorted along it. A walk
+// round each loop then begins a new arc at every end; what comes before the first end belongs to the last arc.
+
 #include "repair/boundary_arcs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "mesh/foot_on_edge.hpp"
@@ -10,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// Where a bisector ends on a boundary halfedge.
+/// The end of a bisector on a boundary halfedge.
 struct BoundaryEnd {
   double at = 0;      ///< parameter along the halfedge
   GeneratorId after;  ///< the cell that follows it along the halfedge
@@ -31,10 +35,9 @@ class ArcLister {
     for (auto& [h, ends] : ends_) {
       std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     }
-    std::vector<char> seen(static_cast<std::size_t>(mesh_.halfedge_count()), 0);
-    for (std::int32_t i = 0; i < mesh_.halfedge_count(); ++i) {
-      const HalfedgeId h(i);
-      if (!mesh_.twin(h).valid() && !seen[h.index()]) cut_loop(h, seen);
+    IdVector<HalfedgeId, char> seen(mesh_.halfedge_count(), 0);
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      if (!mesh_.twin(h).valid() && !seen[h]) cut_loop(h, seen);
     }
     return std::move(arcs_);
   }
@@ -50,12 +53,12 @@ class ArcLister {
   }
 
   /// Walks once round the boundary loop of `first`. The segments before the first end belong to the last arc.
-  void cut_loop(HalfedgeId first, std::vector<char>& seen) {
+  void cut_loop(HalfedgeId first, IdVector<HalfedgeId, char>& seen) {
     const std::size_t before = arcs_.size();
     BoundaryArc head;
     BoundaryArc* arc = &head;
-    for (HalfedgeId h = first; !seen[h.index()];) {
-      seen[h.index()] = 1;
+    for (HalfedgeId h = first; !seen[h];) {
+      seen[h] = 1;
       double begin = 0;
       const auto here = ends_.find(h);
       for (std::size_t i = 0; here != ends_.end() && i < here->second.size(); ++i) {
@@ -90,7 +93,7 @@ std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& dia
 
 SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const Vec3& to) {
   SurfacePoint best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const BoundaryArc::Segment& segment : arc.segments) {
     const Vec3& from = mesh.position(mesh.from(segment.halfedge));
     const Vec3 along = mesh.position(mesh.to(segment.halfedge)) - from;

@@ -1,12 +1,21 @@
+// Short non-contractible loops of cells that are no discs.
+//
+// In the mesh cut along the bisectors, a cell consists of whole faces. A tree of shortest paths joins all their
+// vertices. The dual graph of the faces may cross every edge outside of the tree; without its leaves, pruned again and
+// again, it holds the edges that close a non-contractible loop with the tree. The shortest such loop is found exactly
+// among those of one edge and two paths.
+// Source: J. Erickson and S. Har-Peled, Optimally cutting a surface into a disk, 2004.
+
 #include "repair/cell_loops.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
 #include <tuple>
 
 #include "gvd/closest_point.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
-#include "repair/dual_graph.hpp"
 
 namespace gvd {
 namespace {
@@ -17,13 +26,90 @@ constexpr double kFarFromLoop = 1.0 / 6;
 
 }  // namespace
 
+CellTree::CellTree(const CutMesh& cut)
+    : cut_(cut), distance_(cut.mesh.vertex_count(), kInfinity), parent_(cut.mesh.vertex_count()) {}
+
+void CellTree::grow(VertexId root, GeneratorId cell) {
+  clear();
+  using Entry = std::pair<double, VertexId>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto offer = [&](VertexId v, double distance, VertexId parent) {
+    if (distance >= distance_[v]) return;
+    distance_[v] = distance;
+    parent_[v] = parent;
+    touched_.push_back(v);
+    queue.emplace(distance, v);
+  };
+  offer(root, 0, VertexId());
+  while (!queue.empty()) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > distance_[v]) continue;
+    for_each_outgoing(cut_.mesh, v, [&, from = v, so_far = distance](HalfedgeId h) {
+      if (!is_in_cell(cut_, h, cell)) return;
+      const HalfedgeId incoming = Mesh::previous(h);
+      offer(cut_.mesh.to(h), so_far + cut_.mesh.length(h), from);
+      offer(cut_.mesh.from(incoming), so_far + cut_.mesh.length(incoming), from);
+    });
+  }
+}
+
+void CellTree::clear() {
+  for (const VertexId v : touched_) {
+    distance_[v] = kInfinity;
+    parent_[v] = VertexId();
+  }
+  touched_.clear();
+}
+
+std::vector<VertexId> CellTree::path_to_root(VertexId v) const {
+  std::vector<VertexId> vertices;
+  for (; v.valid(); v = parent_[v]) vertices.push_back(v);
+  return vertices;
+}
+
+void DualGraph::add_link(HalfedgeId crossed, std::int32_t from, std::int32_t to) {
+  const std::size_t link = links_.size();
+  links_.push_back({crossed, {from, to}});
+  for (const std::int32_t node : links_.back().nodes) {
+    if (node != kOutside) links_of_[node].push_back(link);
+  }
+}
+
+std::vector<HalfedgeId> DualGraph::prune_leaves() const {
+  std::vector<std::size_t> degree, leaves;
+  for (std::size_t i = 0; i < links_of_.size(); ++i) {
+    degree.push_back(links_of_[i].size());
+    if (degree.back() == 1) leaves.push_back(i);
+  }
+  std::vector<char> is_removed(links_.size(), 0);
+  while (!leaves.empty()) {
+    const std::size_t leaf = leaves.back();
+    leaves.pop_back();
+    for (const std::size_t link : links_of_[leaf]) {
+      if (is_removed[link]) continue;
+      is_removed[link] = 1;
+      for (const std::int32_t node : links_[link].nodes) {
+        if (node != kOutside && --degree[node] == 1) leaves.push_back(node);
+      }
+    }
+  }
+  std::vector<HalfedgeId> remaining;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (!is_removed[i]) remaining.push_back(links_[i].crossed);
+  }
+  return remaining;
+}
+
 CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
-    : mesh_(mesh), diagram_(diagram), cut_(cut_faces(mesh, diagram)), tree_(cut_) {
-  const auto faces = static_cast<std::size_t>(cut_.mesh.face_count());
-  for (std::size_t i = 0; i < faces; ++i) by_label_.emplace_back(static_cast<std::int64_t>(i));
+    : mesh_(mesh),
+      diagram_(diagram),
+      cut_(cut_faces(mesh, diagram)),
+      tree_(cut_),
+      by_label_(cut_.mesh.faces().begin(), cut_.mesh.faces().end()),
+      face_node_(by_label_.size(), -1) {
   std::stable_sort(by_label_.begin(), by_label_.end(),
                    [&](FaceId a, FaceId b) { return cut_.label[a] < cut_.label[b]; });
-  face_node_.assign(faces, -1);
 }
 
 std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
@@ -65,7 +151,7 @@ VertexId CellLoops::find_root(const std::vector<FaceId>& faces, GeneratorId cell
 /// The edges that close a non-contractible loop with the tree. The dual graph may cross every edge outside of the tree.
 /// The edges that remain after pruning its leaves are dual to cycles, or to paths from border to border.
 std::vector<HalfedgeId> CellLoops::find_loop_edges(const std::vector<FaceId>& faces, GeneratorId cell) {
-  for (std::size_t i = 0; i < faces.size(); ++i) face_node_[faces[i]] = static_cast<std::int32_t>(i);
+  for (int i = 0; i < std::ssize(faces); ++i) face_node_[faces[i]] = i;
   DualGraph graph(faces.size());
   for (const FaceId f : faces) {
     for (int corner = 0; corner < 3; ++corner) {
@@ -107,8 +193,7 @@ std::vector<SurfacePoint> CellLoops::divide_into_thirds(const Loop& loop) const 
   std::vector<SurfacePoint> points;
   for (int third = loop.distance > kFarFromLoop * length ? 0 : 1; third < 3; ++third) {
     const double at = length * third / 3;
-    const auto next = std::upper_bound(start.begin() + 1, start.end() - 1, at);
-    const auto i = static_cast<std::size_t>(next - start.begin()) - 1;
+    const std::size_t i = std::upper_bound(start.begin() + 1, start.end() - 1, at) - start.begin() - 1;
     const double t = std::clamp((at - start[i]) / (start[i + 1] - start[i]), 0.0, 1.0);
     points.push_back(to_input(loop.vertices[i], loop.vertices[(i + 1) % n], t));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -7,9 +9,65 @@
 #include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
-#include "repair/cell_tree.hpp"
 
 namespace gvd {
+
+/// Whether the face of h belongs to the cell.
+inline bool is_in_cell(const CutMesh& cut, HalfedgeId h, GeneratorId cell) { return cut.label[Mesh::face(h)] == cell; }
+
+/// Tree of shortest paths along the edges of one cell's faces, by Dijkstra's algorithm.
+///
+/// Its arrays have the size of the cut mesh and serve one cell after another, so a tree costs what its cell holds.
+class CellTree {
+ public:
+  /// The cut mesh must outlive the tree.
+  explicit CellTree(const CutMesh& cut);
+
+  /// Replaces the tree by that of `cell` from `root`, a corner of its faces. Cost: O(k log k) for k faces.
+  void grow(VertexId root, GeneratorId cell);
+
+  /// Mesh units; infinity for a vertex that is not in the tree.
+  double distance(VertexId v) const { return distance_[v]; }
+  bool contains_edge(HalfedgeId h) const {
+    const VertexId a = cut_.mesh.from(h), b = cut_.mesh.to(h);
+    return parent_[a] == b || parent_[b] == a;
+  }
+  /// The vertices from v to the root, both included.
+  std::vector<VertexId> path_to_root(VertexId v) const;
+
+ private:
+  void clear();
+
+  const CutMesh& cut_;
+  IdVector<VertexId, double> distance_;
+  IdVector<VertexId, VertexId> parent_;
+  std::vector<VertexId> touched_;  // the vertices whose entries are not the initial ones
+};
+
+/// The dual graph of some faces: a node for each face, a link for each edge that the graph may cross.
+class DualGraph {
+ public:
+  /// The node beyond the border of the faces.
+  static constexpr std::int32_t kOutside = -1;
+
+  explicit DualGraph(std::size_t faces) : links_of_(faces) {}
+
+  /// Links two nodes across the edge of a halfedge.
+  void add_link(HalfedgeId crossed, std::int32_t from, std::int32_t to);
+
+  /// Removes faces with a single link, and that link, until there are none. The outside is never removed. Returns the
+  /// halfedges of the links that remain, in the order of add_link: those on cycles or on paths between two cycles or
+  /// borders. Cost: O(faces and links).
+  std::vector<HalfedgeId> prune_leaves() const;
+
+ private:
+  struct Link {
+    HalfedgeId crossed;
+    std::array<std::int32_t, 2> nodes;
+  };
+  std::vector<Link> links_;
+  std::vector<std::vector<std::size_t>> links_of_;  // of every face
+};
 
 /// Finds short non-contractible loops of cells: round a limb, through a handle, round a hole.
 ///

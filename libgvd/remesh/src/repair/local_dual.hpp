@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -8,9 +9,45 @@
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
-#include "repair/mesh_part.hpp"
 
 namespace gvd {
+
+/// A flag for each cell of a diagram.
+using CellFlags = IdVector<GeneratorId, char>;
+
+/// The cells that are at most `rings` bisectors away from the given ones. Cost: O(cells).
+CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cells, int rings);
+
+/// The faces of a mesh that meet some cells of a diagram, as a mesh of their own.
+///
+/// Faces that meet at a vertex only, without a fan of such faces between them, get a vertex each. No shortest path that
+/// stays in the cells passes such a vertex. Why: if a cell holds a vertex, all faces round it belong to the part.
+class MeshPart {
+ public:
+  /// `in_part`: which cells. The diagram is one of the mesh. Cost: O(n).
+  MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part);
+
+  const Mesh& mesh() const { return part_; }
+  /// The number of its faces.
+  std::size_t size() const { return whole_face_.size(); }
+
+  /// Nothing for a point of a face outside of the part.
+  std::optional<SurfacePoint> to_part(const SurfacePoint& point) const;
+  SurfacePoint to_whole(const SurfacePoint& point) const { return {whole_face_[point.face], point.bary}; }
+
+  /// Whether a face of the part meets other cells too, or an edge that is on the boundary of the part alone.
+  bool is_fringe(FaceId of_part) const { return fringe_[of_part] != 0; }
+
+ private:
+  void choose_faces(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part);
+  void build(const Mesh& mesh);
+  void number_fan(const Mesh& mesh, HalfedgeId outgoing, VertexId v, std::vector<std::array<VertexId, 3>>& faces) const;
+
+  Mesh part_;
+  IdVector<FaceId, FaceId> whole_face_;  // of each face of the part
+  IdVector<FaceId, FaceId> part_face_;   // of each face of the whole mesh; invalid outside of the part
+  IdVector<FaceId, char> fringe_;        // of each face of the part
+};
 
 /// The diagram and the dual near some cells of a diagram, after generators have been removed and added there. Only the
 /// faces of these cells and of two rings of cells round them are computed again.
@@ -32,10 +69,10 @@ class LocalDual {
   struct Result {
     Diagram diagram;  ///< of the part; its first generators are those kept, in their order, then the added ones
     CellFlags inner;  ///< cells that are the same in the diagram of the whole mesh
-    /// Of the dual, as far as all their cells are inner. Flipped triangles follow where there are no others.
+    /// The defects of the dual whose cells are all inner. Flipped triangles follow where there are no others.
     std::vector<DualDefect> defects;
   };
-  /// With these points of the whole mesh added. Nothing where that can't be told from the part: a new cell reaches its
+  /// The part with these points of the whole mesh added. Nothing where the part can't tell: a new cell reaches its
   /// fringe, or a point lies outside. Nothing too where a point coincides with another generator, or a component of the
   /// mesh is left without any.
   std::optional<Result> compute(const std::vector<SurfacePoint>& added) const;

@@ -1,12 +1,185 @@
+// New generators for the defects of a dual.
+//
+// Each kind of defect has a repair of its own: the table in the header. A repair lists candidates and adds the one that
+// is farthest from the generators concerned, so that new generators spread and the rounds end. A call repairs at most
+// one defect of each cell, because a repair often removes the cell's other defects too. Repairs near those just added
+// are computed on a part of the mesh, which saves rounds on all of it.
+
 #include "repair/propose_generators.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <tuple>
 
-#include "repair/added_generators.hpp"
-#include "repair/mesh_part.hpp"
-#include "repair/repair_defect.hpp"
+#include "gvd/error.hpp"
+#include "repair/local_dual.hpp"
 
 namespace gvd {
+namespace {
+
+double segment_length(const Mesh& mesh, const Bisector& b, std::size_t i) {
+  return (position(mesh, b.points[i]) - position(mesh, b.points[i - 1])).norm();
+}
+
+}  // namespace
+
+double compute_length(const Mesh& mesh, const Bisector& bisector) {
+  double sum = 0;
+  for (std::size_t i = 1; i < bisector.points.size(); ++i) sum += segment_length(mesh, bisector, i);
+  return sum;
+}
+
+SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
+  const double half = 0.5 * compute_length(mesh, bisector);
+  double sum = 0;
+  for (std::size_t i = 1; i < bisector.points.size(); ++i) {
+    const double step = segment_length(mesh, bisector, i);
+    if (sum + step >= half) return bisector.points[half - sum < 0.5 * step ? i - 1 : i];
+    sum += step;
+  }
+  return bisector.points.back();
+}
+
+void DefectRepair::repair(const DualDefect& defect) {
+  switch (defect.property) {
+    case DualProperty::component_reached:
+      return add_to_component(defect.component);
+    case DualProperty::cell_is_disc:
+      return split_loop(defect.cells[0]);
+    case DualProperty::one_boundary_arc:
+      return split_boundary_arcs(defect.cells[0]);
+    case DualProperty::bisector_has_face:
+      return split_bisector(diagram_.bisectors[defect.bisector]);
+    case DualProperty::one_bisector:
+      return split_pair(defect.cells[0], defect.cells[1]);
+    case DualProperty::enough_neighbours:
+      return add_farthest(defect.cells[0]);
+    case DualProperty::one_branch_point:
+      return split_triple(defect.branch_point);
+    case DualProperty::different_cells:
+    case DualProperty::polygon_fits:
+    case DualProperty::not_flipped:
+    case DualProperty::no_self_intersection:
+      return split_polygon(defect.branch_point);
+  }
+}
+
+void DefectRepair::add_to_component(std::int32_t component) {
+  const auto& of = added_.component();
+  const FaceId f(std::find(of.begin(), of.end(), component) - of.begin());
+  added_.add(vertex_point(mesh_, mesh_.vertices(f)[0]));
+}
+
+void DefectRepair::split_loop(GeneratorId g) {
+  const std::size_t before = added_.size();
+  for (const SurfacePoint& p : rings().find(g)) added_.add(p);
+  if (added_.size() > before) return;
+  if (CellLoops* loops = cell_loops()) {
+    for (const SurfacePoint& p : loops->find(g)) added_.add(p);
+  }
+  if (added_.size() == before) add_farthest(g);
+}
+
+std::optional<NarrowTip> DefectRepair::find_narrow_tip(const DualDefect& defect) {
+  if (defect.property != DualProperty::cell_is_disc) return std::nullopt;
+  return rings().find_narrow_tip(defect.cells[0]);
+}
+
+const TipRings& DefectRepair::rings() {
+  if (!rings_) rings_.emplace(mesh_, diagram_);
+  return *rings_;
+}
+
+/// The loops of cells; null where cutting along the bisectors gives no manifold mesh: two edges would have the same
+/// ends.
+CellLoops* DefectRepair::cell_loops() {
+  if (!loops_ && can_cut_) {
+    try {
+      loops_.emplace(mesh_, diagram_);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::no_valid_result) throw;
+      can_cut_ = false;
+    }
+  }
+  return loops_ ? &*loops_ : nullptr;
+}
+
+/// The new generator takes over the boundary arc that is farthest from g, so that g keeps the others.
+void DefectRepair::split_boundary_arcs(GeneratorId g) {
+  if (!arcs_) arcs_ = list_boundary_arcs(mesh_, diagram_);
+  std::vector<SurfacePoint> candidates;
+  for (const BoundaryArc& arc : *arcs_) {
+    if (arc.cell == g) candidates.push_back(find_nearest_point(mesh_, arc, added_.position_of(g)));
+  }
+  added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+}
+
+void DefectRepair::split_bisector(const Bisector& b) {
+  const auto value = [&](const SurfacePoint& p) { return distance(p, b.left) + distance(p, b.right); };
+  if (b.closed) {
+    added_.add_best(b.points, value);
+  } else {
+    added_.add_best({b.points.front(), b.points.back()}, value);
+  }
+}
+
+void DefectRepair::split_pair(GeneratorId a, GeneratorId b) {
+  const Bisector* best = nullptr;
+  double largest = -1;
+  for (const Bisector& c : diagram_.bisectors) {
+    if (std::minmax(c.left, c.right) != std::minmax(a, b)) continue;
+    // A new cell covers about half as much of the bisector's length as its generator is away from the two.
+    const double length = std::max(compute_length(mesh_, c), std::numeric_limits<double>::min());
+    const double ratio = distance(find_midpoint(mesh_, c), a) / length;
+    if (ratio > largest) std::tie(largest, best) = std::tuple(ratio, &c);
+  }
+  if (added_.add(find_midpoint(mesh_, *best))) return;
+  added_.add_best(best->points, [&](const SurfacePoint& p) { return distance(p, a); });
+}
+
+void DefectRepair::split_triple(BranchPointId branch) {
+  const auto sorted_cells = [](const BranchPoint& b) {
+    std::vector<GeneratorId> cells = b.generators;
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  };
+  const auto cells = sorted_cells(diagram_.branch_points[branch]);
+  std::vector<SurfacePoint> candidates;
+  for (const BranchPoint& b : diagram_.branch_points) {
+    if (sorted_cells(b) == cells) candidates.push_back(b.point);
+  }
+  added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, cells[0]); });
+}
+
+/// Adds the point of the branch point and of the bisectors between its cells that is farthest from all generators. With
+/// accurate distances it is nearly always close to the branch point. With inaccurate ones the branch point itself may
+/// lie next to one of its generators, where another generator would not help.
+void DefectRepair::split_polygon(BranchPointId branch) {
+  const std::vector<GeneratorId>& cells = diagram_.branch_points[branch].generators;
+  const auto among = [&](GeneratorId g) { return std::find(cells.begin(), cells.end(), g) != cells.end(); };
+  std::vector<SurfacePoint> candidates{diagram_.branch_points[branch].point};
+  for (const Bisector& b : diagram_.bisectors) {
+    if (among(b.left) && among(b.right)) candidates.insert(candidates.end(), b.points.begin(), b.points.end());
+  }
+  added_.add_best(candidates, [&](const SurfacePoint& p) { return added_.clearance(p); });
+}
+
+/// Adds the vertex of the cell that is farthest from its generator; without such a vertex, the farthest point of the
+/// cell's bisectors.
+void DefectRepair::add_farthest(GeneratorId g) {
+  std::vector<SurfacePoint> candidates;
+  for (const VertexId v : mesh_.vertices()) {
+    if (diagram_.vertex_label[v] == g) candidates.push_back(vertex_point(mesh_, v));
+  }
+  const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
+  if (added_.add_best(candidates, vertex_distance)) return;
+  candidates.clear();
+  for (const Bisector& b : diagram_.bisectors) {
+    if (b.left == g || b.right == g) candidates.insert(candidates.end(), b.points.begin(), b.points.end());
+  }
+  added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+}
+
 namespace {
 
 bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
@@ -18,6 +191,42 @@ bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
 bool is_repaired(const CellFlags& repaired, const Diagram& diagram, const DualDefect& defect) {
   return any_set(repaired, defect.cells) || (defect.property == DualProperty::enough_neighbours &&
                                              any_set(repaired, diagram.cells[defect.cells[0]].neighbours));
+}
+
+/// A part of more than one in so many of the mesh's faces takes as long as a round on the whole mesh, which repairs in
+/// all places at once.
+constexpr std::size_t kFacesPerPartFace = 4;
+
+/// Repairs that take more rounds are left to rounds on the whole mesh, which are counted and end.
+constexpr int kMostRounds = 8;
+
+/// The cells in the faces of the points, ascending.
+std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diagram,
+                                           const std::vector<SurfacePoint>& points) {
+  std::vector<GeneratorId> cells;
+  const auto by_face = [](const FacePiece& piece, FaceId f) { return piece.face < f; };
+  for (const SurfacePoint& point : points) {
+    for (const FaceId f : faces_around(mesh, point)) {
+      if (diagram.face_label[f].valid()) cells.push_back(diagram.face_label[f]);
+      auto piece = std::lower_bound(diagram.pieces.begin(), diagram.pieces.end(), f, by_face);
+      for (; piece != diagram.pieces.end() && piece->face == f; ++piece) cells.push_back(piece->generator);
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+/// The points of one round on the part, in the whole mesh; none where nothing is left to repair or the part can't tell.
+std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const std::vector<SurfacePoint>& added,
+                                          std::size_t max_count) {
+  const auto result = local.compute(added);
+  if (!result || result->defects.empty()) return {};
+  if (result->defects.front().property == DualProperty::not_flipped) return {};
+  ProposedGenerators proposed = propose_generators(local.part().mesh(), result->diagram, result->defects, max_count);
+  if (proposed.narrow) return {};
+  for (SurfacePoint& point : proposed.points) point = local.part().to_whole(point);
+  return std::move(proposed.points);
 }
 
 }  // namespace
@@ -40,6 +249,21 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   }
   proposed.points = added.take();
   return proposed;
+}
+
+std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagram,
+                                         const std::vector<SurfacePoint>& added, std::size_t max_count,
+                                         const DiagramOptions& options) {
+  const LocalDual local(mesh, diagram, list_cells_around(mesh, diagram, added), {}, options);
+  if (kFacesPerPartFace * local.part().size() > std::size_t(mesh.face_count())) return {};
+  std::vector<SurfacePoint> all = added;
+  for (int round = 0; round < kMostRounds && all.size() < added.size() + max_count; ++round) {
+    const auto more = propose_in_part(local, all, added.size() + max_count - all.size());
+    if (more.empty()) break;
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  all.erase(all.begin(), all.begin() + std::ssize(added));
+  return all;
 }
 
 }  // namespace gvd

@@ -1,3 +1,10 @@
+// Generators that divide a cell round a tip, as three at one distance from it.
+//
+// Where one generator's cell surrounds a tip, a vertex with a total angle below pi, the cell is an annulus. Two more
+// generators on the circle through it round the tip make three cells of it. They are the ends of straight lines from
+// the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp tip the
+// circle is too short for three generators: such a tip is reported as narrow.
+
 #include "repair/tip_rings.hpp"
 
 #include <algorithm>
@@ -15,7 +22,7 @@ namespace {
 /// counts as a shortest path. Distances are right to 1e-13 of themselves; a line across a fold is longer by far.
 constexpr double kStraightTolerance = 1e-9;
 
-/// Where the two new points of a ring may lie, as parts of a full turn from the generator. Equal angles are best on a
+/// Positions of the two new points of a ring, as parts of a full turn from the generator. Equal angles are best on a
 /// round tip. On a flat one, which is folded along two lines, they coincide in space if the generator lies on a fold.
 constexpr std::array<std::pair<double, double>, 3> kRingTurns{
     {{1.0 / 3, 2.0 / 3}, {1.0 / 4, 1.0 / 2}, {1.0 / 2, 3.0 / 4}}};
@@ -40,8 +47,7 @@ bool is_tip(const Mesh& mesh, VertexId v) { return v.valid() && total_angle(mesh
 IdVector<GeneratorId, VertexId> find_sharpest_vertices(const Mesh& mesh, const Diagram& diagram) {
   IdVector<GeneratorId, VertexId> sharpest(diagram.generators.size());
   std::vector<double> least(diagram.generators.size(), 10 * std::numbers::pi);
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const VertexId v(i);
+  for (const VertexId v : mesh.vertices()) {
     const GeneratorId g = diagram.vertex_label[v];
     if (!g.valid() || mesh.is_boundary(v)) continue;
     const double angle = total_angle(mesh, v);
@@ -124,7 +130,7 @@ std::vector<std::vector<GeneratorId>> TipRings::list_sides(GeneratorId annulus) 
   return sides;
 }
 
-/// Where the cell's generator lies, seen from the tip that the cell surrounds.
+/// Locates the cell's generator, seen from the tip that the cell surrounds.
 std::optional<TipRings::Polar> TipRings::locate(GeneratorId cell) const {
   const std::vector<VertexId>& tips = tips_[cell];
   if (tips.empty()) return std::nullopt;

@@ -1,0 +1,138 @@
+// The certificate of a remesh: what holds for the mesh that is returned.
+//
+// It is measured on the mesh alone, whatever made it: manifoldness by OpenMesh, topology by counting elements for each
+// component, orientation by the surface's normals, intersections by exact tests. Components correspond by their
+// generators. Nothing here throws on a finding; `first_failure` names it.
+
+// OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "gvd/dual.hpp"
+#include "gvd/error.hpp"
+#include "gvd/openmesh.hpp"
+#include "gvd/remesh_certificate.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// Whether OpenMesh takes the mesh: a test that is independent of the constructor of Mesh.
+bool is_manifold(const Mesh& mesh) {
+  try {
+    const OpenMeshTriMesh peer = to_openmesh(mesh);
+    return std::all_of(peer.vertices_begin(), peer.vertices_end(),
+                       [&](const auto v) { return !peer.is_isolated(v) && peer.is_manifold(v); });
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+struct ComponentTopology {
+  std::int32_t euler_characteristic = 0;
+  std::int32_t boundary_loops = 0;
+  bool operator==(const ComponentTopology&) const = default;
+};
+
+/// The topology of every component, in the order of compute_face_components.
+std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component) {
+  std::vector<ComponentTopology> result;
+  const auto of = [&](HalfedgeId h) -> ComponentTopology& {
+    const std::int32_t c = component[Mesh::face(h)];
+    if (std::ssize(result) <= c) result.resize(c + 1);
+    return result[c];
+  };
+  for (const VertexId v : mesh.vertices()) ++of(mesh.halfedge(v)).euler_characteristic;
+  for (const EdgeId e : mesh.edges()) --of(mesh.halfedge(e)).euler_characteristic;
+  for (const FaceId f : mesh.faces()) ++of(Mesh::halfedge(f, 0)).euler_characteristic;
+  IdVector<HalfedgeId, char> seen(mesh.halfedge_count(), 0);
+  for (const HalfedgeId first : mesh.halfedges()) {
+    if (mesh.twin(first).valid() || seen[first]) continue;
+    ++of(first).boundary_loops;
+    for (HalfedgeId h = first; !seen[h]; h = next_on_boundary(mesh, h)) seen[h] = 1;
+  }
+  return result;
+}
+
+/// The component of the surface that the generators of each component of the remesh lie on. Empty unless the
+/// components correspond one to one.
+std::vector<std::int32_t> pair_components(const IdVector<FaceId, std::int32_t>& surface_component, const Mesh& remesh,
+                                          const IdVector<FaceId, std::int32_t>& remesh_component,
+                                          const std::vector<SurfacePoint>& generators) {
+  std::map<std::int32_t, std::int32_t> there, back;
+  for (const FaceId f : remesh.faces()) {
+    for (const VertexId v : remesh.vertices(f)) {
+      const std::int32_t a = remesh_component[f], b = surface_component[generators[v.index()].face];
+      if (there.try_emplace(a, b).first->second != b || back.try_emplace(b, a).first->second != a) return {};
+    }
+  }
+  std::vector<std::int32_t> pairs;
+  for (const auto& [a, b] : there) pairs.push_back(b);
+  return pairs;
+}
+
+void compare_components(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                        RemeshCertificate& certificate) {
+  const auto surface_component = compute_face_components(surface), remesh_component = compute_face_components(remesh);
+  const auto pairs = pair_components(surface_component, remesh, remesh_component, generators);
+  certificate.same_components = certificate.input.components == certificate.output.components &&
+                                std::ssize(pairs) == certificate.input.components;
+  if (!certificate.same_components) return;
+  const auto wanted = component_topologies(surface, surface_component);
+  const auto found = component_topologies(remesh, remesh_component);
+  certificate.same_in_each_component = true;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] != wanted[pairs[i]]) certificate.same_in_each_component = false;
+  }
+}
+
+}  // namespace
+
+std::string RemeshCertificate::first_failure() const {
+  if (!manifold) return "it is not a manifold";
+  if (!closed_as_input) return "it has a boundary and the input has none, or the other way round";
+  if (!same_components) return "its components are not those of the input";
+  if (!same_euler_characteristic) return "its Euler characteristic is not that of the input";
+  if (!same_boundary_loops) return "it does not have the boundary loops of the input";
+  if (!same_in_each_component) return "a component does not have the topology of its component of the input";
+  if (flipped_faces > 0) return fmt::format("faces are flipped: {}", flipped_faces);
+  if (unused_generators > 0) return fmt::format("generators are not used: {}", unused_generators);
+  const std::int64_t intersections = std::ssize(self_intersections) - inherited_intersections;
+  if (intersections > 0 && !intersections_allowed) {
+    return fmt::format("pairs of its faces intersect: {}", intersections);
+  }
+  return {};
+}
+
+bool RemeshCertificate::ok() const { return first_failure().empty(); }
+
+RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                                 const std::vector<SurfacePoint>& face_points, int threads) {
+  RemeshCertificate certificate;
+  certificate.input = compute_mesh_summary(surface);
+  certificate.output = compute_mesh_summary(remesh);
+  const MeshSummary &in = certificate.input, &out = certificate.output;
+  certificate.manifold = is_manifold(remesh);
+  certificate.closed_as_input = (in.boundary_loops == 0) == (out.boundary_loops == 0);
+  certificate.same_euler_characteristic = in.euler_characteristic == out.euler_characteristic;
+  certificate.same_boundary_loops = in.boundary_loops == out.boundary_loops;
+  compare_components(surface, remesh, generators, certificate);
+  std::vector<char> used(generators.size(), 0);
+  for (const FaceId f : remesh.faces()) {
+    for (const VertexId v : remesh.vertices(f)) used[v.index()] = 1;
+  }
+  certificate.unused_generators = std::count(used.begin(), used.end(), 0);
+  certificate.flipped_faces = std::ssize(find_flipped_faces(surface, remesh, generators, face_points));
+  certificate.self_intersections = find_self_intersections(remesh, threads);
+  certificate.inherited_intersections =
+      std::ssize(find_inherited(surface, remesh, certificate.self_intersections, threads));
+  return certificate;
+}
+
+}  // namespace gvd

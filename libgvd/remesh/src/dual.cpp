@@ -1,0 +1,323 @@
+// The dual of a diagram: its triangles, and the defects that keep them from being a proper mesh.
+//
+// Generators become vertices, bisectors edges and branch points faces. A branch point of k > 3 cells is a polygon,
+// which is cut into k - 2 triangles. `check_dual` tests properties (1) to (9) of gvd/dual.hpp on the diagram itself. If
+// they hold, the triangles form a simplicial complex with the topology of the surface; docs/developer/remesh.md tells
+// why. Where they do not, each defect names the cells round which a new generator helps.
+// Source: H. Edelsbrunner and N. Shah, Triangulating topological spaces, 1997: the closed ball property.
+
+#include "gvd/dual.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "gvd/counted.hpp"
+#include "gvd/quality.hpp"
+#include "gvd/surface_normal.hpp"
+#include "triangle_defects.hpp"
+
+namespace gvd {
+namespace {
+
+class DualBuilder {
+ public:
+  DualBuilder(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {
+    for (const Bisector& b : diagram.bisectors) edges_.insert(std::minmax(b.left, b.right));
+  }
+
+  DualMesh build() {
+    for (const BranchPointId b : diagram_.branch_points.ids()) cut(b, diagram_.branch_points[b].generators);
+    return std::move(dual_);
+  }
+
+ private:
+  Vec3 position_of(GeneratorId g) const { return position(mesh_, diagram_.generators[g.index()]); }
+
+  void cut(BranchPointId b, std::vector<GeneratorId> polygon) {
+    while (polygon.size() > 3) {
+      const std::size_t ear = best_ear(polygon);
+      if (ear == polygon.size()) return;
+      const std::size_t n = polygon.size();
+      add(b, {polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
+      edges_.insert(std::minmax(polygon[(ear + n - 1) % n], polygon[(ear + 1) % n]));
+      polygon.erase(polygon.begin() + ear);
+    }
+    if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
+  }
+
+  /// The ear with the best quality Q among those whose new edge is not an edge yet; the polygon's size if there is
+  /// none.
+  std::size_t best_ear(const std::vector<GeneratorId>& polygon) const {
+    const std::size_t n = polygon.size();
+    std::size_t best = n;
+    double best_q = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const GeneratorId before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
+      if (before == after || edges_.count(std::minmax(before, after)) > 0) continue;
+      const double q = compute_q(position_of(before), position_of(polygon[i]), position_of(after));
+      if (q > best_q) {
+        best_q = q;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  void add(BranchPointId b, const std::array<GeneratorId, 3>& face) {
+    dual_.faces.push_back(face);
+    dual_.branch_points.push_back(b);
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  std::set<std::pair<GeneratorId, GeneratorId>> edges_;  // of the dual so far, smaller id first
+  DualMesh dual_;
+};
+
+DualDefect make_defect(DualProperty property, std::vector<GeneratorId> cells, const std::string& what, const Vec3& at) {
+  DualDefect defect;
+  defect.property = property;
+  defect.message =
+      fmt::format("({}) {}, near ({:.6g}, {:.6g}, {:.6g})", static_cast<int>(property), what, at.x(), at.y(), at.z());
+  defect.cells = std::move(cells);
+  return defect;
+}
+
+class DualChecker {
+ public:
+  DualChecker(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual)
+      : mesh_(mesh), diagram_(diagram), dual_(dual), boundary_ends_(diagram.generators.size(), 0) {}
+
+  std::vector<DualDefect> run() {
+    count_boundary_ends();
+    check_components();
+    check_discs();
+    check_boundary_arcs();
+    check_bisectors();
+    check_pairs();
+    check_branch_points();
+    check_neighbours();
+    check_different_cells();
+    check_polygons();
+    return std::move(defects_);
+  }
+
+ private:
+  DualDefect& add(DualProperty property, std::vector<GeneratorId> cells, const std::string& what, const Vec3& at) {
+    return defects_.emplace_back(make_defect(property, std::move(cells), what, at));
+  }
+
+  void add_cell_defect(DualProperty property, GeneratorId g, const std::string& what) {
+    add(property, {g}, fmt::format("cell {} {}", g.value(), what), position(mesh_, diagram_.generators[g.index()]));
+  }
+
+  void add_bisector_defect(DualProperty property, BisectorId id, const std::string& what) {
+    const Bisector& b = diagram_.bisectors[id];
+    const auto [first, second] = std::minmax(b.left, b.right);
+    add(property, {b.left, b.right}, fmt::format("cells {} and {} {}", first.value(), second.value(), what),
+        position(mesh_, b.points[b.points.size() / 2]))
+        .bisector = id;
+  }
+
+  void add_branch_defect(DualProperty property, BranchPointId b, const std::string& what) {
+    const BranchPoint& branch = diagram_.branch_points[b];
+    add(property, branch.generators, what, branch.position).branch_point = b;
+  }
+
+  void count_boundary_ends() {
+    for (const Bisector& b : diagram_.bisectors) {
+      if (b.closed) continue;
+      for (const BranchPointId end : b.ends) {
+        if (end.valid()) continue;
+        ++boundary_ends_[b.left];
+        ++boundary_ends_[b.right];
+      }
+    }
+  }
+
+  void check_components() {
+    const auto component = compute_face_components(mesh_);
+    std::set<std::int32_t> seen;  // components are numbered in the order of their first face
+    for (const SurfacePoint& g : diagram_.generators) seen.insert(component[g.face]);
+    for (const FaceId f : component.ids()) {
+      const std::int32_t c = component[f];
+      if (!seen.insert(c).second) continue;
+      add(DualProperty::component_reached, {}, fmt::format("component {} of the mesh has no generator", c),
+          mesh_.position(mesh_.vertices(f)[0]))
+          .component = c;
+    }
+  }
+
+  void check_discs() {
+    for (const Cell& c : diagram_.cells) {
+      if (c.components == 1 && c.euler_characteristic == 1) continue;
+      add_cell_defect(DualProperty::cell_is_disc, c.generator,
+                      fmt::format("is not a disc (Euler characteristic {})", c.euler_characteristic));
+    }
+  }
+
+  /// A boundary arc lies between two ends of bisectors on the boundary.
+  void check_boundary_arcs() {
+    for (const Cell& c : diagram_.cells) {
+      if (boundary_ends_[c.generator] <= 2) continue;
+      add_cell_defect(DualProperty::one_boundary_arc, c.generator,
+                      fmt::format("touches the mesh's boundary in {} arcs", boundary_ends_[c.generator] / 2));
+    }
+  }
+
+  void check_bisectors() {
+    for (const BisectorId i : diagram_.bisectors.ids()) {
+      const Bisector& b = diagram_.bisectors[i];
+      if (b.closed) {
+        add_bisector_defect(DualProperty::bisector_has_face, i, "share a closed bisector");
+      } else if (!b.ends[0].valid() && !b.ends[1].valid()) {
+        add_bisector_defect(DualProperty::bisector_has_face, i, "share a bisector from boundary to boundary");
+      }
+    }
+  }
+
+  void check_pairs() {
+    std::map<std::pair<GeneratorId, GeneratorId>, int> count;
+    for (const BisectorId i : diagram_.bisectors.ids()) {
+      const Bisector& b = diagram_.bisectors[i];
+      if (++count[std::minmax(b.left, b.right)] == 2) {
+        add_bisector_defect(DualProperty::one_bisector, i, "share more than one bisector");
+      }
+    }
+  }
+
+  /// The cells round a branch point, ascending.
+  std::vector<GeneratorId> sorted_cells(BranchPointId b) const {
+    std::vector<GeneratorId> cells = diagram_.branch_points[b].generators;
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+  void check_branch_points() {
+    std::map<std::vector<GeneratorId>, int> count;
+    for (const BranchPointId b : diagram_.branch_points.ids()) {
+      const std::vector<GeneratorId> cells = sorted_cells(b);
+      if (++count[cells] != 2) continue;
+      std::string names;
+      for (const GeneratorId g : cells) names += fmt::format("{}{}", names.empty() ? "" : ", ", g.value());
+      add_branch_defect(DualProperty::one_branch_point, b,
+                        fmt::format("cells {} share more than one branch point", names));
+    }
+  }
+
+  void check_neighbours() {
+    for (const Cell& c : diagram_.cells) {
+      const bool whole_component = c.neighbours.empty();
+      const bool at_boundary = boundary_ends_[c.generator] > 0 || (whole_component && c.boundary_loops > 0);
+      const std::size_t least = at_boundary ? 2 : 3;
+      if (c.neighbours.size() >= least) continue;
+      add_cell_defect(
+          DualProperty::enough_neighbours, c.generator,
+          fmt::format("has {} and needs {}", counted(std::ssize(c.neighbours), "neighbour", "neighbours"), least));
+    }
+  }
+
+  void check_different_cells() {
+    for (const BranchPointId b : diagram_.branch_points.ids()) {
+      const std::vector<GeneratorId> cells = sorted_cells(b);
+      const auto twice = std::adjacent_find(cells.begin(), cells.end());
+      if (twice == cells.end()) continue;
+      add_branch_defect(DualProperty::different_cells, b,
+                        fmt::format("cell {} occurs twice at a branch point", twice->value()));
+    }
+  }
+
+  void check_polygons() {
+    IdVector<BranchPointId, std::size_t> found(diagram_.branch_points.size(), 0);
+    for (const BranchPointId b : dual_.branch_points) ++found[b];
+    for (const BranchPointId b : found.ids()) {
+      const std::size_t corners = diagram_.branch_points[b].generators.size();
+      if (found[b] == corners - 2) continue;
+      add_branch_defect(DualProperty::polygon_fits, b,
+                        fmt::format("the polygon of a branch point of {} cells can't be triangulated", corners));
+    }
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  const DualMesh& dual_;
+  IdVector<GeneratorId, std::int32_t> boundary_ends_;  // of each cell: ends of its bisectors on the mesh's boundary
+  std::vector<DualDefect> defects_;
+};
+
+}  // namespace
+
+DualMesh build_dual(const Mesh& mesh, const Diagram& diagram) { return DualBuilder(mesh, diagram).build(); }
+
+std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual) {
+  return DualChecker(mesh, diagram, dual).run();
+}
+
+std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram) {
+  return check_dual(mesh, diagram, build_dual(mesh, diagram));
+}
+
+bool is_flipped(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const Vec3 area = (b - a).cross(c - a);
+  const bool has_area = area.norm() > kFlipTolerance * longest;
+  return !has_area || !(area.dot(normal) > kFlipTolerance * area.norm() * normal.norm());
+}
+
+std::vector<Vec3> normals_at_faces(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                                   const std::vector<SurfacePoint>& face_points) {
+  std::vector<Vec3> at_generator, at_face;
+  for (const SurfacePoint& generator : generators) at_generator.push_back(surface_normal(surface, generator));
+  for (const FaceId f : remesh.faces()) {
+    const auto& [a, b, c] = remesh.vertices(f);
+    at_face.push_back(at_generator[a.index()] + at_generator[b.index()] + at_generator[c.index()] +
+                      surface_normal(surface, face_points[f.index()]));
+  }
+  return at_face;
+}
+
+std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
+                                       const std::vector<SurfacePoint>& generators,
+                                       const std::vector<SurfacePoint>& face_points) {
+  const std::vector<Vec3> normals = normals_at_faces(surface, remesh, generators, face_points);
+  std::vector<FaceId> flipped;
+  for (const FaceId f : remesh.faces()) {
+    const auto& [a, b, c] = remesh.vertices(f);
+    const Vec3 &p = remesh.position(a), &q = remesh.position(b), &r = remesh.position(c);
+    if (is_flipped(p, q, r, normals[f.index()])) flipped.push_back(f);
+  }
+  return flipped;
+}
+
+std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual) {
+  std::vector<Vec3> positions, normals;
+  for (const SurfacePoint& generator : diagram.generators) {
+    positions.push_back(position(surface, generator));
+    normals.push_back(surface_normal(surface, generator));
+  }
+  std::vector<std::size_t> flipped;
+  for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+    const auto& [a, b, c] = dual.faces[i];
+    const Vec3 at_branch = surface_normal(surface, diagram.branch_points[dual.branch_points[i]].point);
+    const Vec3 mean = normals[a.index()] + normals[b.index()] + normals[c.index()] + at_branch;
+    if (is_flipped(positions[a.index()], positions[b.index()], positions[c.index()], mean)) flipped.push_back(i);
+  }
+  return flipped;
+}
+
+DualDefect triangle_defect(const Diagram& diagram, const DualMesh& dual, std::size_t triangle, const std::string& what,
+                           DualProperty property) {
+  const auto& [a, b, c] = dual.faces[triangle];
+  const BranchPointId branch = dual.branch_points[triangle];
+  const std::string whole =
+      fmt::format("the triangle of the generators {}, {} and {} {}", a.value(), b.value(), c.value(), what);
+  DualDefect defect = make_defect(property, {a, b, c}, whole, diagram.branch_points[branch].position);
+  defect.branch_point = branch;
+  return defect;
+}
+
+}  // namespace gvd

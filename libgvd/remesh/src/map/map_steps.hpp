@@ -1,0 +1,241 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/remesh.hpp"
+#include "gvd/segment.hpp"
+
+// The steps of map_to_remesh, in their order: the cells of the surface, the polygons of the branch points, where a
+// cell's border goes on the remesh and in the plane, the disc of the cell, its map, and the nearest points where a
+// check fails.
+
+namespace gvd {
+
+// cut_into_cells.cpp
+
+/// Consecutive halfedges of a cell's border, along one other cell or along the mesh's boundary.
+struct BorderRun {
+  GeneratorId other;           ///< invalid along the mesh's boundary
+  std::size_t begin = 0, end;  ///< into the loop; end is not included
+};
+
+/// The border of a cell that is a disc.
+struct CellBorder {
+  std::vector<HalfedgeId> loop;  ///< with the cell on their left, counter-clockwise
+  std::vector<BorderRun> runs;   ///< in the loop's order; one along the mesh's boundary comes last
+
+  bool at_boundary() const { return !runs.back().other.valid(); }
+};
+
+/// The vertices of a run of the border, from its first to its last. Cost: O(k).
+std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, const BorderRun& run);
+
+/// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
+///
+/// Throws Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share
+/// several runs. Cost: O(n), and O(k log k) for a cell with k neighbours.
+IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
+                                                     std::size_t cells);
+
+/// A surface cut into the cells of its remesh, ready for a one-to-one map.
+///
+/// Properties: (1) every cell is a disc, and the surface's vertices come first, in their order; (2) between two branch
+/// points, a run along another cell has an inner vertex; (3) the border of a cell at the boundary has an anchor inside
+/// its run along the boundary: the generator, or the nearest point; (4) inside a cell no edge joins two vertices of
+/// that run on the same side of the anchor, itself included.
+struct CellSurface {
+  CutMesh cut;
+  IdVector<GeneratorId, CellBorder> borders;
+  IdVector<GeneratorId, VertexId> anchors;  ///< invalid for cells that are not at the boundary
+};
+
+/// Cuts along the bisectors, and splits edges for properties (2) to (4).
+/// Throws Error{no_valid_result} where the cells are no discs, and what cut_faces throws. Cost: O(n log n).
+CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result);
+
+// dual_polygons.cpp
+
+/// The faces of a remesh that stand for one branch point: a regular polygon in the plane, cut into triangles.
+///
+/// A map to the plane that is affine on each triangle takes the faces to it. Corner i stands for the i-th cell round
+/// the branch point, counter-clockwise.
+struct DualPolygon {
+  struct Triangle {
+    FaceId face;
+    std::array<std::size_t, 3> corners{};  ///< of the polygon, in the order of the face's
+  };
+  std::vector<GeneratorId> cells;
+  std::vector<Triangle> triangles;
+  Vec2 centre = Vec2::Zero();  ///< the image of the branch point: inside, or on a side at the boundary
+  /// Parameters at which the bisectors cross the sides, from 0 at a corner to 1 at the next one.
+  std::vector<double> crossings;
+
+  Vec2 corner(std::size_t i) const;
+  /// The point where the bisector crosses the side from corner i to the next one.
+  Vec2 crossing(std::size_t i) const { return corner(i) + crossings[i] * (corner(i + 1) - corner(i)); }
+  /// The number of a cell; cells.size() if it is none of them.
+  std::size_t find(GeneratorId cell) const;
+  /// The point of the remesh that the map takes to `point`, which is in the polygon but for rounding.
+  SurfacePoint on_remesh(const Vec2& point) const;
+};
+
+/// The polygons of a remesh, one for each vertex of the cut surface at which three or more cells meet.
+class DualPolygons {
+ public:
+  /// Vertex i of `remesh` stands for the cell with label i. Refers to `remesh`, which must outlive it.
+  /// Throws Error{no_valid_result} unless every face of the remesh belongs to exactly one polygon.
+  /// Cost: O(n), and O(k^2) for k cells round a vertex.
+  DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh);
+
+  /// Null where fewer than three cells meet.
+  const DualPolygon* at(VertexId v) const { return number_[v] < 0 ? nullptr : &polygons_[number_[v]]; }
+
+  /// Sets where the bisector between two cells crosses the remesh's edge, if it begins or ends at v. The polygon's side
+  /// goes from cell a to cell b, `t` from 0 to 1.
+  void set_crossing(VertexId v, GeneratorId a, double t);
+
+  const Mesh& remesh() const { return remesh_; }
+
+ private:
+  void add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells);
+  void fill(DualPolygon& polygon, VertexId at);
+  HalfedgeId find_halfedge(GeneratorId from, GeneratorId to, VertexId at) const;
+
+  const Mesh& remesh_;
+  std::vector<DualPolygon> polygons_;
+  IdVector<VertexId, std::int32_t> number_;  ///< of the polygon; -1 for none
+  IdVector<FaceId, char> is_used_;           ///< per face of the remesh
+};
+
+// border_targets.cpp
+
+/// The lengths from a path's first vertex to each of its vertices, mesh units. Cost: O(k).
+std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>& path);
+
+/// Scales ascending numbers that begin with 0 so that the last one is `last`, bit by bit. Makes their distances
+/// more even.
+/// `even_share`: share of even spacing in their distances, in [0, 1]. It keeps numbers apart that nearly coincide.
+/// Needs two numbers at least, of which the last one is above 0. Cost: O(k).
+void scale_and_even(std::vector<double>& values, double last, double even_share);
+
+/// The straight piece of a polygon to which the map takes a halfedge of a cell's border that is between two cells. With
+/// the polygon's corner of the cell, the apex, the piece is a triangle.
+struct BorderTarget {
+  HalfedgeId halfedge;
+  const DualPolygon* polygon = nullptr;
+  Vec2 apex, from, to;            ///< points of the polygon
+  double at_from = 0, at_to = 1;  ///< how far they are from the polygon's centre; 1 at the crossing
+};
+
+/// Sets where the bisectors cross the remesh's edges: at the point of the edge nearest to the bisector, but not near
+/// the ends. Cost: O(k) for k halfedges of borders.
+void place_crossings(const CellSurface& surface, DualPolygons& polygons);
+
+/// The targets of a cell's border, in its order, without the run along the mesh's boundary.
+///
+/// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
+/// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
+/// bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
+std::vector<BorderTarget> border_targets(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell);
+
+/// How the border of a cell is put into the plane, round the origin.
+enum class BorderShape {
+  star,   ///< by angles and distances at the remesh's vertex: nearly the shape of the remesh's part
+  round,  ///< on a circle: convex
+};
+
+/// A vertex of the border of a disc, and where it is put.
+struct BorderPoint {
+  VertexId vertex;
+  Vec2 point;
+};
+
+/// The border of a cell in the plane. That of a cell at the boundary is a sector, whose corner is the anchor, at the
+/// origin. Its two straight sides are the run along the boundary.
+struct PlaneBorder {
+  std::vector<BorderPoint> points;
+  std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
+};
+
+/// Puts the border of a cell into the plane. `targets`: those of the cell; at least three, or two at the boundary.
+/// Cost: O(k) for k halfedges.
+PlaneBorder place_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
+                         const std::vector<BorderTarget>& targets, BorderShape shape);
+
+// flatten_disc.cpp
+
+/// Vertices of a disc, and their points of the plane.
+struct PlaneDisc {
+  std::vector<VertexId> vertices;  ///< ascending
+  std::vector<Vec2> points;        ///< in the same order
+
+  /// The number of v among the vertices, which it must be one of.
+  std::size_t number(VertexId v) const;
+  const Vec2& at(VertexId v) const { return points[number(v)]; }
+};
+
+/// Weights of the neighbours of a vertex. All are positive.
+enum class DiscWeights {
+  mean_value,  ///< keep angles, about
+  uniform,     ///< 1
+};
+
+/// The convex combination map of a disc of faces: every inner vertex is the weighted mean of its neighbours.
+///
+/// `border` is the whole border. The map is one-to-one, but for rounding, if two conditions hold. The border goes to a
+/// convex polygon, and no inner edge joins two vertices of one side of it. `is_oriented` tells whether the map is
+/// one-to-one with rounding, too.
+/// Throws Error{no_valid_result} where the system can't be solved. Cost: a sparse system of the inner vertices.
+PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
+                       DiscWeights weights);
+
+/// Whether every face is counter-clockwise in the plane, for certain. Cost: O(n log n).
+bool is_oriented(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc);
+
+// cell_map.cpp
+
+/// A cell in the plane: the surface's faces by a convex combination map, and the remesh's part by a fan of triangles.
+/// Both have the same border, vertex by vertex. Going from one to the other is the map.
+struct PlaneCell {
+  PlaneDisc disc;
+  VertexId vertex;                    ///< of the remesh: where the fan's apex goes
+  SurfacePoint origin;                ///< of the surface: what goes to that vertex
+  Vec2 apex = Vec2::Zero();           ///< of the fan: inside, or on the border of a cell at the boundary
+  std::vector<BorderTarget> targets;  ///< the bases of the fan's triangles, and where they go
+  std::vector<Vec2> bases;            ///< their ends in the plane, one more than targets
+
+  /// The point of the remesh for a point of the disc.
+  SurfacePoint image(const Vec2& point) const;
+};
+
+/// The input of the map of a cell.
+struct CellMapInput {
+  const Mesh& surface;  ///< before it was cut
+  const RemeshResult& result;
+  const CellSurface& cells;
+  const DualPolygons& polygons;
+};
+
+/// Flattens a cell with these faces, and checks that no triangle is turned round: of the disc, and of the fan.
+///
+/// A cell inside becomes a disc of many corners, in which the generator is the fan's apex. One at the boundary becomes
+/// a sector of it, whose two straight sides are the run along the boundary, and whose corner is the anchor.
+/// Throws Error{no_valid_result} where the check fails. Cost: a sparse system of the cell's vertices, or two.
+PlaneCell flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces);
+
+/// The point of these faces that is nearest to a point in space. Faces that are turned away from `normal` count only if
+/// there are no others: opposite sheets of a thin part can share a vertex. Cost: O(k).
+SurfacePoint find_nearest_facing(const Mesh& mesh, const std::vector<FaceId>& faces, const Vec3& point,
+                                 const Vec3& normal);
+
+// map_to_remesh.cpp
+
+/// The nearest point of the remesh for each vertex of the surface, on the triangles at its cell's vertex and that one's
+/// neighbours. `map_to_remesh` says more. Several vertices may have the same point.
+/// Throws Error{precondition} where a vertex is in no cell. Cost: O(n) for vertices of bounded valence.
+IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads);
+
+}  // namespace gvd

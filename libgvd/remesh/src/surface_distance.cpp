@@ -1,0 +1,304 @@
+// Distances of one surface from another: the largest one, the root of their mean square, and samples for pictures.
+//
+// Faces are cut into equal triangles, whose corners and centroids are samples. The largest distance is searched for by
+// branch and bound: over a triangle the distance from one face of the other surface is convex, so its largest value is
+// at a corner and bounds the distance from all faces. A triangle that may hold a farther point is cut in four. Sums and
+// pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
+
+#include "gvd/surface_distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel_chunks.hpp"
+#include "gvd/closest_point.hpp"
+#include "gvd/error.hpp"
+#include "gvd/surface_area.hpp"
+
+namespace gvd {
+namespace {
+
+void check_faces(const Mesh& from, const Mesh& to) {
+  if (from.face_count() == 0 || to.face_count() == 0) {
+    throw Error(ErrorCode::precondition, "a mesh without faces has no distance from another one");
+  }
+}
+
+/// Least number of triangles that the faces are cut into, unless the meshes are small. On ten remeshes of real meshes,
+/// the RMS of 2^18 triangles differed by at most 1 %.
+constexpr double kLeastTriangles = 1 << 15;
+/// Number of triangles for each face of the two that is enough for small meshes.
+constexpr double kTrianglesPerFace = 8;
+/// Elements whose closest points one thread finds at a time, each near that of the one before.
+constexpr std::size_t kFacesPerChunk = 128;
+/// The most triangles that the search for the largest distance keeps. With more it ends, with the bound known then.
+constexpr std::size_t kMaxPieces = 1 << 18;
+
+/// A point of the surface and the closest point of the other one.
+struct Sample {
+  Vec3 position;
+  double distance = 0;
+  FaceId nearest;
+};
+
+using Corners = std::array<Sample, 3>;
+
+/// A triangle within a face.
+struct Piece {
+  Corners corners;
+  double bound = 0;  ///< no point of the piece is farther than this
+};
+
+/// Results for some triangles.
+struct Findings {
+  double square_sum = 0;      ///< integral of the square distance
+  double farthest = 0;        ///< largest distance of a sample
+  double bound = 0;           ///< no point of the triangles that were given up is farther than this
+  std::vector<Piece> pieces;  ///< that may hold farther points
+};
+
+class DistanceMeasure {
+ public:
+  DistanceMeasure(const Mesh& from, const Mesh& to, int threads) : from_(from), tree_(to), parallel_(threads, none_) {
+    triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
+    absolute_tolerance_ = kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal());
+  }
+
+  SurfaceDistance run() {
+    sample_vertices();
+    Findings all = sample_faces();
+    SurfaceDistance result;
+    result.rms = area_ > 0 ? std::sqrt(all.square_sum / area_) : 0;
+    for (int round = 0; round < kMaxHausdorffRounds; ++round) {
+      if (all.pieces.empty() || all.pieces.size() > kMaxPieces) break;
+      all = cut_in_four(all);
+    }
+    result.hausdorff = farthest_;
+    result.hausdorff_bound = std::max(farthest_, bound_);
+    for (const Piece& piece : all.pieces) {
+      result.hausdorff_bound = std::max(result.hausdorff_bound, piece.bound);
+    }
+    return result;
+  }
+
+ private:
+  Sample sample(const Vec3& at, FaceId guess) const {
+    const NearestFace nearest = tree_.nearest_face(at, guess);
+    return {at, nearest.distance, nearest.face};
+  }
+
+  void sample_vertices() {
+    const auto chunks = cut_into_chunks(from_.vertex_count(), kFacesPerChunk);
+    at_vertex_ = IdVector<VertexId, Sample>(parallel_.collect(chunks, {}, [&](const Chunk& chunk) {
+      std::vector<Sample> samples;
+      FaceId near(0);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        samples.push_back(sample(from_.position(VertexId(i)), near));
+        near = samples.back().nearest;
+      }
+      return samples;
+    }));
+    for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
+  }
+
+  Findings sample_faces() {
+    area_ = compute_area(from_);
+    const auto chunks = cut_into_chunks(from_.face_count(), kFacesPerChunk);
+    return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
+      Findings found;
+      found.farthest = farthest_;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) sample_face(FaceId(i), found);
+      return found;
+    }));
+  }
+
+  /// Cuts the face into k * k triangles. Row i of the lattice has the points with the weight i / k of corner 0.
+  void sample_face(FaceId f, Findings& found) const {
+    const double share = area_ > 0 ? from_.area(f) / area_ : 0;
+    const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(share * triangles_))));
+    const double area = from_.area(f) / (k * k);
+    std::vector<Sample> row = sample_row(f, 0, k), next;
+    for (int i = 0; i < k; ++i, row.swap(next)) {
+      next = sample_row(f, i + 1, k);
+      for (std::size_t j = 0; j + 1 < row.size(); ++j) {
+        add_triangle({next[j], row[j], row[j + 1]}, area, found);
+        if (j + 1 < next.size()) add_triangle({row[j + 1], next[j + 1], next[j]}, area, found);
+      }
+    }
+  }
+
+  std::vector<Sample> sample_row(FaceId f, int i, int k) const {
+    const auto& [a, b, c] = from_.vertices(f);
+    if (i == k) return {at_vertex_[a]};
+    std::vector<Sample> row;
+    for (int j = 0; j <= k - i; ++j) {
+      if (i == 0 && (j == 0 || j == k)) {
+        row.push_back(at_vertex_[j == 0 ? b : c]);
+        continue;
+      }
+      const double s = double(i) / k, t = double(j) / k;
+      const Vec3 at = s * from_.position(a) + (1 - s - t) * from_.position(b) + t * from_.position(c);
+      row.push_back(sample(at, row.empty() ? at_vertex_[a].nearest : row.back().nearest));
+    }
+    return row;
+  }
+
+  /// The rule has the weights 3/4 at the centroid and 1/12 at each corner: exact for quadratic functions.
+  void add_triangle(const Corners& corners, double area, Findings& found) const {
+    const auto& [a, b, c] = corners;
+    const Sample centre = sample((a.position + b.position + c.position) / 3, a.nearest);
+    const auto square = [](const Sample& s) { return s.distance * s.distance; };
+    found.square_sum += area * (0.75 * square(centre) + (square(a) + square(b) + square(c)) / 12);
+    found.farthest = std::max(found.farthest, centre.distance);
+    for (const Sample& corner : corners) found.farthest = std::max(found.farthest, corner.distance);
+    keep({corners, upper_bound(corners)}, found.farthest, found);
+  }
+
+  /// Keeps a piece that may hold points farther than `farthest`.
+  void keep(const Piece& piece, double farthest, Findings& found) const {
+    if (piece.bound > allowed(farthest)) {
+      found.pieces.push_back(piece);
+    } else {
+      found.bound = std::max(found.bound, piece.bound);
+    }
+  }
+
+  double allowed(double farthest) const {
+    return farthest + std::max(kHausdorffTolerance * farthest, absolute_tolerance_);
+  }
+
+  /// A bound on the distance of all points of the triangle. Over it, the distance from one face is convex, so the
+  /// largest value is at a corner. Among the faces nearest to the corners, the one with the least such value counts.
+  double upper_bound(const Corners& corners) const {
+    double least = kInfinity;
+    for (const Sample& candidate : corners) {
+      double largest = 0;
+      for (const Sample& s : corners) {
+        const bool own = s.nearest == candidate.nearest;
+        largest = std::max(largest, own ? s.distance : tree_.distance(s.position, candidate.nearest));
+      }
+      least = std::min(least, largest);
+    }
+    return least;
+  }
+
+  Findings cut_in_four(const Findings& before) {
+    const auto chunks = cut_into_chunks(before.pieces.size(), kFacesPerChunk);
+    return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
+      Findings found;
+      found.farthest = farthest_;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) cut_piece(before.pieces[i].corners, found);
+      return found;
+    }));
+  }
+
+  void cut_piece(const Corners& corners, Findings& found) const {
+    const auto& [a, b, c] = corners;
+    const auto middle = [&](const Sample& p, const Sample& q) {
+      return sample((p.position + q.position) / 2, p.nearest);
+    };
+    const Sample ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const Sample& s : {ab, bc, ca}) found.farthest = std::max(found.farthest, s.distance);
+    for (const Corners& part : {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c}, Corners{ab, bc, ca}}) {
+      keep({part, upper_bound(part)}, found.farthest, found);
+    }
+  }
+
+  /// Joins what the chunks found, and keeps the pieces that may hold points farther than any found.
+  Findings join(const std::vector<Findings>& chunks) {
+    Findings all;
+    for (const Findings& found : chunks) farthest_ = std::max(farthest_, found.farthest);
+    for (const Findings& found : chunks) {
+      all.square_sum += found.square_sum;
+      all.bound = std::max(all.bound, found.bound);
+      for (const Piece& piece : found.pieces) keep(piece, farthest_, all);
+    }
+    bound_ = std::max(bound_, all.bound);
+    return all;
+  }
+
+  const Mesh& from_;
+  ClosestPointTree tree_;
+  const Progress none_;
+  ParallelChunks parallel_;
+  double absolute_tolerance_ = 0;  // mesh units
+  double triangles_ = 0;           // least number that the faces are cut into
+  double area_ = 0;                // of all faces
+  double farthest_ = 0;            // the largest distance found
+  double bound_ = 0;               // no point of the pieces that are given up is farther than this
+  IdVector<VertexId, Sample> at_vertex_;
+};
+
+IdVector<FaceId, std::int32_t> choose_steps(const Mesh& mesh) {
+  IdVector<FaceId, std::int32_t> steps;
+  const double area = compute_area(mesh);
+  for (const FaceId f : mesh.faces()) {
+    const double share = area > 0 ? mesh.area(f) / area : 0;
+    const double wanted = std::floor(std::sqrt(share * kSampledTriangles));
+    steps.push_back(static_cast<std::int32_t>(std::clamp(wanted, 1.0, double{DistanceSamples::kMaxSteps})));
+  }
+  return steps;
+}
+
+/// Distances of points from a mesh, each search from the face nearest to the point before.
+class Probe {
+ public:
+  explicit Probe(const ClosestPointTree& tree) : tree_(tree) {}
+
+  double operator()(const Vec3& point) {
+    const NearestFace nearest = tree_.nearest_face(point, near_);
+    near_ = nearest.face;
+    return nearest.distance;
+  }
+
+ private:
+  const ClosestPointTree& tree_;
+  FaceId near_ = FaceId(0);
+};
+
+void sample_lattice(const Mesh& mesh, FaceId f, std::int32_t k, Probe& probe, std::vector<double>& samples) {
+  if (k < 2) return;
+  const auto& [a, b, c] = mesh.vertices(f);
+  for (std::int32_t i = 0; i <= k; ++i) {
+    for (std::int32_t j = 0; j <= k - i; ++j) {
+      const double s = double(i) / k, t = double(j) / k, r = double(k - i - j) / k;
+      samples.push_back(probe(s * mesh.position(a) + r * mesh.position(b) + t * mesh.position(c)));
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads) {
+  check_faces(from, to);
+  return DistanceMeasure(from, to, threads).run();
+}
+
+DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads) {
+  check_faces(from, to);
+  const ClosestPointTree tree(to);
+  const Progress none;
+  const ParallelChunks parallel(threads, none);
+  DistanceSamples result;
+  result.steps = choose_steps(from);
+  const auto collect = [&](std::int32_t count, const auto& add) {
+    const auto chunks = cut_into_chunks(count, kFacesPerChunk);
+    return parallel.collect(chunks, {}, [&](const Chunk& chunk) {
+      std::vector<double> samples;
+      Probe probe(tree);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) add(i, probe, samples);
+      return samples;
+    });
+  };
+  result.at_vertex = IdVector<VertexId, double>(
+      collect(from.vertex_count(), [&](std::size_t i, Probe& probe, std::vector<double>& samples) {
+        samples.push_back(probe(from.position(VertexId(i))));
+      }));
+  result.lattice = collect(from.face_count(), [&](std::size_t i, Probe& probe, std::vector<double>& samples) {
+    sample_lattice(from, FaceId(i), result.steps[FaceId(i)], probe, samples);
+  });
+  return result;
+}
+
+}  // namespace gvd

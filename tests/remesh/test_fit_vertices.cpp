@@ -1,0 +1,53 @@
+// A round of the fit, on surfaces whose fit is known.
+#include <cmath>
+
+#include "placement_steps.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+namespace gvd::test_fit_vertices {
+
+std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
+  const ClosestPointTree tree(surface);
+  const FitTarget target{&surface, &tree, sample_surface(surface, 4000), 4000, 1};
+  std::vector<VertexAnchor> anchors;
+  for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring * Eigen::Matrix3d::Identity()});
+  return fit_vertices(remesh, target, anchors);
+}
+
+TEST_CASE("a mesh on the surface stays there, one beside it is moved to it") {
+  const Mesh surface = test::make_jittered_grid(6, 6, 0, 1);
+  std::vector<Vec3> raised = surface.positions();
+  for (Vec3& p : raised) p.z() += 0.01;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int f = 0; f < surface.face_count(); ++f) faces.push_back(surface.vertices(FaceId(f)));
+  const std::vector<Vec3> same = fit(surface, surface, 1e-6), fitted = fit(Mesh(raised, faces), surface, 1e-6);
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    CHECK((same[i] - surface.positions()[i]).norm() < 1e-9);
+    CHECK(std::abs(fitted[i].z()) < 1e-3);
+  }
+}
+
+TEST_CASE("strong springs hold the vertices") {
+  const Mesh sphere = test::make_sphere(3), ball = test::make_sphere(1);
+  const std::vector<Vec3> held = fit(ball, sphere, 1e9), free = fit(ball, sphere, 1e-3);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    CHECK((held[i] - ball.positions()[i]).norm() < 1e-8);
+    CHECK(free[i].norm() > 1.01);  // the triangles lie inside of the sphere, so the vertices go out
+  }
+}
+
+TEST_CASE("samples cover the surface evenly") {
+  const Mesh torus = test::make_torus(12, 8);
+  for (const double count : {10.0, 1000.0, 20000.0}) {
+    double area = 0, wanted = 0;
+    const auto samples = sample_surface(torus, count);
+    for (const SurfaceSample& s : samples) area += s.area;
+    for (int f = 0; f < torus.face_count(); ++f) wanted += torus.area(FaceId(f));
+    CHECK(area == Approx(wanted));
+    CHECK(static_cast<double>(samples.size()) > 0.5 * count);
+  }
+}
+
+}  // namespace gvd::test_fit_vertices
