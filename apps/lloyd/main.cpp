@@ -6,21 +6,14 @@
 #include <limits>
 #include <optional>
 
+#include "common/command.hpp"
 #include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/relaxation/constrain_start.hpp"
-#include "common/run/command.hpp"
-#include "common/steps/build_diagram.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/relaxation.hpp"
+#include "common/run_parts.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
-#include "gvd/lloyd.hpp"
-#include "lloyd/iteration_scenes.hpp"
 #include "lloyd/lloyd_report.hpp"
-#include "lloyd/relaxation_trace.hpp"
-#include "lloyd/timer.hpp"
 
 namespace {
 
@@ -91,23 +84,29 @@ void register_time_limit(app::CommandLine& line, std::optional<double>& seconds)
 }
 
 /// The progress of a relaxation that also ends after `limit` seconds.
-Progress limit_progress(const Progress& progress, const app::Timer& timer, double limit) {
-  return [progress, &timer, limit](std::string_view step, double fraction) {
-    return progress(step, std::max(fraction, std::min(1.0, timer.seconds() / limit)));
+Progress limit_progress(const Progress& progress, const app::RelaxationTrace& trace, double limit) {
+  return [progress, &trace, limit](std::string_view step, double fraction) {
+    return progress(step, std::max(fraction, std::min(1.0, trace.seconds() / limit)));
   };
+}
+
+void report_result(app::Run& run, const Mesh& mesh, const LloydResult& result) {
+  app::report_relaxation(run.report().results(), result);
+  run.figures().energy = result.final_energy;
+  for (const std::string& line : app::describe_relaxation(result)) run.console().note(line);
+  run.report().generators().clear();
+  for (const SurfacePoint& p : result.generators) {
+    run.report().generators().push_back({p, position(mesh, p), std::nullopt});
+  }
+  app::report_diagram(run, result.diagram);
 }
 
 LloydResult relax(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start, const app::OwnOptions& own,
                   app::RelaxationTrace& trace) {
-  LloydOptions options = own.relaxation;
-  options.freedom = start.freedom;
-  options.creases = start.creases;
-  options.density = start.density;
-  options.diagram = app::make_diagram_options(run.options().compute);
-  const app::Timer timer;
+  LloydOptions options = app::make_lloyd_options(own.relaxation, start, run.options().compute);
   trace = {};
-  if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
-  options.progress = own.time_limit ? limit_progress(run.progress(), timer, *own.time_limit) : run.progress();
+  if (own.time_limit) options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
+  options.progress = own.time_limit ? limit_progress(run.progress(), trace, *own.time_limit) : run.progress();
   options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
                                                              const std::vector<SurfacePoint>& generators) {
     trace.note(iterations, generators);
@@ -115,8 +114,7 @@ LloydResult relax(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& 
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");
-  app::report_relaxation(run, mesh, result);
-  app::report_diagram(run, result.diagram);
+  report_result(run, mesh, result);
   return result;
 }
 
@@ -144,10 +142,12 @@ void write_points_file(app::Run& run, const Mesh& mesh, const LloydResult& relax
 }
 
 void lloyd(app::Run& run, const app::OwnOptions& own) {
-  app::report_lloyd_options(run, own);
+  app::report_own_options(run.report().options(), own);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
-  const app::ConstrainedStart start = app::make_start(run, input, own.constraints);
+  const app::ConstrainedStart start =
+      app::constrain_start(input, app::make_generators(run, input), own.constraints, run.options());
+  if (!start.freedom.empty()) run.console().note(app::describe_freedom(start.freedom));
   app::RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
@@ -160,8 +160,7 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
     early.progress = run.progress();
     return app::make_iteration_scenes(mesh, relaxed, trace, early);
   });
-  app::verify(run, mesh, relaxed.diagram);
-  app::write_report_file(run);
+  app::finish_run(run, mesh, relaxed.diagram);
 }
 
 }  // namespace

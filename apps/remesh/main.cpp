@@ -2,29 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <utility>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "common/command.hpp"
+#include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/run/command.hpp"
-#include "common/run/step_times.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/process.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/carry_properties.hpp"
 #include "gvd/error.hpp"
-#include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/surface_area.hpp"
-#include "remesh/carry.hpp"
-#include "remesh/map_json.hpp"
-#include "remesh/relax_start.hpp"
-#include "remesh/remesh_json.hpp"
+#include "remesh/make_remesh.hpp"
 #include "remesh/remesh_report.hpp"
 #include "remesh/remesh_scenes.hpp"
-#include "remesh/search_count.hpp"
 
 namespace {
 
@@ -41,25 +37,9 @@ constexpr const char* kExamples =
 
 constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
-const app::Choices<Placement> kPlacements{
-    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
-
 constexpr const char* kMap = "--map";
 
-struct Settings {
-  RemeshOptions remesh;
-  app::RelaxOptions relaxation;
-  std::optional<Placement> place;  ///< as given
-  bool no_refine = false;
-  bool carry = false;
-};
-
-/// Listed generators are where the user wants the vertices.
-Placement default_placement(const app::GeneratorOptions& generators) {
-  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
-}
-
-void register_options(app::CommandLine& line, Settings& settings) {
+void register_options(app::CommandLine& line, app::Settings& settings) {
   const std::string group = "Remesh";
   app::add_number(line,
                   {"--max-added",
@@ -80,7 +60,7 @@ void register_options(app::CommandLine& line, Settings& settings) {
                    "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
                    "(default: fit, for --generators and --vertices generator)",
                    group},
-                  settings.place, kPlacements);
+                  settings.place, app::placement_names());
   line.add_flag({"--allow-intersections", "",
                  "Accept triangles that intersect each other; without it, generators are added there", group},
                 settings.remesh.allow_intersections);
@@ -90,53 +70,21 @@ void register_options(app::CommandLine& line, Settings& settings) {
       settings.carry);
 }
 
-/// Remeshes, and reports the time of each stage.
-RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, RemeshOptions options) {
-  app::StepTimes times(run);
-  options.on_stage = [&times](RemeshStage stage) {
-    constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
-    times.start(kNames[static_cast<std::size_t>(stage)]);
-  };
-  if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
-  return remesh(mesh, start.constrained.points, options);
+bool writes(const app::OutputOptions& output, std::string_view format) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
+    return (file == "-" ? app::stdout_format(output) : app::file_extension(file)) == format;
+  });
 }
 
-/// `freedom`: what the relaxation let each generator do; empty if all moved.
-PlacementOptions placement_options(app::Run& run, const std::vector<Freedom>& freedom, const Settings& settings) {
-  PlacementOptions options;
-  options.method = settings.place.value_or(default_placement(run.options().generators));
-  for (std::size_t i = 0; i < freedom.size(); ++i) {
-    if (freedom[i] == Freedom::fixed) options.fixed.emplace_back(static_cast<std::int64_t>(i));
+/// Refuses what contradicts the outputs or does nothing.
+void check_settings(const app::Options& options, const app::Settings& settings) {
+  if (options.output.no_curves) {
+    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
-  for (const auto& [name, value] : kPlacements) {
-    if (value == options.method) run.report().options()["place"] = name;
+  if (settings.carry && !writes(options.output, "ply") && !writes(options.output, "obj")) {
+    throw Error(ErrorCode::invalid_option,
+                "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
   }
-  return options;
-}
-
-RemeshResult make_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, const Settings& settings) {
-  const app::ConstrainedStart& given = start.constrained;
-  RemeshOptions options = settings.remesh;
-  options.creases = trace_creases(mesh, given.creases, given.corner_distance);
-  options.placement = placement_options(run, given.freedom, settings);
-  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), given.points.size());
-  options.refine = !settings.no_refine;
-  app::report_remesh_options(run, options);
-  options.diagram = app::make_diagram_options(run.options().compute);
-  options.diagram.progress = run.progress();
-  RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
-  app::report_remesh(run, mesh, result, options);
-  return result;
-}
-
-/// The generators and their remesh. With --error, as many generators as it takes.
-RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings settings) {
-  const auto remesh_with = [&](app::Run& trial, std::optional<std::int32_t> count) {
-    settings.relaxation.constraints.count = count;
-    return make_remesh(trial, input.mesh, app::make_relaxed_start(trial, input, settings.relaxation), settings);
-  };
-  if (!run.options().generators.error) return remesh_with(run, std::nullopt);
-  return remesh_with(run, app::search_count(run, input.mesh, remesh_with));
 }
 
 /// Refuses a mesh without area. Single triangles without area are ordinary input.
@@ -158,45 +106,82 @@ RemeshMap make_map(app::Run& run, const Mesh& mesh, const RemeshResult& result, 
 /// Writes `--map`; the report and a note tell how good the map is.
 void write_map(app::Run& run, const CheckedMesh& input, const RemeshMap& map) {
   if (run.options().output.own.at(kMap).empty()) return;
-  app::report_map(run, map);
+  app::report_map(run.report().results(), map);
+  run.console().note(app::describe_map(map));
   app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, map); });
 }
 
-void run_remesh(app::Run& run, const Settings& settings) {
-  if (run.options().output.no_curves) {
-    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
+/// What the input file holds, on the remesh.
+struct Carried {
+  std::vector<MeshProperty> properties;
+  std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none
+};
+
+/// `standard_input`: the text that standard input held, if INPUT is `-`.
+MeshAttributes read_attributes(const app::InputOptions& input, const std::string& standard_input) {
+  const auto format = format_from_extension(input.format);
+  if (input.path != "-") return read_mesh_attributes(input.path, format);
+  return parse_mesh_attributes(standard_input, *format, app::kStandardInput);
+}
+
+/// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
+/// over, and what no output holds.
+Carried carry(app::Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
+              const std::string& standard_input) {
+  const app::InputOptions& options = run.options().input;
+  Carried carried = run.timed("carry", [&] {
+    const MeshAttributes found = read_attributes(options, standard_input);
+    Carried made{carry_properties(input, found.properties, result, map), {}};
+    if (found.texture) made.texture = carry_texture(input, *found.texture, result, map);
+    return made;
+  });
+  if (carried.properties.empty() && carried.texture.empty()) {
+    run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
+                                   options.path == "-" ? app::kStandardInput : options.path));
+  } else if (!carried.properties.empty() && !writes(run.options().output, "ply")) {
+    run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
-  if (settings.carry) app::check_carry(run);
+  return carried;
+}
+
+void write_remesh(app::Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
+  LabelledMesh coarse{result.mesh};
+  coarse.properties = &carried.properties;
+  if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
+  const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
+  app::write_output_files(run, coarse, {{"json", json}});
+}
+
+void write_view(app::Run& run, const Mesh& mesh, const RemeshResult& result) {
+  Mesh unplaced;  // the scenes refer to it
+  app::write_view_file(run, "gvd-remesh", [&] {
+    unplaced = app::make_unplaced(mesh, result);
+    return app::make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
+  });
+}
+
+void run_remesh(app::Run& run, const app::Settings& settings) {
+  check_settings(run.options(), settings);
   run.report().options()["carry"] = settings.carry;
   app::check_relaxation(settings.relaxation, run.options().generators);
   std::string standard_input;
   const CheckedMesh input = app::load_input(run, settings.carry ? &standard_input : nullptr);
   const Mesh& mesh = input.mesh;
   check_area(run, mesh);
-  const RemeshResult result = make_result(run, input, settings);
+  const RemeshResult result = app::make_remesh(run, input, settings);
   const RemeshMap map = make_map(run, mesh, result, settings.carry);
-  const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
-  app::Carried carried;
-  if (settings.carry) carried = app::carry(run, input, result, map, standard_input);
-  LabelledMesh coarse{result.mesh};
-  coarse.properties = &carried.properties;
-  if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
-  app::write_output_files(run, coarse, {{"json", json}});
+  const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
+  write_remesh(run, mesh, result, carried);
   app::write_diagram_file(run, mesh, result.diagram);
   write_map(run, input, map);
-  Mesh unplaced;  // the scenes refer to it
-  app::write_view_file(run, "gvd-remesh", [&] {
-    unplaced = app::make_unplaced(mesh, result);
-    return app::make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
-  });
-  app::verify(run, mesh, result.diagram);
-  app::write_report_file(run);
+  write_view(run, mesh, result);
+  app::finish_run(run, mesh, result.diagram);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
+  app::Settings settings;
   app::CommandInfo info{"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,

@@ -1,15 +1,18 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/run/command.hpp"
-#include "common/steps/build_diagram.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/make_generators.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
-#include "segment/segment_json.hpp"
 #include "segment/segment_report.hpp"
 
 namespace {
@@ -25,30 +28,64 @@ constexpr const char* kExamples =
 
 constexpr const char* kRegions = "Regions";
 
-void write_view(app::Run& run, const LabelledMesh& output) {
+/// The options of gvd-segment alone.
+struct OwnOptions {
+  bool cut = false;
+  std::optional<FaceLabels> labels;  ///< of whole faces
+};
+
+void report_options(app::Run& run, const OwnOptions& own, const SegmentOptions& options) {
+  nlohmann::ordered_json& reported = run.report().options();
+  const std::string& stats = run.options().output.own.at("--stats");
+  reported["cut"] = own.cut;
+  reported["stats"] = stats.empty() ? nullptr : nlohmann::ordered_json(stats);
+  const char* const labels = options.labels == FaceLabels::smooth ? "smooth" : "nearest";
+  reported["labels"] = own.cut ? nullptr : nlohmann::ordered_json(labels);
+}
+
+void note_regions(app::Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
+  if (const std::int64_t unreached = app::count_unreached(label); unreached > 0) {
+    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
+  }
+  app::report_regions(run.report().results(), mesh, label, count);
+}
+
+void write_files(app::Run& run, const LabelledMesh& output, const app::OutputWriter& write_json) {
+  app::write_output_files(run, output, {{"json", write_json}});
   app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
+}
+
+void note_segmentation(app::Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
+  const double borders = compute_border_length(mesh, segmentation.face_label);
+  if (!segmentation.without_face.empty()) run.console().note(app::describe_without_face(segmentation.without_face));
+  app::report_segmentation(run.report().results(), segmentation);
+  if (diagram.length > 0) {
+    run.console().detail(
+        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / diagram.length));
+  }
+  app::report_borders(run.report().results(), borders, diagram.length);
+  note_regions(run, mesh, segmentation.face_label, diagram.generators.size());
 }
 
 void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
-  app::report_segmentation(run, segmentation);
-  app::report_borders(run, compute_border_length(mesh, segmentation.face_label), diagram.length);
-  app::report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
+  note_segmentation(run, mesh, diagram, segmentation);
   LabelledMesh output{mesh};
   output.face_label = &segmentation.face_label;
   output.vertex_label = &diagram.vertex_label;
   output.vertex_distance = &diagram.vertex_distance;
   output.diagram = &diagram;
-  const auto json = [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); };
-  app::write_output_files(run, output, {{"json", json}});
-  write_view(run, output);
+  write_files(run, output, [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); });
 }
 
 void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram); });
   const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
-  app::report_cut(run, cut);
-  app::report_regions(run, cut.mesh, cut.label, diagram.generators.size());
+  if (cut.uncut_faces > 0) {
+    run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
+  }
+  run.report().results()["uncut_faces"] = cut.uncut_faces;
+  note_regions(run, cut.mesh, cut.label, diagram.generators.size());
   LabelledMesh output{cut.mesh};
   output.face_label = &cut.label;
   output.face_parent = &cut.parent;
@@ -56,32 +93,30 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   output.vertex_distance = &vertices.distance;
   output.diagram = &diagram;
   output.diagram_mesh = &mesh;
-  const auto json = [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); };
-  app::write_output_files(run, output, {{"json", json}});
-  write_view(run, output);
+  write_files(run, output, [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); });
 }
 
-void segment(app::Run& run, const app::OwnOptions& own) {
-  app::report_segment_options(run, own);
+void segment(app::Run& run, const OwnOptions& own) {
+  const SegmentOptions options{own.labels.value_or(SegmentOptions().labels)};
+  report_options(run, own, options);
   const CheckedMesh input = app::load_input(run);
   const Mesh& mesh = input.mesh;
   const Diagram diagram = app::build_diagram(run, mesh, app::make_generators(run, input));
   if (own.cut) {
     write_cut_faces(run, mesh, diagram);
   } else {
-    write_whole_faces(run, mesh, diagram, own.segment_options());
+    write_whole_faces(run, mesh, diagram, options);
   }
   app::write_diagram_file(run, mesh, diagram);
   app::write_own_file(run, "--stats",
                       [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
-  app::verify(run, mesh, diagram);
-  app::write_report_file(run);
+  app::finish_run(run, mesh, diagram);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  app::OwnOptions own;
+  OwnOptions own;
   app::Command command({"gvd-segment",
                         "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                         kExamples,

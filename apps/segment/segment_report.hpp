@@ -1,36 +1,48 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
-#include "common/run/run.hpp"
-#include "gvd/ids.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
 
-// What gvd-segment notes and reports: the report's `results`, and its own members of `options`.
+// What gvd-segment tells of its regions: members of the report, notes, and the JSON of -o.
 namespace gvd::app {
 
-/// The options of gvd-segment alone.
-struct OwnOptions {
-  bool cut = false;
-  std::optional<FaceLabels> labels;  ///< of whole faces
+/// Adds moved, given and smoothed faces, and the generators without a face, to the member `results` of the report.
+void report_segmentation(nlohmann::ordered_json& results, const Segmentation& segmentation);
 
-  SegmentOptions segment_options() const { return {labels.value_or(SegmentOptions().labels)}; }
+/// Adds the length of the borders, and its ratio to that of the bisectors. Both in mesh units.
+void report_borders(nlohmann::ordered_json& results, double border_length, double bisector_length);
+
+/// Adds the number of faces, those that no generator reaches, and the size of each of `count` regions.
+void report_regions(nlohmann::ordered_json& results, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
+                    std::size_t count);
+
+/// The note on generators that own no face. It names a few of them; the report lists all.
+std::string describe_without_face(const std::vector<GeneratorId>& without_face);
+
+/// Faces that no generator reaches.
+std::int64_t count_unreached(const IdVector<FaceId, GeneratorId>& label);
+
+/// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
+void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
+                             const Segmentation& segmentation);
+
+/// A mesh, its diagram, and the mesh cut along the diagram's bisectors. It owns nothing.
+struct CutOutput {
+  const Mesh& mesh;
+  const Diagram& diagram;
+  const CutMesh& cut;
+  const CutVertices& vertices;
 };
 
-void report_segment_options(Run& run, const OwnOptions& own);
-
-/// Of a segmentation: moved, given and smoothed faces, and the generators without a face.
-void report_segmentation(Run& run, const Segmentation& segmentation);
-
-/// The length of the borders, and its ratio to that of the bisectors. Both in mesh units.
-void report_borders(Run& run, double border_length, double bisector_length);
-
-/// Of a cut mesh: the faces that were not cut.
-void report_cut(Run& run, const CutMesh& cut);
-
-/// The number of faces, those that no generator reaches, and the size of each of `count` regions.
-void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count);
+/// The same with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
+/// "vertex_labels":[],"vertex_distances":[]}`: labels and parents are those of the faces; a distance is null for none.
+void write_cut_json(std::ostream& out, const CutOutput& output);
 
 }  // namespace gvd::app
