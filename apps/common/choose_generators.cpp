@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 
 #include "common/process.hpp"
@@ -41,17 +42,8 @@ ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& ask
 }
 
 Sampling sampling_of(SamplingKind kind) {
-  switch (kind) {
-    case SamplingKind::random:
-      return Sampling::random;
-    case SamplingKind::vertices:
-      return Sampling::vertices;
-    case SamplingKind::poisson:
-      return Sampling::poisson;
-    case SamplingKind::farthest:
-      break;
-  }
-  return Sampling::farthest;
+  constexpr std::array kKinds{Sampling::farthest, Sampling::random, Sampling::vertices, Sampling::poisson};
+  return kKinds[static_cast<std::size_t>(kind)];
 }
 
 /// The number of generators for a mean length of edges.

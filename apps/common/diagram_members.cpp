@@ -1,7 +1,13 @@
+// Parts of the JSON that commands write: members beside a diagram's, points and arrays.
+//
+// A command's JSON is a diagram (gvd-diagram/1) with one more member. write_diagram_json ends with a brace, which is
+// taken off again here. Numbers have the digits that bring the same double back.
+
 #include "common/diagram_members.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "gvd/error.hpp"
@@ -23,21 +29,17 @@ std::string open_point(const SurfacePoint& point) {
                      point.bary[2]);
 }
 
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+
 void write_mesh_members(std::ostream& out, const Mesh& mesh) {
-  out << "\"vertices\":[";
-  const char* separator = "\n";
-  for (const Vec3& p : mesh.positions()) {
-    out << fmt::format("{}[{},{},{}]", separator, p.x(), p.y(), p.z());
-    separator = ",\n";
-  }
-  out << "],\n\"faces\":[";
-  separator = "\n";
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const auto& [a, b, c] = mesh.vertices(FaceId(i));
-    out << fmt::format("{}[{},{},{}]", separator, a.value(), b.value(), c.value());
-    separator = ",\n";
-  }
-  out << "]";
+  out << "\"vertices\":";
+  write_array(out, mesh.positions(), "\n",
+              [](const Vec3& p) { return fmt::format("[{},{},{}]", p.x(), p.y(), p.z()); });
+  out << ",\n\"faces\":";
+  write_array(out, mesh.faces(), "\n", [&](FaceId f) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    return fmt::format("[{},{},{}]", a.value(), b.value(), c.value());
+  });
 }
 
 void finish(std::ostream& out) {

@@ -76,10 +76,9 @@ Outcome describe_exception(const std::exception& error) {
   if (!tells_of_threads(error)) {
     return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
   }
+  if (g_compute.max_memory) return out_of_memory();  // no memory for the thread's stack
   return {kNoResult,
-          fmt::format("a thread could not be started: the system allows no more threads, or no memory for one; {}use "
-                      "--threads 1",
-                      g_compute.max_memory ? "raise --max-memory, or " : ""),
+          "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
           "no thread"};
 }
 

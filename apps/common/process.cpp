@@ -2,11 +2,13 @@
 //
 // A signal only sets a flag, which the progress callback and the steps ask for: so a run ends where it can clean up.
 // --max-memory is the limit of the system for data (setrlimit, RLIMIT_DATA). It holds for every allocation of every
-// thread, C++ or not, and costs nothing. Beyond it malloc gives null and operator new throws std::bad_alloc.
+// thread, C++ or not, and costs nothing. Beyond it malloc gives null and operator new throws std::bad_alloc. The system
+// counts what a thread's stack reserves, 8 MiB, and not what it holds; so these reserves come on top of the limit.
 
 #include "common/process.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -17,6 +19,7 @@
 #include <cstdlib>  // defines __GLIBC__
 #include <fstream>
 #include <iostream>
+#include <thread>
 
 #include "common/outcome.hpp"
 #include "gvd/error.hpp"
@@ -33,6 +36,16 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 extern "C" void raise_flag(int) { interrupted = 1; }
+
+/// Bytes that the stacks of oneTBB's threads reserve, one for each core.
+rlim_t stack_bytes() {
+  pthread_attr_t attributes;
+  std::size_t size = 0;
+  if (::pthread_attr_init(&attributes) != 0) return 0;
+  ::pthread_attr_getstacksize(&attributes, &size);
+  ::pthread_attr_destroy(&attributes);
+  return size * std::thread::hardware_concurrency();
+}
 
 }  // namespace
 
@@ -97,7 +110,7 @@ void limit_memory(std::optional<std::int64_t> bytes) {
     return limit;
   }();
   rlimit limit = initial;
-  if (bytes) limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(*bytes));
+  if (bytes) limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(*bytes) + stack_bytes());
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 

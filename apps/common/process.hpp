@@ -46,8 +46,8 @@ inline constexpr int kKeptFreedBytes = 32 << 20;
 /// Does nothing with other C libraries.
 void keep_freed_memory() noexcept;
 
-/// Limits the memory of the process (RLIMIT_DATA: heap, stacks of threads, static data): a request beyond the limit
-/// throws std::bad_alloc. Nothing: the limit that the process began with. Sanitizers reserve more than any limit.
+/// Limits the heap and the static data of the process (RLIMIT_DATA): a request beyond the limit throws std::bad_alloc.
+/// Nothing: the limit that the process began with. Sanitizers reserve more than any limit.
 void limit_memory(std::optional<std::int64_t> bytes);
 
 /// Largest resident memory of the process so far, in bytes.

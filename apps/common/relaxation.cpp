@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -51,7 +52,7 @@ constexpr double kListPrecision = 1e-5;
 class NearestRemover {
  public:
   NearestRemover(const Mesh& mesh, const std::vector<SurfacePoint>& points) : points_(points) {
-    for (std::size_t i = 0; i < points.size(); ++i) order_.push_back({position(mesh, points[i]), i, false});
+    for (const SurfacePoint& p : points) order_.push_back({position(mesh, p), order_.size(), false});
     std::sort(order_.begin(), order_.end(),
               [](const Item& a, const Item& b) { return std::pair(a.at.x(), a.index) < std::pair(b.at.x(), b.index); });
   }
@@ -114,7 +115,7 @@ void append_different(const Mesh& mesh, const Placed& added, Placed& placed) {
   const std::vector<std::int32_t> first = find_coincident(mesh, all);
   const std::size_t before = placed.points.size();
   for (std::size_t i = before; i < all.size(); ++i) {
-    if (first[i] == static_cast<std::int32_t>(i)) append(placed, all[i], added.freedom[i - before]);
+    if (std::cmp_equal(first[i], i)) append(placed, all[i], added.freedom[i - before]);
   }
 }
 
@@ -273,19 +274,8 @@ LloydOptions make_lloyd_options(LloydOptions options, const ConstrainedStart& st
 }
 
 const char* name_of(LloydStop stop) {
-  switch (stop) {
-    case LloydStop::centroids:
-      return "centroids";
-    case LloydStop::energy:
-      return "energy";
-    case LloydStop::no_descent:
-      return "no descent";
-    case LloydStop::max_iterations:
-      return "iterations";
-    case LloydStop::time_limit:
-      return "time limit";
-  }
-  return "";
+  constexpr std::array<const char*, 5> kNames{"centroids", "energy", "no descent", "iterations", "time limit"};
+  return kNames[static_cast<std::size_t>(stop)];
 }
 
 void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints) {

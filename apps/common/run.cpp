@@ -23,7 +23,7 @@ StepTimes::~StepTimes() {
 void StepTimes::start(std::string_view step) {
   stop();
   const auto found = std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == step; });
-  current_ = static_cast<std::size_t>(found - sums_.begin());
+  current_ = found - sums_.begin();
   if (found == sums_.end()) sums_.emplace_back(step, Clock::duration::zero());
   started_ = Clock::now();
 }

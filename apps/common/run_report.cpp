@@ -1,15 +1,18 @@
+// The report of a run: one JSON document (gvd-report/1), which the body of the run fills in and writes at its end.
+//
+// Members stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may
+// have a million, and written one a line, in the form in which `parse_generators` reads them.
+
 #include "common/run_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "common/diagram_members.hpp"
 #include "common/options/options_json.hpp"
-#include "gvd/error.hpp"
 
 namespace gvd::app {
 namespace {
@@ -21,26 +24,11 @@ std::int64_t count_disc_cells(const Diagram& diagram) {
                        [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
 }
 
-/// Positions have the digits that bring the same double back, as in every list of generators.
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
-
-void append_generator(std::string& text, const ReportedGenerator& generator) {
+std::string format_generator(const ReportedGenerator& generator) {
   const auto& [point, position, snap_distance] = generator;
-  fmt::format_to(std::back_inserter(text), "{{\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]",
-                 point.face.value(), point.bary[0], point.bary[1], point.bary[2], number(position.x()),
-                 number(position.y()), number(position.z()));
-  if (snap_distance) text += ",\"snap_distance\":" + number(*snap_distance);
-  text += '}';
-}
-
-/// One generator a line.
-std::string list_generators(const std::vector<ReportedGenerator>& generators) {
-  std::string text = "[";
-  for (const ReportedGenerator& generator : generators) {
-    text += text.size() == 1 ? "\n  " : ",\n  ";
-    append_generator(text, generator);
-  }
-  return text + (generators.empty() ? "]" : "\n]");
+  const std::string snapped = snap_distance ? ",\"snap_distance\":" + json_number(*snap_distance) : "";
+  return fmt::format("{},\"position\":[{},{},{}]{}}}", open_point(point), json_number(position.x()),
+                     json_number(position.y()), json_number(position.z()), snapped);
 }
 
 }  // namespace
@@ -109,15 +97,26 @@ void RunReport::set_time(std::string_view step, double milliseconds) {
 
 void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
 
+void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  generators_.resize(points.size(), {{}, Vec3::Zero(), {}});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(generators_[i].point == points[i])) generators_[i] = {points[i], position(mesh, points[i]), {}};
+  }
+}
+
 void RunReport::write(std::ostream& out) const {
   const char* separator = "{";
   for (const auto& [name, value] : document_->items()) {
-    const bool listed = name == "generators";
-    out << separator << '"' << name << "\":"
-        << (listed ? list_generators(generators_) : value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    out << separator << '"' << name << "\":";
+    if (name == "generators") {
+      write_array(out, generators_, "\n  ", format_generator, "\n]");
+    } else {
+      out << value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
     separator = ",\n";
   }
-  if (!(out << "}\n") || !out.flush()) throw Error(ErrorCode::unwritable_output, "the report could not be written");
+  out << "}\n";
+  finish(out);
 }
 
 }  // namespace gvd::app

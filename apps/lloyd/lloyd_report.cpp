@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -23,19 +25,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* describe(LloydStop stop) {
-  switch (stop) {
-    case LloydStop::centroids:
-      return "every generator is at its centroid";
-    case LloydStop::energy:
-      return "the energy falls by less than the tolerance";
-    case LloydStop::no_descent:
-      return "no step lowers the energy any more";
-    case LloydStop::max_iterations:
-      return "the iterations are used up";
-    case LloydStop::time_limit:
-      return "the time is over";
-  }
-  return "";
+  constexpr std::array<const char*, 5> kSentences{
+      "every generator is at its centroid", "the energy falls by less than the tolerance",
+      "no step lowers the energy any more", "the iterations are used up", "the time is over"};
+  return kSentences[static_cast<std::size_t>(stop)];
 }
 
 /// The name of an acceleration as on the command line.
@@ -57,27 +50,19 @@ std::string step_name(const LloydIteration& iteration) {
 
 /// One array for each figure of the iterations. The first energy is that of the given generators.
 void add_iterations(Json& results, const LloydResult& result) {
-  Json energies = Json::array({result.initial_energy});
-  Json steps = Json::array(), methods = Json::array(), relocated = Json::array();
-  Json largest = Json::array(), mean = Json::array(), scales = Json::array(), held = Json::array();
-  for (const LloydIteration& i : result.iterations) {
-    energies.push_back(i.energy);
-    largest.push_back(i.largest_move);
-    mean.push_back(i.mean_move);
-    scales.push_back(i.scale);
-    held.push_back(i.held);
-    methods.push_back(measure_name(i));
-    steps.push_back(step_name(i));
-    relocated.push_back(i.relocated);
-  }
-  results["energies"] = std::move(energies);
-  results["steps"] = std::move(steps);
-  results["relocated_generators"] = std::move(relocated);
-  results["methods"] = std::move(methods);
-  results["largest_moves"] = std::move(largest);
-  results["mean_moves"] = std::move(mean);
-  results["step_scales"] = std::move(scales);
-  results["held_generators"] = std::move(held);
+  const auto list = [&](const char* name, const auto& figure) {
+    results[name] = Json::array();
+    for (const LloydIteration& i : result.iterations) results[name].push_back(std::invoke(figure, i));
+  };
+  list("energies", &LloydIteration::energy);
+  results["energies"].insert(results["energies"].begin(), result.initial_energy);
+  list("steps", step_name);
+  list("relocated_generators", &LloydIteration::relocated);
+  list("methods", measure_name);
+  list("largest_moves", &LloydIteration::largest_move);
+  list("mean_moves", &LloydIteration::mean_move);
+  list("step_scales", &LloydIteration::scale);
+  list("held_generators", &LloydIteration::held);
 }
 
 /// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
@@ -150,10 +135,9 @@ std::vector<std::string> describe_relaxation(const LloydResult& result) {
 }
 
 void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
-  const std::size_t count = static_cast<std::size_t>(iterations) + 1;
-  seconds_.resize(count);
+  seconds_.resize(iterations + 1);
   seconds_.back() = seconds();
-  generators_.resize(count);
+  generators_.resize(iterations + 1);
   generators_.back() = generators;
 }
 
@@ -174,12 +158,12 @@ std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
   scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
   scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
-  if (last > 0) scenes[0].iteration = static_cast<std::int64_t>(last);
+  if (last > 0) scenes[0].iteration = last;
   for (std::size_t k = 0; k < gaps; ++k) {
     const std::size_t iterations = (k * last + gaps / 2) / gaps;  // rounded to the nearest
     const Diagram diagram = compute_diagram(mesh, trace.generators(iterations), k == 0 ? options : coarse(options));
     scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy_after(relaxed, iterations)));
-    if (last > 0) scenes.back().iteration = static_cast<std::int64_t>(iterations);
+    if (last > 0) scenes.back().iteration = iterations;
   }
   return scenes;
 }

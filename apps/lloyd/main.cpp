@@ -95,9 +95,7 @@ void report_result(app::Run& run, const Mesh& mesh, const LloydResult& result) {
   run.figures().energy = result.final_energy;
   for (const std::string& line : app::describe_relaxation(result)) run.console().note(line);
   run.report().generators().clear();
-  for (const SurfacePoint& p : result.generators) {
-    run.report().generators().push_back({p, position(mesh, p), std::nullopt});
-  }
+  run.report().set_generators(mesh, result.generators);
   app::report_diagram(run, result.diagram);
 }
 

@@ -57,15 +57,6 @@ void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterati
   start.diagram = std::move(result.diagram);
 }
 
-/// Generators that are still where they were asked for keep their snap distances.
-void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  std::vector<ReportedGenerator>& reported = run.report().generators();
-  reported.resize(points.size(), {{}, Vec3::Zero(), {}});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(reported[i].point == points[i])) reported[i] = {points[i], position(mesh, points[i]), std::nullopt};
-  }
-}
-
 void report_start_options(Run& run, const RelaxOptions& options, std::int32_t iterations) {
   Json& reported = run.report().options();
   const GeneratorOptions& asked = run.options().generators;
@@ -87,7 +78,7 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& 
   const std::vector<Freedom>& freedom = start.constrained.freedom;
   if (!freedom.empty()) run.console().note(describe_freedom(freedom));
   if (iterations > 0) relax(run, input.mesh, start, iterations);
-  report_generators(run, input.mesh, start.constrained.points);
+  run.report().set_generators(input.mesh, start.constrained.points);
   return start;
 }
 
@@ -134,12 +125,7 @@ RemeshResult remesh_once(Run& run, const CheckedMesh& input, const Settings& set
   report_remesh(run.report().results(), mesh, result);
   run.report().set_diagram(result.diagram);
   run.figures().regions = std::ssize(result.diagram.cells);
-  // The given generators are in the report already.
-  std::vector<ReportedGenerator>& generators = run.report().generators();
-  for (std::size_t i = generators.size(); i < result.generators.size(); ++i) {
-    const SurfacePoint& p = result.generators[i];
-    generators.push_back({p, position(mesh, p), std::nullopt});
-  }
+  run.report().set_generators(mesh, result.generators);
   for (const std::string& line : describe_remesh(result, options)) run.console().note(line);
   return result;
 }

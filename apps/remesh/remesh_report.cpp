@@ -139,30 +139,6 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
 /// Null where the map is one-to-one.
 Json obstacle(const RemeshMap& map) { return map.one_to_one ? Json() : Json(map.obstacle); }
 
-void write_output_vertices(std::ostream& out, const CheckedMesh& input, const RemeshMap& map) {
-  out << ",\n\"output_vertices\":[";
-  const char* separator = "\n";
-  for (const SurfacePoint& p : map.origins) {
-    const auto& [a, b, c] = input.mesh.vertices(p.face);
-    out << separator << open_point(p)
-        << fmt::format(",\"vertices\":[{},{},{}]}}", input.input_vertex[a], input.input_vertex[b],
-                       input.input_vertex[c]);
-    separator = ",\n";
-  }
-  out << "]";
-}
-
-void write_input_vertices(std::ostream& out, const CheckedMesh& input, const RemeshMap& map) {
-  out << ",\n\"input_vertices\":[";
-  const char* separator = "\n";
-  for (const VertexId v : input.mesh_vertex) {
-    out << separator;
-    v.valid() ? out << open_point(map.points[v]) << "}" : out << "null";
-    separator = ",\n";
-  }
-  out << "]";
-}
-
 }  // namespace
 
 void report_remesh_options(Json& options, const RemeshOptions& remesh) {
@@ -229,13 +205,9 @@ std::string describe_map(const RemeshMap& map) {
 void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result) {
   out << open_diagram(mesh, result.diagram) << ",\"remesh\":{";
   write_mesh_members(out, result.mesh);
-  out << ",\n\"face_points\":[";
-  const char* separator = "\n";
-  for (const SurfacePoint& p : result.face_points) {
-    out << separator << open_point(p) << "}";
-    separator = ",\n";
-  }
-  out << fmt::format("],\n\"added\":{}}}}}\n", result.added);
+  out << ",\n\"face_points\":";
+  write_array(out, result.face_points, "\n", [](const SurfacePoint& p) { return open_point(p) + "}"; });
+  out << fmt::format(",\n\"added\":{}}}}}\n", result.added);
   finish(out);
 }
 
@@ -244,9 +216,15 @@ void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap
                      obstacle(map).dump());
   out << fmt::format(",\"faces\":{{\"kept\":{},\"reversed\":{},\"collapsed\":{}}}", map.kept_faces, map.reversed_faces,
                      map.collapsed_faces);
-  out << fmt::format(",\"largest_move\":{},\"mean_move\":{}", map.largest_move, map.mean_move);
-  write_output_vertices(out, input, map);
-  write_input_vertices(out, input, map);
+  out << fmt::format(",\"largest_move\":{},\"mean_move\":{},\n\"output_vertices\":", map.largest_move, map.mean_move);
+  write_array(out, map.origins, "\n", [&](const SurfacePoint& p) {
+    const auto& [a, b, c] = input.mesh.vertices(p.face);
+    return open_point(p) + fmt::format(",\"vertices\":[{},{},{}]}}", input.input_vertex[a], input.input_vertex[b],
+                                       input.input_vertex[c]);
+  });
+  out << ",\n\"input_vertices\":";
+  write_array(out, input.mesh_vertex, "\n",
+              [&](VertexId v) { return v.valid() ? open_point(map.points[v]) + "}" : "null"; });
   out << "}\n";
   finish(out);
 }

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -23,24 +22,10 @@ using Json = nlohmann::ordered_json;
 /// A note names this many generators; the report lists all.
 constexpr std::size_t kNamed = 8;
 
-/// Writes an array on one line; `format_item` gives the text of each item.
-template <class Items, class FormatItem>
-void write_array(std::ostream& out, const Items& items, FormatItem format_item) {
-  const char* separator = "[";
-  for (const auto& item : items) {
-    out << separator << format_item(item);
-    separator = ",";
-  }
-  out << (items.empty() ? "[]" : "]");
-}
-
 template <class Ids>
 void write_ids(std::ostream& out, const Ids& ids) {
-  write_array(out, ids, [](auto id) { return fmt::format("{}", id.value()); });
+  write_array(out, ids, "", [](auto id) { return fmt::format("{}", id.value()); });
 }
-
-/// JSON has no infinity.
-std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
 }  // namespace
 
@@ -103,7 +88,7 @@ void write_cut_json(std::ostream& out, const CutOutput& output) {
   out << ",\n\"vertex_labels\":";
   write_ids(out, output.vertices.label);
   out << ",\n\"vertex_distances\":";
-  write_array(out, output.vertices.distance, json_number);
+  write_array(out, output.vertices.distance, "", json_number);
   out << "}}\n";
   finish(out);
 }

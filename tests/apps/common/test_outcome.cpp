@@ -84,6 +84,7 @@ TEST_CASE("a shortage is described with the limit and what helps") {
   compute.max_memory = std::int64_t{2} << 30;
   CHECK(message(compute) ==
         "out of memory: the run needs more than --max-memory 2 GiB; raise it, or simplify the mesh");
+  limit_memory_of({});
 }
 
 struct Ended {
