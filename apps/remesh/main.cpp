@@ -1,30 +1,62 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
+//
+// Sampled generators are relaxed first; listed ones stay where they are. The diagram of the relaxation's last iteration
+// is that of the remesh. --error asks for the fewest generators whose remesh is near enough: trials by bisection
+// (find_fewest), each a whole remesh in a run of its own that prints and reports nothing, and then the run itself. A
+// trial that fails counts as infinitely far, unless no trial before it has succeeded: then larger ones would take long.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/command.hpp"
 #include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/process.hpp"
+#include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/carry_properties.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/find_fewest.hpp"
+#include "gvd/lloyd.hpp"
+#include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/surface_area.hpp"
-#include "remesh/make_remesh.hpp"
+#include "remesh/relax_options.hpp"
 #include "remesh/remesh_report.hpp"
 #include "remesh/remesh_scenes.hpp"
 
+namespace gvd::app {
 namespace {
 
-using namespace gvd;
+using Json = nlohmann::ordered_json;
+
+/// The options of gvd-remesh alone.
+struct Settings {
+  RemeshOptions remesh;
+  RelaxOptions relaxation;
+  std::optional<Placement> place;  ///< as given
+  bool no_refine = false;
+  bool carry = false;
+};
+
+/// The values of --place.
+const std::vector<std::pair<std::string, Placement>>& placement_names() {
+  static const std::vector<std::pair<std::string, Placement>> names{
+      {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
+  return names;
+}
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -39,7 +71,7 @@ constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from
 
 constexpr const char* kMap = "--map";
 
-void register_options(app::CommandLine& line, app::Settings& settings) {
+void register_options(app::CommandLine& line, Settings& settings) {
   const std::string group = "Remesh";
   app::add_number(line,
                   {"--max-added",
@@ -70,14 +102,186 @@ void register_options(app::CommandLine& line, app::Settings& settings) {
       settings.carry);
 }
 
-bool writes(const app::OutputOptions& output, std::string_view format) {
+/// The generators that a remesh begins with.
+struct RelaxedStart {
+  ConstrainedStart constrained;
+  std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
+};
+
+void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
+  LloydOptions options = make_lloyd_options({}, start.constrained, run.options().compute);
+  options.max_iterations = iterations;
+  options.progress = run.progress();
+  options.on_iteration = [&run, iterations](std::int64_t done, double energy, const std::vector<SurfacePoint>&) {
+    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", done, iterations, energy));
+  };
+  LloydResult result =
+      run.timed("relaxation", [&] { return relax_generators(mesh, start.constrained.points, options); });
+  run.console().set_status("");
+  run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
+                                   counted(std::ssize(result.iterations), "iteration", "iterations"),
+                                   result.initial_energy, result.final_energy));
+  run.report().results()["relaxation"] = {{"iterations", result.iterations.size()},
+                                          {"stop", name_of(result.stop)},
+                                          {"initial_energy", result.initial_energy},
+                                          {"final_energy", result.final_energy},
+                                          {"diagrams", result.diagrams}};
+  start.constrained.points = std::move(result.generators);
+  start.diagram = std::move(result.diagram);
+}
+
+void report_start_options(Run& run, const RelaxOptions& options, std::int32_t iterations) {
+  Json& reported = run.report().options();
+  const GeneratorOptions& asked = run.options().generators;
+  reported["relax"] = iterations;
+  report_constraints(reported, options.constraints);
+  reported["target_edge"] = asked.target_edge ? Json(*asked.target_edge) : nullptr;
+  reported["loose_boundary"] = options.loose_boundary;
+  run.report().results()["relaxation"] = nullptr;
+}
+
+/// The generators of the run, or as many as `count`, relaxed as the options say.
+RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& options,
+                        std::optional<std::int32_t> count) {
+  const std::int32_t iterations = relax_iterations(options, run.options().generators);
+  report_start_options(run, options, iterations);
+  ConstraintOptions constraints = options.constraints;
+  constraints.prefers_boundary = !options.loose_boundary;
+  RelaxedStart start{constrain_start(input, make_generators(run, input, count), constraints, run.options()), {}};
+  const std::vector<Freedom>& freedom = start.constrained.freedom;
+  if (!freedom.empty()) run.console().note(describe_freedom(freedom));
+  if (iterations > 0) relax(run, input.mesh, start, iterations);
+  run.report().set_generators(input.mesh, start.constrained.points);
+  return start;
+}
+
+/// Listed generators are where the user wants the vertices.
+Placement default_placement(const GeneratorOptions& generators) {
+  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
+}
+
+RemeshOptions remesh_options(Run& run, const Mesh& mesh, const ConstrainedStart& start, const Settings& settings) {
+  RemeshOptions options = settings.remesh;
+  options.creases = trace_creases(mesh, start.creases, start.corner_distance);
+  options.placement.method = settings.place.value_or(default_placement(run.options().generators));
+  for (std::size_t i = 0; i < start.freedom.size(); ++i) {
+    if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
+  }
+  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), start.points.size());
+  options.refine = !settings.no_refine;
+  options.diagram = make_diagram_options(run.options().compute);
+  options.diagram.progress = run.progress();
+  for (const auto& [name, value] : placement_names()) {
+    if (value == options.placement.method) run.report().options()["place"] = name;
+  }
+  report_remesh_options(run.report().options(), options);
+  return options;
+}
+
+/// Remeshes, and reports the time of each stage.
+RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, RemeshOptions options) {
+  StepTimes times(run);
+  options.on_stage = [&times](RemeshStage stage) {
+    constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
+    times.start(kNames[static_cast<std::size_t>(stage)]);
+  };
+  if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
+  return remesh(mesh, start.constrained.points, options);
+}
+
+/// Generators and their remesh; `count` stands in for the number of the options.
+RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& settings,
+                         std::optional<std::int32_t> count) {
+  const Mesh& mesh = input.mesh;
+  RelaxedStart start = make_start(run, input, settings.relaxation, count);
+  const RemeshOptions options = remesh_options(run, mesh, start.constrained, settings);
+  RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
+  report_remesh(run.report().results(), mesh, result);
+  run.report().set_diagram(result.diagram);
+  run.figures().regions = std::ssize(result.diagram.cells);
+  run.report().set_generators(mesh, result.generators);
+  for (const std::string& line : describe_remesh(result, options)) run.console().note(line);
+  return result;
+}
+
+/// Distances of remeshes, infinite where a number of generators gives none.
+class Trials {
+ public:
+  Trials(const CheckedMesh& input, const Settings& settings) : input_(input), settings_(settings) {}
+
+  /// The distance of the remesh with `count` generators. Infinite where these are fewer than fixed generators and
+  /// features, or too few for a valid mesh while none may be added. Throws Error{no_valid_result} until a trial has
+  /// given a mesh: larger trials of an input that has no remesh would take long.
+  double distance(const Options& options, std::int32_t count) {
+    Console silent("", {}, true, false);
+    Run trial("", options, silent);
+    try {
+      const RemeshResult result = make_remesh(trial, input_, settings_, count);
+      has_result_ = true;
+      return std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff);
+    } catch (const Error& error) {
+      const bool too_few = error.code() == ErrorCode::no_valid_result && has_result_;
+      if (error.code() != ErrorCode::precondition && !too_few) throw;
+      last_failure_ = std::current_exception();
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
+  [[noreturn]] void refuse(double target, const Fewest& found) const {
+    const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
+    const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
+    if (!std::isfinite(best.error)) std::rethrow_exception(last_failure_);
+    throw Error(
+        ErrorCode::no_valid_result,
+        fmt::format("--error: no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest "
+                    "is within {:.6g}; ask for that or more",
+                    found.trials.back().count, target, best.error));
+  }
+
+ private:
+  const CheckedMesh& input_;
+  const Settings& settings_;
+  bool has_result_ = false;
+  std::exception_ptr last_failure_;
+};
+
+/// At most four generators for each vertex of the input are tried, or 2000 where it has few.
+FewestOptions search_options(const Mesh& mesh, const ErrorBound& bound) {
+  FewestOptions options;
+  options.target = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
+  options.most = static_cast<std::int32_t>(std::clamp<std::int64_t>(4LL * mesh.vertex_count(), 2000, 1000000000));
+  return options;
+}
+
+/// Searches for the fewest generators that keep the distance of `--error`, and reports the trials.
+std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& settings) {
+  const FewestOptions options = search_options(input.mesh, *run.options().generators.error);
+  Trials trials(input, settings);
+  double done = 0;
+  const auto try_count = [&](std::int32_t count) {
+    run.console().set_status(fmt::format("{} generators", count));
+    report_progress(run.progress(), "search", done++ / options.max_trials);
+    const double distance = trials.distance(run.options(), count);
+    run.console().detail(std::isfinite(distance)
+                             ? fmt::format("{} generators: distance {:.6g} mesh units", count, distance)
+                             : fmt::format("{} generators: no mesh", count));
+    return distance;
+  };
+  const Fewest found = run.timed("trials", [&] { return find_fewest(options, try_count); });
+  run.console().set_status("");
+  report_trials(run.report().results(), options.target, found);
+  if (!found.count) trials.refuse(options.target, found);
+  return *found.count;
+}
+
+bool writes(const OutputOptions& output, std::string_view format) {
   return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
-    return (file == "-" ? app::stdout_format(output) : app::file_extension(file)) == format;
+    return (file == "-" ? stdout_format(output) : file_extension(file)) == format;
   });
 }
 
 /// Refuses what contradicts the outputs or does nothing.
-void check_settings(const app::Options& options, const app::Settings& settings) {
+void check_settings(const Options& options, const Settings& settings) {
   if (options.output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
@@ -88,7 +292,7 @@ void check_settings(const app::Options& options, const app::Settings& settings) 
 }
 
 /// Refuses a mesh without area. Single triangles without area are ordinary input.
-void check_area(const app::Run& run, const Mesh& mesh) {
+void check_area(const Run& run, const Mesh& mesh) {
   if (compute_area(mesh) > 0) return;
   throw Error(ErrorCode::precondition,
               fmt::format("{}: no triangle has an area, so there is nothing to remesh; give a surface with area",
@@ -96,19 +300,19 @@ void check_area(const app::Run& run, const Mesh& mesh) {
 }
 
 /// For `--map` and `--carry`; empty without them.
-RemeshMap make_map(app::Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
+RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
   const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path);
+  run.report().options()["map"] = path.empty() ? Json() : Json(path);
   if (path.empty() && !carry) return {};
   return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads); });
 }
 
 /// Writes `--map`; the report and a note tell how good the map is.
-void write_map(app::Run& run, const CheckedMesh& input, const RemeshMap& map) {
+void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   if (run.options().output.own.at(kMap).empty()) return;
-  app::report_map(run.report().results(), map);
-  run.console().note(app::describe_map(map));
-  app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, map); });
+  report_map(run.report().results(), map);
+  run.console().note(describe_map(map));
+  write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
 /// What the input file holds, on the remesh.
@@ -118,17 +322,17 @@ struct Carried {
 };
 
 /// `standard_input`: the text that standard input held, if INPUT is `-`.
-MeshAttributes read_attributes(const app::InputOptions& input, const std::string& standard_input) {
+MeshAttributes read_attributes(const InputOptions& input, const std::string& standard_input) {
   const auto format = format_from_extension(input.format);
   if (input.path != "-") return read_mesh_attributes(input.path, format);
-  return parse_mesh_attributes(standard_input, *format, app::kStandardInput);
+  return parse_mesh_attributes(standard_input, *format, kStandardInput);
 }
 
 /// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
 /// over, and what no output holds.
-Carried carry(app::Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
+Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
               const std::string& standard_input) {
-  const app::InputOptions& options = run.options().input;
+  const InputOptions& options = run.options().input;
   Carried carried = run.timed("carry", [&] {
     const MeshAttributes found = read_attributes(options, standard_input);
     Carried made{carry_properties(input, found.properties, result, map), {}};
@@ -137,51 +341,56 @@ Carried carry(app::Run& run, const CheckedMesh& input, const RemeshResult& resul
   });
   if (carried.properties.empty() && carried.texture.empty()) {
     run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
-                                   options.path == "-" ? app::kStandardInput : options.path));
+                                   options.path == "-" ? kStandardInput : options.path));
   } else if (!carried.properties.empty() && !writes(run.options().output, "ply")) {
     run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
   return carried;
 }
 
-void write_remesh(app::Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
+void write_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
   LabelledMesh coarse{result.mesh};
   coarse.properties = &carried.properties;
   if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
-  const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
-  app::write_output_files(run, coarse, {{"json", json}});
+  const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
+  write_output_files(run, coarse, {{"json", json}});
 }
 
-void write_view(app::Run& run, const Mesh& mesh, const RemeshResult& result) {
+void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Mesh unplaced;  // the scenes refer to it
-  app::write_view_file(run, "gvd-remesh", [&] {
-    unplaced = app::make_unplaced(mesh, result);
-    return app::make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
+  write_view_file(run, "gvd-remesh", [&] {
+    unplaced = make_unplaced(mesh, result);
+    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
   });
 }
 
-void run_remesh(app::Run& run, const app::Settings& settings) {
+void run_remesh(Run& run, const Settings& settings) {
   check_settings(run.options(), settings);
   run.report().options()["carry"] = settings.carry;
-  app::check_relaxation(settings.relaxation, run.options().generators);
+  check_relaxation(settings.relaxation, run.options().generators);
   std::string standard_input;
-  const CheckedMesh input = app::load_input(run, settings.carry ? &standard_input : nullptr);
+  const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
   const Mesh& mesh = input.mesh;
   check_area(run, mesh);
-  const RemeshResult result = app::make_remesh(run, input, settings);
+  std::optional<std::int32_t> count;
+  if (run.options().generators.error) count = search_count(run, input, settings);
+  const RemeshResult result = make_remesh(run, input, settings, count);
   const RemeshMap map = make_map(run, mesh, result, settings.carry);
   const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
   write_remesh(run, mesh, result, carried);
-  app::write_diagram_file(run, mesh, result.diagram);
+  write_diagram_file(run, mesh, result.diagram);
   write_map(run, input, map);
   write_view(run, mesh, result);
-  app::finish_run(run, mesh, result.diagram);
+  finish_run(run, mesh, result.diagram);
 }
 
 }  // namespace
+}  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  app::Settings settings;
+  using namespace gvd;
+  using namespace gvd::app;
+  Settings settings;
   app::CommandInfo info{"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                         kExamples,
