@@ -22,7 +22,7 @@ class TimeLeft {
 /// "12 s left", "3 min left" or "2 h left".
 std::string format_time_left(double seconds);
 
-/// What standard error can display.
+/// Capabilities of standard error.
 struct ConsoleStyle {
   bool bars = false;     ///< a terminal that can redraw a line
   bool colours = false;  ///< a terminal, and NO_COLOR is not set
@@ -32,7 +32,7 @@ struct ConsoleStyle {
 /// Asks the terminal and the environment (TERM, NO_COLOR). Bars are off on anything but a terminal.
 ConsoleStyle detect_console_style();
 
-/// What a progress bar shows.
+/// Contents of a progress bar.
 struct Bar {
   std::string_view step;
   std::string_view status = {};  ///< what the step has found so far
@@ -55,7 +55,7 @@ class Console {
   void error(std::string_view message);
   void note(std::string_view message);    ///< not printed where quiet
   void detail(std::string_view message);  ///< printed only where verbose
-  /// What bars show behind the name of their step, from now on.
+  /// Sets the text that bars show behind the name of their step, from now on.
   void set_status(std::string status) { status_ = std::move(status); }
   /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
   void bar(std::string_view step, double fraction);
