@@ -1,9 +1,9 @@
-// How a run ends: every exception becomes an exit code and one line.
+// The end of a run: every exception becomes an exit code and one line.
 //
-// gvd::Error carries a code, which is the exit code's. std::bad_alloc is a shortage of memory, by --max-memory or of
-// the system. Threads that can't be started are told by the exceptions of oneTBB and std::thread. Anything else is a
-// bug. Where no exception can be caught (destructors, threads of oneTBB), std::terminate gives the same line and exit
-// code. Nothing here relies on memory: the limit is lifted first, and a fixed text stands in for a message without any.
+// gvd::Error has a code, which selects the exit code. std::bad_alloc is a shortage of memory, by --max-memory or of the
+// system. oneTBB and std::thread throw where a thread can't be started. Any other exception is a bug. Where none can be
+// caught (destructors, threads of oneTBB), the handler of std::terminate prints the line and gives the exit code. The
+// limit of memory is lifted before a message is made; a fixed text replaces a message that finds no memory.
 
 #include "common/outcome.hpp"
 
@@ -82,7 +82,7 @@ Outcome describe_exception(const std::exception& error) {
           "no thread"};
 }
 
-// Kept for std::terminate.
+// The names of the command and of its input, for std::terminate.
 std::string g_command, g_input;
 std::atomic_flag g_ending;
 constinit thread_local bool t_ending = false;

@@ -7,7 +7,7 @@
 
 #include "common/options/options.hpp"
 
-// How a run ends: its exit code and its message.
+// The end of a run: its exit code and its message.
 namespace gvd::app {
 
 /// The exit codes of the commands, as docs/guide/commands.md lists them.

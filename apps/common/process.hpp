@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-// What a command sets and asks of its process: signals, standard streams and memory.
+// The process of a command: signals, standard streams and memory.
 namespace gvd::app {
 
 /// From now on the first SIGINT or SIGTERM only sets a flag; the second one ends the process. A write to a closed pipe,

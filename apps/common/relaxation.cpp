@@ -108,7 +108,7 @@ void append(Placed& placed, const SurfacePoint& point, Freedom freedom) {
   placed.freedom.push_back(freedom);
 }
 
-/// Those of `added` that coincide with no earlier point.
+/// Appends the points of `added` that coincide with no earlier point.
 void append_different(const Mesh& mesh, const Placed& added, Placed& placed) {
   std::vector<SurfacePoint> all = placed.points;
   all.insert(all.end(), added.points.begin(), added.points.end());

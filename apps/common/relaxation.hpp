@@ -12,7 +12,7 @@
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
-// What gvd-lloyd and gvd-remesh share: the start of a relaxation, and words of its report.
+// The start of a relaxation, and words of its report, for gvd-lloyd and gvd-remesh.
 namespace gvd::app {
 
 /// Generators to begin with, and what they may do.

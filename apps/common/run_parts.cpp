@@ -1,8 +1,8 @@
-// What the bodies of the three commands' runs have in common: INPUT, generators, diagram, files, and the end.
+// The parts that the runs of the three commands share: INPUT, generators, diagram, files, and the end.
 //
-// Each part has the same shape: a step on values, within `timed`; then notes on standard error; then its members of the
-// report. The order of notes and times is part of what users see, and stays. Nothing is written before all work is done
-// that could still fail, and formats that can't hold the mesh are refused as soon as the mesh is known.
+// Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
+// report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
+// mesh are refused as soon as the mesh is known.
 
 #include "common/run_parts.hpp"
 

@@ -14,8 +14,8 @@
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
-// What the bodies of the three commands' runs have in common, in their order. Each part times its steps, notes what
-// users should know, and fills in its members of the report.
+// The parts that the runs of the three commands share, in their order. Each part times its steps, notes what users
+// should know, and fills in its members of the report.
 namespace gvd::app {
 
 /// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.

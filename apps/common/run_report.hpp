@@ -25,7 +25,7 @@ struct ReportedGenerator {
   std::optional<double> snap_distance;  ///< mesh units; from the given position, where one was given
 };
 
-/// What a command did: the document of `--report`, schema `gvd-report/1`. The steps of a run fill it in, and it is
+/// The record of a run: the document of `--report`, schema `gvd-report/1`. The body of the run fills it in, and it is
 /// written once, at the end. docs/guide/formats.md lists its members.
 class RunReport {
  public:

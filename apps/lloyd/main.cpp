@@ -126,7 +126,7 @@ const std::string& acceleration_name(Acceleration acceleration) {
   return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
 }
 
-/// What the energy of an iteration was measured with: the name of a method, or `sampled` without a diagram.
+/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
 const char* measure_name(const LloydIteration& iteration) {
   return iteration.is_sampled ? "sampled" : method_name(iteration.method);
 }
@@ -207,14 +207,13 @@ class RelaxationTrace {
   const std::vector<SurfacePoint>& generators(std::size_t iterations) const { return generators_[iterations]; }
 
   /// A table in CSV: a row for the start, and one for each iteration. `method`: of the run's diagrams.
-  /// Of two runs only the last column, the seconds since the relaxation began, differs.
+  /// Only the last column, the seconds since the relaxation began, differs between equal runs.
   void write(std::ostream& out, const LloydResult& result, const Method& method) const;
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  // Of the start, and of each iteration.
-  std::vector<double> seconds_;
-  std::vector<std::vector<SurfacePoint>> generators_;
+  std::vector<double> seconds_;                        ///< at the start, and after each iteration
+  std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
 };
 
 void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {

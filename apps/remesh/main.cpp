@@ -299,7 +299,7 @@ void check_area(const Run& run, const Mesh& mesh) {
                           run.options().input.path));
 }
 
-/// For `--map` and `--carry`; empty without them.
+/// The map that `--map` and `--carry` need; empty without them.
 RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
   const std::string& path = run.options().output.own.at(kMap);
   run.report().options()["map"] = path.empty() ? Json() : Json(path);
@@ -315,7 +315,7 @@ void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
-/// What the input file holds, on the remesh.
+/// Properties and texture of the input file, on the remesh.
 struct Carried {
   std::vector<MeshProperty> properties;
   std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none

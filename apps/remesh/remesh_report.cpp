@@ -1,4 +1,4 @@
-// What gvd-remesh tells of its result: members of the report, notes, and the JSON of -o and --map.
+// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
 //
 // The report has every figure; notes have those that users should not miss: what was added and why, creases that edges
 // do not follow, intersections, and the distance from the input in percent of the diagonal. The JSON of -o is that of
@@ -63,7 +63,7 @@ Json to_json(const SurfaceDistance& d) {
   return {{"hausdorff", d.hausdorff}, {"hausdorff_bound", d.hausdorff_bound}, {"rms", d.rms}};
 }
 
-/// What one defect, and what several, of a property look like, in the order of the properties.
+/// Words for one defect of a property and for several, in the order of the properties.
 struct DefectWords {
   const char* one;
   const char* several;
@@ -94,7 +94,7 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// What lets the edges follow more of the creases.
+/// Advice that lets the edges follow more of the creases.
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
   if (!options.refine) return "without --no-refine and --exact-count, generators are added there";
   if (result.added >= *options.max_added) return "raise --max-added";

@@ -11,7 +11,7 @@
 #include "gvd/remesh_map.hpp"
 #include "gvd/soup.hpp"
 
-// What gvd-remesh tells of its result: members of the report, notes, and the JSON of -o and --map.
+// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
 namespace gvd::app {
 
 /// Adds options of the remesh to the member `options` of the report. `options.max_added` must be the bound that holds
