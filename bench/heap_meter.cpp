@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/memory/replaced_new.hpp"
+#include "replaced_new.hpp"
 
 namespace gvd::bench {
 namespace {

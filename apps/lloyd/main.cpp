@@ -1,30 +1,53 @@
 // gvd-lloyd: relaxes generators and writes them.
+//
+// Each iteration moves the generators towards the centroids of their cells, and lowers the energy (gvd/lloyd.hpp). The
+// report, the table of --trace and the page tell the iterations in the same words: the name of the step, and that of
+// what the energy was measured with. The library reads no clock: RelaxationTrace does, for --trace and --time-limit.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "common/command.hpp"
 #include "common/options/file_extension.hpp"
+#include "common/options/options_json.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/relaxation/constrain_start.hpp"
-#include "common/run/command.hpp"
-#include "common/steps/build_diagram.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/relaxation.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
-#include "lloyd/iteration_scenes.hpp"
-#include "lloyd/lloyd_report.hpp"
-#include "lloyd/relaxation_trace.hpp"
-#include "lloyd/timer.hpp"
 
+namespace gvd::app {
 namespace {
 
-using namespace gvd;
+using Json = nlohmann::ordered_json;
+
+/// The command's own options.
+struct OwnOptions {
+  LloydOptions relaxation;
+  ConstraintOptions constraints;
+  std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
+};
+
+/// The values of --accelerate, which the report gives for each iteration too.
+const std::vector<std::pair<std::string, Acceleration>>& acceleration_names() {
+  static const std::vector<std::pair<std::string, Acceleration>> names{
+      {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
+  return names;
+}
 
 constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
@@ -90,24 +113,189 @@ void register_time_limit(app::CommandLine& line, std::optional<double>& seconds)
       seconds, app::kNotNegative);
 }
 
+const char* describe(LloydStop stop) {
+  constexpr std::array<const char*, 5> kSentences{
+      "every generator is at its centroid", "the energy falls by less than the tolerance",
+      "no step lowers the energy any more", "the iterations are used up", "the time is over"};
+  return kSentences[static_cast<std::size_t>(stop)];
+}
+
+/// The name of an acceleration as on the command line.
+const std::string& acceleration_name(Acceleration acceleration) {
+  const auto has_value = [acceleration](const auto& choice) { return choice.second == acceleration; };
+  return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
+}
+
+/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
+const char* measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : method_name(iteration.method);
+}
+
+/// How the step of an iteration was found, in one word.
+std::string step_name(const LloydIteration& iteration) {
+  if (iteration.relocated > 0) return "relocation";
+  return iteration.by == Acceleration::none ? "lloyd" : acceleration_name(iteration.by);
+}
+
+/// One array for each figure of the iterations. The first energy is that of the given generators.
+void add_iterations(Json& results, const LloydResult& result) {
+  const auto list = [&](const char* name, const auto& figure) {
+    results[name] = Json::array();
+    for (const LloydIteration& i : result.iterations) results[name].push_back(std::invoke(figure, i));
+  };
+  list("energies", &LloydIteration::energy);
+  results["energies"].insert(results["energies"].begin(), result.initial_energy);
+  list("steps", step_name);
+  list("relocated_generators", &LloydIteration::relocated);
+  list("methods", measure_name);
+  list("largest_moves", &LloydIteration::largest_move);
+  list("mean_moves", &LloydIteration::mean_move);
+  list("step_scales", &LloydIteration::scale);
+  list("held_generators", &LloydIteration::held);
+}
+
+/// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
+double area_variation(const IdVector<GeneratorId, Cell>& cells) {
+  double sum = 0, squares = 0;
+  for (const Cell& cell : cells) sum += cell.area;
+  const double mean = sum / static_cast<double>(cells.size());
+  if (!(mean > 0)) return 0;
+  for (const Cell& cell : cells) squares += (cell.area / mean - 1) * (cell.area / mean - 1);
+  return std::sqrt(squares / static_cast<double>(cells.size()));
+}
+
+void report_own_options(Json& reported, const OwnOptions& own) {
+  const LloydOptions& options = own.relaxation;
+  reported["accelerate"] = acceleration_name(options.acceleration);
+  reported["relocate"] = relocates(options);
+  reported["iterations"] = max_iterations(options);
+  reported["tolerance"] = energy_tolerance(options);
+  reported["move_tolerance"] = options.move_tolerance;
+  reported["step"] = options.step;
+  report_constraints(reported, own.constraints);
+  reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
+}
+
+void report_relaxation(Json& results, const LloydResult& result) {
+  results["iterations"] = result.iterations.size();
+  results["stop"] = name_of(result.stop);
+  add_iterations(results, result);
+  results["residual"] = result.residual;
+  results["mean_cell_radius"] = result.mean_cell_radius;
+  results["diagrams"] = result.diagrams;
+  results["area_variation"] = area_variation(result.diagram.cells);
+}
+
+/// One line each: iterations and energies, and how even the areas are.
+std::vector<std::string> describe_relaxation(const LloydResult& result) {
+  return {fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
+                      counted(std::ssize(result.iterations), "iteration", "iterations"), result.initial_energy,
+                      result.final_energy, describe(result.stop)),
+          fmt::format("areas of the cells: coefficient of variation {:.3g}", area_variation(result.diagram.cells))};
+}
+
+/// When the energy of each iteration was known, and the generators then. The library reads no clock.
+class RelaxationTrace {
+ public:
+  /// Seconds since this was made.
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  /// To be called from LloydOptions::on_iteration. Iterations that count as one with those before are forgotten.
+  void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators);
+
+  /// The generators after so many iterations; 0: at the start.
+  const std::vector<SurfacePoint>& generators(std::size_t iterations) const { return generators_[iterations]; }
+
+  /// A table in CSV: a row for the start, and one for each iteration. `method`: of the run's diagrams.
+  /// Only the last column, the seconds since the relaxation began, differs between equal runs.
+  void write(std::ostream& out, const LloydResult& result, const Method& method) const;
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<double> seconds_;                        ///< at the start, and after each iteration
+  std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
+};
+
+void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
+  seconds_.resize(iterations + 1);
+  seconds_.back() = seconds();
+  generators_.resize(iterations + 1);
+  generators_.back() = generators;
+}
+
+void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
+  out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
+  const char* first = result.iterations.empty() ? method_name(method) : measure_name(result.iterations.front());
+  out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
+  for (std::size_t i = 0; i < result.iterations.size(); ++i) {
+    const LloydIteration& done = result.iterations[i];
+    out << fmt::format("{},{},{},{},{},{},{:.6f}\n", i + 1, done.energy, done.largest_move, done.mean_move,
+                       measure_name(done), step_name(done), seconds_[i + 1]);
+  }
+}
+
+/// Scenes of a page: each costs a diagram, and about as many bytes as a page with one.
+constexpr std::size_t kMostScenes = 12;
+
+/// Least chord tolerance between start and end, in mean edge lengths: pages are a quarter smaller than with the
+/// default.
+constexpr double kCoarseChords = 0.05;
+
+DiagramOptions coarse(DiagramOptions options) {
+  options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
+  return options;
+}
+
+ViewScene make_scene(const Mesh& mesh, const Diagram& diagram, std::string name, double energy) {
+  ViewScene scene = make_view_scene(std::move(name), mesh, diagram);
+  scene.figures.push_back({"Energy", fmt::format("{:.6g}", energy)});
+  return scene;
+}
+
+double energy_after(const LloydResult& relaxed, std::size_t iterations) {
+  return iterations == 0 ? relaxed.initial_energy : relaxed.iterations[iterations - 1].energy;
+}
+
+/// The scenes of the page: the relaxed generators, the start, and iterations between them, evenly over the run.
+/// `options`: of their diagrams, which are computed but for the last.
+std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult& relaxed, const RelaxationTrace& trace,
+                                             const DiagramOptions& options) {
+  const std::size_t last = relaxed.iterations.size(), gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, 1));
+  std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
+  scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
+  scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
+  if (last > 0) scenes[0].iteration = last;
+  for (std::size_t k = 0; k < gaps; ++k) {
+    const std::size_t iterations = (k * last + gaps / 2) / gaps;  // rounded to the nearest
+    const Diagram diagram = compute_diagram(mesh, trace.generators(iterations), k == 0 ? options : coarse(options));
+    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy_after(relaxed, iterations)));
+    if (last > 0) scenes.back().iteration = iterations;
+  }
+  return scenes;
+}
+
 /// The progress of a relaxation that also ends after `limit` seconds.
-Progress limit_progress(const Progress& progress, const app::Timer& timer, double limit) {
-  return [progress, &timer, limit](std::string_view step, double fraction) {
-    return progress(step, std::max(fraction, std::min(1.0, timer.seconds() / limit)));
+Progress limit_progress(const Progress& progress, const RelaxationTrace& trace, double limit) {
+  return [progress, &trace, limit](std::string_view step, double fraction) {
+    return progress(step, std::max(fraction, std::min(1.0, trace.seconds() / limit)));
   };
 }
 
-LloydResult relax(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& start, const app::OwnOptions& own,
-                  app::RelaxationTrace& trace) {
-  LloydOptions options = own.relaxation;
-  options.freedom = start.freedom;
-  options.creases = start.creases;
-  options.density = start.density;
-  options.diagram = app::make_diagram_options(run.options().compute);
-  const app::Timer timer;
+void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
+  report_relaxation(run.report().results(), result);
+  run.figures().energy = result.final_energy;
+  for (const std::string& line : describe_relaxation(result)) run.console().note(line);
+  run.report().generators().clear();
+  run.report().set_generators(mesh, result.generators);
+  report_diagram(run, result.diagram);
+}
+
+LloydResult relax(Run& run, const Mesh& mesh, const ConstrainedStart& start, const OwnOptions& own,
+                  RelaxationTrace& trace) {
+  LloydOptions options = make_lloyd_options(own.relaxation, start, run.options().compute);
   trace = {};
-  if (own.time_limit) options.is_time_over = [&] { return timer.seconds() >= *own.time_limit; };
-  options.progress = own.time_limit ? limit_progress(run.progress(), timer, *own.time_limit) : run.progress();
+  if (own.time_limit) options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
+  options.progress = own.time_limit ? limit_progress(run.progress(), trace, *own.time_limit) : run.progress();
   options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
                                                              const std::vector<SurfacePoint>& generators) {
     trace.note(iterations, generators);
@@ -115,12 +303,11 @@ LloydResult relax(app::Run& run, const Mesh& mesh, const app::ConstrainedStart& 
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");
-  app::report_relaxation(run, mesh, result);
-  app::report_diagram(run, result.diagram);
+  report_result(run, mesh, result);
   return result;
 }
 
-void write_outputs(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
+void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
   LabelledMesh output{mesh};
   output.face_label = &diagram.face_label;
   output.vertex_label = &diagram.vertex_label;
@@ -129,44 +316,46 @@ void write_outputs(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   const auto list = [&](GeneratorFormat format) {
     return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
   };
-  app::write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
+  write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
-void write_points_file(app::Run& run, const Mesh& mesh, const LloydResult& relaxed) {
-  const auto format = parse_point_format(app::file_extension(run.options().output.own.at("--points")));
+void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
+  const auto format = parse_point_format(file_extension(run.options().output.own.at("--points")));
   if (!format) return;
   std::vector<SurfaceSample> samples;
   for (const SurfacePoint& point : relaxed.generators) {
     const CellMoments& moments = relaxed.moments[GeneratorId(std::ssize(samples))];
     samples.push_back({point, moments.area, moments.energy});
   }
-  app::write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
+  write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
 }
 
-void lloyd(app::Run& run, const app::OwnOptions& own) {
-  app::report_lloyd_options(run, own);
-  const CheckedMesh input = app::load_input(run);
+void lloyd(Run& run, const OwnOptions& own) {
+  report_own_options(run.report().options(), own);
+  const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const app::ConstrainedStart start = app::make_start(run, input, own.constraints);
-  app::RelaxationTrace trace;
+  const ConstrainedStart start = constrain_start(input, make_generators(run, input), own.constraints, run.options());
+  if (!start.freedom.empty()) run.console().note(describe_freedom(start.freedom));
+  RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
-  app::write_diagram_file(run, mesh, relaxed.diagram);
+  write_diagram_file(run, mesh, relaxed.diagram);
   write_points_file(run, mesh, relaxed);
-  app::write_own_file(run, "--trace",
-                      [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
-  app::write_view_file(run, "gvd-lloyd", [&] {
-    DiagramOptions early = app::make_diagram_options(run.options().compute);
+  write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
+  write_view_file(run, "gvd-lloyd", [&] {
+    DiagramOptions early = make_diagram_options(run.options().compute);
     early.progress = run.progress();
-    return app::make_iteration_scenes(mesh, relaxed, trace, early);
+    return make_iteration_scenes(mesh, relaxed, trace, early);
   });
-  app::verify(run, mesh, relaxed.diagram);
-  app::write_report_file(run);
+  finish_run(run, mesh, relaxed.diagram);
 }
 
 }  // namespace
+}  // namespace gvd::app
 
 int main(int argc, char** argv) {
+  using namespace gvd;
+  using namespace gvd::app;
   app::OwnOptions own;
   app::Command command({"gvd-lloyd",
                         "Moves generators to the geodesic centroids of their regions until they rest.",

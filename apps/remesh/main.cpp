@@ -1,34 +1,62 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
+//
+// Sampled generators are relaxed first; listed ones stay where they are. The diagram of the relaxation's last iteration
+// is that of the remesh. --error asks for the fewest generators whose remesh is near enough: trials by bisection
+// (find_fewest), each a whole remesh in a run of its own that prints and reports nothing, and then the run itself. A
+// trial that fails counts as infinitely far, unless no trial before it has succeeded: then larger ones would take long.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
+#include <cmath>
+#include <exception>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "common/command.hpp"
+#include "common/options/file_extension.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/run/command.hpp"
-#include "common/run/step_times.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/process.hpp"
+#include "common/relaxation.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/carry_properties.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/find_fewest.hpp"
+#include "gvd/lloyd.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/surface_area.hpp"
-#include "remesh/carry.hpp"
-#include "remesh/map_json.hpp"
-#include "remesh/relax_start.hpp"
-#include "remesh/remesh_json.hpp"
+#include "remesh/relax_options.hpp"
 #include "remesh/remesh_report.hpp"
 #include "remesh/remesh_scenes.hpp"
-#include "remesh/search_count.hpp"
 
+namespace gvd::app {
 namespace {
 
-using namespace gvd;
+using Json = nlohmann::ordered_json;
+
+/// The options of gvd-remesh alone.
+struct Settings {
+  RemeshOptions remesh;
+  RelaxOptions relaxation;
+  std::optional<Placement> place;  ///< as given
+  bool no_refine = false;
+  bool carry = false;
+};
+
+/// The values of --place.
+const std::vector<std::pair<std::string, Placement>>& placement_names() {
+  static const std::vector<std::pair<std::string, Placement>> names{
+      {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
+  return names;
+}
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -41,23 +69,7 @@ constexpr const char* kExamples =
 
 constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
-const app::Choices<Placement> kPlacements{
-    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
-
 constexpr const char* kMap = "--map";
-
-struct Settings {
-  RemeshOptions remesh;
-  app::RelaxOptions relaxation;
-  std::optional<Placement> place;  ///< as given
-  bool no_refine = false;
-  bool carry = false;
-};
-
-/// Listed generators are where the user wants the vertices.
-Placement default_placement(const app::GeneratorOptions& generators) {
-  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
-}
 
 void register_options(app::CommandLine& line, Settings& settings) {
   const std::string group = "Remesh";
@@ -80,7 +92,7 @@ void register_options(app::CommandLine& line, Settings& settings) {
                    "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
                    "(default: fit, for --generators and --vertices generator)",
                    group},
-                  settings.place, kPlacements);
+                  settings.place, app::placement_names());
   line.add_flag({"--allow-intersections", "",
                  "Accept triangles that intersect each other; without it, generators are added there", group},
                 settings.remesh.allow_intersections);
@@ -90,9 +102,85 @@ void register_options(app::CommandLine& line, Settings& settings) {
       settings.carry);
 }
 
+/// The generators that a remesh begins with.
+struct RelaxedStart {
+  ConstrainedStart constrained;
+  std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
+};
+
+void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
+  LloydOptions options = make_lloyd_options({}, start.constrained, run.options().compute);
+  options.max_iterations = iterations;
+  options.progress = run.progress();
+  options.on_iteration = [&run, iterations](std::int64_t done, double energy, const std::vector<SurfacePoint>&) {
+    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", done, iterations, energy));
+  };
+  LloydResult result =
+      run.timed("relaxation", [&] { return relax_generators(mesh, start.constrained.points, options); });
+  run.console().set_status("");
+  run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
+                                   counted(std::ssize(result.iterations), "iteration", "iterations"),
+                                   result.initial_energy, result.final_energy));
+  run.report().results()["relaxation"] = {{"iterations", result.iterations.size()},
+                                          {"stop", name_of(result.stop)},
+                                          {"initial_energy", result.initial_energy},
+                                          {"final_energy", result.final_energy},
+                                          {"diagrams", result.diagrams}};
+  start.constrained.points = std::move(result.generators);
+  start.diagram = std::move(result.diagram);
+}
+
+void report_start_options(Run& run, const RelaxOptions& options, std::int32_t iterations) {
+  Json& reported = run.report().options();
+  const GeneratorOptions& asked = run.options().generators;
+  reported["relax"] = iterations;
+  report_constraints(reported, options.constraints);
+  reported["target_edge"] = asked.target_edge ? Json(*asked.target_edge) : nullptr;
+  reported["loose_boundary"] = options.loose_boundary;
+  run.report().results()["relaxation"] = nullptr;
+}
+
+/// The generators of the run, or as many as `count`, relaxed as the options say.
+RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& options,
+                        std::optional<std::int32_t> count) {
+  const std::int32_t iterations = relax_iterations(options, run.options().generators);
+  report_start_options(run, options, iterations);
+  ConstraintOptions constraints = options.constraints;
+  constraints.prefers_boundary = !options.loose_boundary;
+  RelaxedStart start{constrain_start(input, make_generators(run, input, count), constraints, run.options()), {}};
+  const std::vector<Freedom>& freedom = start.constrained.freedom;
+  if (!freedom.empty()) run.console().note(describe_freedom(freedom));
+  if (iterations > 0) relax(run, input.mesh, start, iterations);
+  run.report().set_generators(input.mesh, start.constrained.points);
+  return start;
+}
+
+/// Listed generators are where the user wants the vertices.
+Placement default_placement(const GeneratorOptions& generators) {
+  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
+}
+
+RemeshOptions remesh_options(Run& run, const Mesh& mesh, const ConstrainedStart& start, const Settings& settings) {
+  RemeshOptions options = settings.remesh;
+  options.creases = trace_creases(mesh, start.creases, start.corner_distance);
+  options.placement.method = settings.place.value_or(default_placement(run.options().generators));
+  for (std::size_t i = 0; i < start.freedom.size(); ++i) {
+    if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
+  }
+  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), start.points.size());
+  options.refine = !settings.no_refine;
+  options.diagram = make_diagram_options(run.options().compute);
+  options.diagram.progress = run.progress();
+  for (const auto& [name, value] : placement_names()) {
+    if (value == options.placement.method) run.report().options()["place"] = name;
+  }
+  report_remesh_options(run.report().options(), options);
+  return options;
+}
+
 /// Remeshes, and reports the time of each stage.
-RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, RemeshOptions options) {
-  app::StepTimes times(run);
+RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, RemeshOptions options) {
+  StepTimes times(run);
   options.on_stage = [&times](RemeshStage stage) {
     constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
     times.start(kNames[static_cast<std::size_t>(stage)]);
@@ -101,101 +189,207 @@ RemeshResult timed_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& s
   return remesh(mesh, start.constrained.points, options);
 }
 
-/// `freedom`: what the relaxation let each generator do; empty if all moved.
-PlacementOptions placement_options(app::Run& run, const std::vector<Freedom>& freedom, const Settings& settings) {
-  PlacementOptions options;
-  options.method = settings.place.value_or(default_placement(run.options().generators));
-  for (std::size_t i = 0; i < freedom.size(); ++i) {
-    if (freedom[i] == Freedom::fixed) options.fixed.emplace_back(static_cast<std::int64_t>(i));
-  }
-  for (const auto& [name, value] : kPlacements) {
-    if (value == options.method) run.report().options()["place"] = name;
-  }
-  return options;
-}
-
-RemeshResult make_remesh(app::Run& run, const Mesh& mesh, app::RelaxedStart&& start, const Settings& settings) {
-  const app::ConstrainedStart& given = start.constrained;
-  RemeshOptions options = settings.remesh;
-  options.creases = trace_creases(mesh, given.creases, given.corner_distance);
-  options.placement = placement_options(run, given.freedom, settings);
-  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), given.points.size());
-  options.refine = !settings.no_refine;
-  app::report_remesh_options(run, options);
-  options.diagram = app::make_diagram_options(run.options().compute);
-  options.diagram.progress = run.progress();
+/// Generators and their remesh; `count` stands in for the number of the options.
+RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& settings,
+                         std::optional<std::int32_t> count) {
+  const Mesh& mesh = input.mesh;
+  RelaxedStart start = make_start(run, input, settings.relaxation, count);
+  const RemeshOptions options = remesh_options(run, mesh, start.constrained, settings);
   RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
-  app::report_remesh(run, mesh, result, options);
+  report_remesh(run.report().results(), mesh, result);
+  run.report().set_diagram(result.diagram);
+  run.figures().regions = std::ssize(result.diagram.cells);
+  run.report().set_generators(mesh, result.generators);
+  for (const std::string& line : describe_remesh(result, options)) run.console().note(line);
   return result;
 }
 
-/// The generators and their remesh. With --error, as many generators as it takes.
-RemeshResult make_result(app::Run& run, const CheckedMesh& input, Settings settings) {
-  const auto remesh_with = [&](app::Run& trial, std::optional<std::int32_t> count) {
-    settings.relaxation.constraints.count = count;
-    return make_remesh(trial, input.mesh, app::make_relaxed_start(trial, input, settings.relaxation), settings);
+/// Distances of remeshes, infinite where a number of generators gives none.
+class Trials {
+ public:
+  Trials(const CheckedMesh& input, const Settings& settings) : input_(input), settings_(settings) {}
+
+  /// The distance of the remesh with `count` generators. Infinite where these are fewer than fixed generators and
+  /// features, or too few for a valid mesh while none may be added. Throws Error{no_valid_result} until a trial has
+  /// given a mesh: larger trials of an input that has no remesh would take long.
+  double distance(const Options& options, std::int32_t count) {
+    Console silent("", {}, true, false);
+    Run trial("", options, silent);
+    try {
+      const RemeshResult result = make_remesh(trial, input_, settings_, count);
+      has_result_ = true;
+      return std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff);
+    } catch (const Error& error) {
+      const bool too_few = error.code() == ErrorCode::no_valid_result && has_result_;
+      if (error.code() != ErrorCode::precondition && !too_few) throw;
+      last_failure_ = std::current_exception();
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
+  [[noreturn]] void refuse(double target, const Fewest& found) const {
+    const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
+    const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
+    if (!std::isfinite(best.error)) std::rethrow_exception(last_failure_);
+    throw Error(
+        ErrorCode::no_valid_result,
+        fmt::format("--error: no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest "
+                    "is within {:.6g}; ask for that or more",
+                    found.trials.back().count, target, best.error));
+  }
+
+ private:
+  const CheckedMesh& input_;
+  const Settings& settings_;
+  bool has_result_ = false;
+  std::exception_ptr last_failure_;
+};
+
+/// At most four generators for each vertex of the input are tried, or 2000 where it has few.
+FewestOptions search_options(const Mesh& mesh, const ErrorBound& bound) {
+  FewestOptions options;
+  options.target = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
+  options.most = static_cast<std::int32_t>(std::clamp<std::int64_t>(4LL * mesh.vertex_count(), 2000, 1000000000));
+  return options;
+}
+
+/// Searches for the fewest generators that keep the distance of `--error`, and reports the trials.
+std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& settings) {
+  const FewestOptions options = search_options(input.mesh, *run.options().generators.error);
+  Trials trials(input, settings);
+  double done = 0;
+  const auto try_count = [&](std::int32_t count) {
+    run.console().set_status(fmt::format("{} generators", count));
+    report_progress(run.progress(), "search", done++ / options.max_trials);
+    const double distance = trials.distance(run.options(), count);
+    run.console().detail(std::isfinite(distance)
+                             ? fmt::format("{} generators: distance {:.6g} mesh units", count, distance)
+                             : fmt::format("{} generators: no mesh", count));
+    return distance;
   };
-  if (!run.options().generators.error) return remesh_with(run, std::nullopt);
-  return remesh_with(run, app::search_count(run, input.mesh, remesh_with));
+  const Fewest found = run.timed("trials", [&] { return find_fewest(options, try_count); });
+  run.console().set_status("");
+  report_trials(run.report().results(), options.target, found);
+  if (!found.count) trials.refuse(options.target, found);
+  return *found.count;
+}
+
+bool writes(const OutputOptions& output, std::string_view format) {
+  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
+    return (file == "-" ? stdout_format(output) : file_extension(file)) == format;
+  });
+}
+
+/// Refuses what contradicts the outputs or does nothing.
+void check_settings(const Options& options, const Settings& settings) {
+  if (options.output.no_curves) {
+    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
+  }
+  if (settings.carry && !writes(options.output, "ply") && !writes(options.output, "obj")) {
+    throw Error(ErrorCode::invalid_option,
+                "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
+  }
 }
 
 /// Refuses a mesh without area. Single triangles without area are ordinary input.
-void check_area(const app::Run& run, const Mesh& mesh) {
+void check_area(const Run& run, const Mesh& mesh) {
   if (compute_area(mesh) > 0) return;
   throw Error(ErrorCode::precondition,
               fmt::format("{}: no triangle has an area, so there is nothing to remesh; give a surface with area",
                           run.options().input.path));
 }
 
-/// For `--map` and `--carry`; empty without them.
-RemeshMap make_map(app::Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
+/// The map that `--map` and `--carry` need; empty without them.
+RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
   const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(path);
+  run.report().options()["map"] = path.empty() ? Json() : Json(path);
   if (path.empty() && !carry) return {};
   return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads); });
 }
 
 /// Writes `--map`; the report and a note tell how good the map is.
-void write_map(app::Run& run, const CheckedMesh& input, const RemeshMap& map) {
+void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   if (run.options().output.own.at(kMap).empty()) return;
-  app::report_map(run, map);
-  app::write_own_file(run, kMap, [&](std::ostream& out) { app::write_map_json(out, input, map); });
+  report_map(run.report().results(), map);
+  run.console().note(describe_map(map));
+  write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
-void run_remesh(app::Run& run, const Settings& settings) {
-  if (run.options().output.no_curves) {
-    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
+/// Properties and texture of the input file, on the remesh.
+struct Carried {
+  std::vector<MeshProperty> properties;
+  std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none
+};
+
+/// `standard_input`: the text that standard input held, if INPUT is `-`.
+MeshAttributes read_attributes(const InputOptions& input, const std::string& standard_input) {
+  const auto format = format_from_extension(input.format);
+  if (input.path != "-") return read_mesh_attributes(input.path, format);
+  return parse_mesh_attributes(standard_input, *format, kStandardInput);
+}
+
+/// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
+/// over, and what no output holds.
+Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
+              const std::string& standard_input) {
+  const InputOptions& options = run.options().input;
+  Carried carried = run.timed("carry", [&] {
+    const MeshAttributes found = read_attributes(options, standard_input);
+    Carried made{carry_properties(input, found.properties, result, map), {}};
+    if (found.texture) made.texture = carry_texture(input, *found.texture, result, map);
+    return made;
+  });
+  if (carried.properties.empty() && carried.texture.empty()) {
+    run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
+                                   options.path == "-" ? kStandardInput : options.path));
+  } else if (!carried.properties.empty() && !writes(run.options().output, "ply")) {
+    run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
-  if (settings.carry) app::check_carry(run);
-  run.report().options()["carry"] = settings.carry;
-  app::check_relaxation(settings.relaxation, run.options().generators);
-  std::string standard_input;
-  const CheckedMesh input = app::load_input(run, settings.carry ? &standard_input : nullptr);
-  const Mesh& mesh = input.mesh;
-  check_area(run, mesh);
-  const RemeshResult result = make_result(run, input, settings);
-  const RemeshMap map = make_map(run, mesh, result, settings.carry);
-  const auto json = [&](std::ostream& out) { app::write_remesh_json(out, mesh, result); };
-  app::Carried carried;
-  if (settings.carry) carried = app::carry(run, input, result, map, standard_input);
+  return carried;
+}
+
+void write_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
   LabelledMesh coarse{result.mesh};
   coarse.properties = &carried.properties;
   if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
-  app::write_output_files(run, coarse, {{"json", json}});
-  app::write_diagram_file(run, mesh, result.diagram);
-  write_map(run, input, map);
+  const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
+  write_output_files(run, coarse, {{"json", json}});
+}
+
+void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Mesh unplaced;  // the scenes refer to it
-  app::write_view_file(run, "gvd-remesh", [&] {
-    unplaced = app::make_unplaced(mesh, result);
-    return app::make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
+  write_view_file(run, "gvd-remesh", [&] {
+    unplaced = make_unplaced(mesh, result);
+    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
   });
-  app::verify(run, mesh, result.diagram);
-  app::write_report_file(run);
+}
+
+void run_remesh(Run& run, const Settings& settings) {
+  check_settings(run.options(), settings);
+  run.report().options()["carry"] = settings.carry;
+  check_relaxation(settings.relaxation, run.options().generators);
+  std::string standard_input;
+  const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
+  const Mesh& mesh = input.mesh;
+  check_area(run, mesh);
+  std::optional<std::int32_t> count;
+  if (run.options().generators.error) count = search_count(run, input, settings);
+  const RemeshResult result = make_remesh(run, input, settings, count);
+  const RemeshMap map = make_map(run, mesh, result, settings.carry);
+  const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
+  write_remesh(run, mesh, result, carried);
+  write_diagram_file(run, mesh, result.diagram);
+  write_map(run, input, map);
+  write_view(run, mesh, result);
+  finish_run(run, mesh, result.diagram);
 }
 
 }  // namespace
+}  // namespace gvd::app
 
 int main(int argc, char** argv) {
+  using namespace gvd;
+  using namespace gvd::app;
   Settings settings;
   app::CommandInfo info{"gvd-remesh",
                         "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/constraint_options.hpp"
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
-#include "common/relaxation/constraint_options.hpp"
 
 namespace gvd::app {
 

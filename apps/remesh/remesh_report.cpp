@@ -1,12 +1,21 @@
+// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
+//
+// The report has every figure; notes have those that users should not miss: what was added and why, creases that edges
+// do not follow, intersections, and the distance from the input in percent of the diagonal. The JSON of -o is that of
+// the diagram with one more member, so that a reader of diagrams reads it too.
+
 #include "remesh/remesh_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
+#include "common/diagram_members.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
 
@@ -54,7 +63,7 @@ Json to_json(const SurfaceDistance& d) {
   return {{"hausdorff", d.hausdorff}, {"hausdorff_bound", d.hausdorff_bound}, {"rms", d.rms}};
 }
 
-/// What one defect, and what several, of a property look like, in the order of the properties.
+/// Words for one defect of a property and for several, in the order of the properties.
 struct DefectWords {
   const char* one;
   const char* several;
@@ -85,69 +94,60 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void note_intersections(Console& console, const RemeshCertificate& certificate) {
-  const std::int64_t inherited = certificate.inherited_intersections;
-  const std::int64_t own = std::ssize(certificate.self_intersections) - inherited;
-  if (own > 0) {
-    console.note(counted(own, "pair of triangles intersects", "pairs of triangles intersect"));
-  }
-  if (inherited > 0) {
-    console.note(counted(inherited, "pair of triangles intersects where the input does",
-                         "pairs of triangles intersect where the input does"));
-  }
-}
-
-void note_distance(Console& console, const RemeshResult& result) {
-  const double diagonal = result.certificate.input.bbox_diagonal;
-  if (!(diagonal > 0)) return;
-  const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
-  console.note(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
-                           100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
-                           100 * std::max(there.rms, back.rms) / diagonal));
-}
-
-/// What lets the edges follow more of the creases.
+/// Advice that lets the edges follow more of the creases.
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
   if (!options.refine) return "without --no-refine and --exact-count, generators are added there";
   if (result.added >= *options.max_added) return "raise --max-added";
   return "give more generators";
 }
 
-void note_result(Console& console, const RemeshResult& result, const RemeshOptions& options) {
-  console.note(fmt::format("{}, {}: manifold, with the input's topology",
-                           counted(result.mesh.vertex_count(), "vertex", "vertices"),
-                           counted(result.mesh.face_count(), "face", "faces")));
+/// Generators that were added, and why.
+void describe_added(const RemeshResult& result, std::vector<std::string>& lines) {
   if (result.added_on_creases > 0) {
-    console.note(fmt::format("{} added on creases and boundaries{}",
-                             counted(result.added_on_creases, "generator was", "generators were"),
-                             result.crease_gap_length > 0 ? "" : ", which the edges then follow"));
+    lines.push_back(fmt::format("{} added on creases and boundaries{}",
+                                counted(result.added_on_creases, "generator was", "generators were"),
+                                result.crease_gap_length > 0 ? "" : ", which the edges then follow"));
   }
   const std::int64_t repairs = result.added - result.added_on_creases;
-  if (repairs > 0 && result.given_defects.empty()) {
-    console.note(fmt::format("{} added to repair the mesh", counted(repairs, "generator was", "generators were")));
-  } else if (repairs > 0) {
-    console.note(fmt::format("{} added: with the given {}, {}", counted(repairs, "generator was", "generators were"),
-                             result.generators.size() - static_cast<std::size_t>(result.added),
-                             describe_defects(result.given_defects)));
-  }
-  if (result.crease_gap_length > 0) {
-    console.note(fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; {}",
-                             100 * result.crease_gap_length / result.crease_length, following_advice(result, options)));
-  }
-  note_intersections(console, result.certificate);
-  note_distance(console, result);
+  if (repairs <= 0) return;
+  const std::string added = counted(repairs, "generator was", "generators were");
+  lines.push_back(result.given_defects.empty() ? fmt::format("{} added to repair the mesh", added)
+                                               : fmt::format("{} added: with the given {}, {}", added,
+                                                             std::ssize(result.generators) - result.added,
+                                                             describe_defects(result.given_defects)));
 }
+
+void describe_intersections(const RemeshCertificate& certificate, std::vector<std::string>& lines) {
+  const std::int64_t inherited = certificate.inherited_intersections;
+  const std::int64_t own = std::ssize(certificate.self_intersections) - inherited;
+  if (own > 0) lines.push_back(counted(own, "pair of triangles intersects", "pairs of triangles intersect"));
+  if (inherited > 0) {
+    lines.push_back(counted(inherited, "pair of triangles intersects where the input does",
+                            "pairs of triangles intersect where the input does"));
+  }
+}
+
+void describe_distance(const RemeshResult& result, std::vector<std::string>& lines) {
+  const double diagonal = result.certificate.input.bbox_diagonal;
+  if (!(diagonal > 0)) return;
+  const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
+  lines.push_back(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
+                              100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
+                              100 * std::max(there.rms, back.rms) / diagonal));
+}
+
+/// Null where the map is one-to-one.
+Json obstacle(const RemeshMap& map) { return map.one_to_one ? Json() : Json(map.obstacle); }
 
 }  // namespace
 
-void report_remesh_options(Run& run, const RemeshOptions& options) {
-  run.report().options()["max_added"] = *options.max_added;
-  run.report().options()["allow_intersections"] = options.allow_intersections;
-  run.report().options()["no_refine"] = !options.refine;
+void report_remesh_options(Json& options, const RemeshOptions& remesh) {
+  options["max_added"] = *remesh.max_added;
+  options["allow_intersections"] = remesh.allow_intersections;
+  options["no_refine"] = !remesh.refine;
 }
 
-void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const RemeshOptions& options) {
-  Json& results = run.report().results();
+void report_remesh(Json& results, const Mesh& mesh, const RemeshResult& result) {
   results["added_generators"] = result.added;
   results["rounds"] = result.rounds;
   results["creases"] = {{"length", result.crease_length},
@@ -160,15 +160,73 @@ void report_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const
                          {"output", to_json(compute_valences(result.mesh))}};
   results["distance"] = {{"input_to_output", to_json(result.input_to_output)},
                          {"output_to_input", to_json(result.output_to_input)}};
-  run.report().set_diagram(result.diagram);
-  run.figures().regions = std::ssize(result.diagram.cells);
-  // The given ones are in the report already.
-  std::vector<ReportedGenerator>& generators = run.report().generators();
-  for (std::size_t i = generators.size(); i < result.generators.size(); ++i) {
-    const SurfacePoint& p = result.generators[i];
-    generators.push_back({p, position(mesh, p), std::nullopt});
+}
+
+void report_trials(Json& results, double target, const Fewest& found) {
+  Json trials = Json::array();
+  for (const CountTrial& trial : found.trials) {
+    trials.push_back({{"n", trial.count}, {"hausdorff", std::isfinite(trial.error) ? Json(trial.error) : nullptr}});
   }
-  note_result(run.console(), result, options);
+  results["search"] = {{"hausdorff", target}, {"trials", std::move(trials)}};
+}
+
+void report_map(Json& results, const RemeshMap& map) {
+  results["map"] = {{"one_to_one", map.one_to_one},
+                    {"obstacle", obstacle(map)},
+                    {"kept_faces", map.kept_faces},
+                    {"reversed_faces", map.reversed_faces},
+                    {"collapsed_faces", map.collapsed_faces},
+                    {"largest_move", map.largest_move},
+                    {"mean_move", map.mean_move}};
+}
+
+std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {
+  std::vector<std::string> lines{fmt::format("{}, {}: manifold, with the input's topology",
+                                             counted(result.mesh.vertex_count(), "vertex", "vertices"),
+                                             counted(result.mesh.face_count(), "face", "faces"))};
+  describe_added(result, lines);
+  if (result.crease_gap_length > 0) {
+    lines.push_back(fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; {}",
+                                100 * result.crease_gap_length / result.crease_length,
+                                following_advice(result, options)));
+  }
+  describe_intersections(result.certificate, lines);
+  describe_distance(result, lines);
+  return lines;
+}
+
+std::string describe_map(const RemeshMap& map) {
+  const std::string move = fmt::format("vertices are {:.3g} from their points on average", map.mean_move);
+  return map.one_to_one
+             ? "map: one-to-one; " + move
+             : fmt::format("map: nearest points, several vertices may have the same one: {}; {}", map.obstacle, move);
+}
+
+void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result) {
+  out << open_diagram(mesh, result.diagram) << ",\"remesh\":{";
+  write_mesh_members(out, result.mesh);
+  out << ",\n\"face_points\":";
+  write_array(out, result.face_points, "\n", [](const SurfacePoint& p) { return open_point(p) + "}"; });
+  out << fmt::format(",\n\"added\":{}}}}}\n", result.added);
+  finish(out);
+}
+
+void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map) {
+  out << fmt::format("{{\"schema\":\"gvd-remesh-map/1\",\"one_to_one\":{},\"obstacle\":{}", map.one_to_one,
+                     obstacle(map).dump());
+  out << fmt::format(",\"faces\":{{\"kept\":{},\"reversed\":{},\"collapsed\":{}}}", map.kept_faces, map.reversed_faces,
+                     map.collapsed_faces);
+  out << fmt::format(",\"largest_move\":{},\"mean_move\":{},\n\"output_vertices\":", map.largest_move, map.mean_move);
+  write_array(out, map.origins, "\n", [&](const SurfacePoint& p) {
+    const auto& [a, b, c] = input.mesh.vertices(p.face);
+    return open_point(p) + fmt::format(",\"vertices\":[{},{},{}]}}", input.input_vertex[a], input.input_vertex[b],
+                                       input.input_vertex[c]);
+  });
+  out << ",\n\"input_vertices\":";
+  write_array(out, input.mesh_vertex, "\n",
+              [&](VertexId v) { return v.valid() ? open_point(map.points[v]) + "}" : "null"; });
+  out << "}\n";
+  finish(out);
 }
 
 }  // namespace gvd::app

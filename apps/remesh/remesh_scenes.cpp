@@ -1,11 +1,14 @@
+// The pictures of gvd-remesh's page: the remesh, the same before placement, the input, and the diagram.
+//
+// Remesh and input show their distances from each other by one scale of colours, so that they can be compared. The
+// scale ends at a few RMS distances, since the largest distance would leave all others with similar colours.
+
 #include "remesh/remesh_scenes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -17,28 +20,32 @@ namespace {
 
 /// Moves the added generators, which come last, to a list of their own.
 void mark_added(const RemeshResult& result, ViewScene& scene) {
-  const auto first = scene.generators.end() - static_cast<std::ptrdiff_t>(result.added);
+  const auto first = scene.generators.end() - result.added;
   scene.added_generators.assign(first, scene.generators.end());
   scene.generators.erase(first, scene.generators.end());
 }
 
+void add(ViewScene& scene, const std::vector<ViewFigure>& figures) {
+  scene.figures.insert(scene.figures.end(), figures.begin(), figures.end());
+}
+
 void add_counts(ViewScene& scene) {
   const MeshSummary summary = compute_mesh_summary(*scene.mesh);
-  scene.figures.push_back({"Vertices", fmt::format("{}", summary.vertices)});
-  scene.figures.push_back({"Faces", fmt::format("{}", summary.faces)});
-  scene.figures.push_back({"Euler characteristic", fmt::format("{}", summary.euler_characteristic)});
+  add(scene, {{"Vertices", fmt::format("{}", summary.vertices)},
+              {"Faces", fmt::format("{}", summary.faces)},
+              {"Euler characteristic", fmt::format("{}", summary.euler_characteristic)}});
 }
 
 void add_shapes(ViewScene& scene) {
   const TriangleQuality quality = compute_triangle_quality(*scene.mesh);
   const Valences valences = compute_valences(*scene.mesh);
-  scene.figures.push_back({"Q, mean", fmt::format("{:.3f}", quality.q_average)});
-  scene.figures.push_back({"Q, least", fmt::format("{:.3f}", quality.q_min)});
-  scene.figures.push_back({"Smallest angle, mean", fmt::format("{:.1f}°", quality.angle_min_average)});
-  scene.figures.push_back({"Smallest angle, least", fmt::format("{:.1f}°", quality.angle_min)});
-  scene.figures.push_back({"Faces below 30°", fmt::format("{:.1f} %", quality.percent_below_30)});
-  scene.figures.push_back({"Valences", fmt::format("{} to {}", valences.least, valences.largest)});
-  scene.figures.push_back({"Regular vertices", fmt::format("{:.1f} %", valences.percent_regular)});
+  add(scene, {{"Q, mean", fmt::format("{:.3f}", quality.q_average)},
+              {"Q, least", fmt::format("{:.3f}", quality.q_min)},
+              {"Smallest angle, mean", fmt::format("{:.1f}°", quality.angle_min_average)},
+              {"Smallest angle, least", fmt::format("{:.1f}°", quality.angle_min)},
+              {"Faces below 30°", fmt::format("{:.1f} %", quality.percent_below_30)},
+              {"Valences", fmt::format("{} to {}", valences.least, valences.largest)},
+              {"Regular vertices", fmt::format("{:.1f} %", valences.percent_regular)}});
 }
 
 /// The end of the scale of distances, in RMS distances of the remesh. It holds nearly all distances; the largest one is
@@ -57,9 +64,8 @@ class DistanceScenes {
 
   ViewScene make_remesh() const {
     ViewScene scene = make_coarse("Remesh", result_.mesh);
-    scene.figures.push_back({"Generators added", fmt::format("{}", result_.added)});
-    const std::size_t pairs = result_.certificate.self_intersections.size();
-    scene.figures.push_back({"Intersecting pairs", fmt::format("{}", pairs)});
+    add(scene, {{"Generators added", fmt::format("{}", result_.added)},
+                {"Intersecting pairs", fmt::format("{}", result_.certificate.self_intersections.size())}});
     add_shapes(scene);
     add_distances(scene, {result_.input_to_output, result_.output_to_input});
     return scene;
@@ -113,11 +119,11 @@ class DistanceScenes {
   /// In percent of the diagonal of the input's bounding box.
   void add_distances(ViewScene& scene, const Distances& distances) const {
     const auto percent = [&](double length) { return fmt::format("{:.3g} %", 100 * length / diagonal()); };
-    scene.figures.push_back({"Mesh to input, largest", percent(distances.to_input.hausdorff)});
-    scene.figures.push_back({"Mesh to input, RMS", percent(distances.to_input.rms)});
-    scene.figures.push_back({"Input to mesh, largest", percent(distances.from_input.hausdorff)});
-    scene.figures.push_back({"Input to mesh, RMS", percent(distances.from_input.rms)});
-    scene.figures.push_back({"Diagonal (100 %)", fmt::format("{:.4g}", diagonal())});
+    add(scene, {{"Mesh to input, largest", percent(distances.to_input.hausdorff)},
+                {"Mesh to input, RMS", percent(distances.to_input.rms)},
+                {"Input to mesh, largest", percent(distances.from_input.hausdorff)},
+                {"Input to mesh, RMS", percent(distances.from_input.rms)},
+                {"Diagonal (100 %)", fmt::format("{:.4g}", diagonal())}});
   }
 
   double diagonal() const { return result_.certificate.input.bbox_diagonal; }
@@ -139,7 +145,7 @@ Mesh make_unplaced(const Mesh& input, const RemeshResult& result) {
   std::vector<Vec3> positions;
   std::vector<std::array<VertexId, 3>> faces;
   for (const SurfacePoint& p : result.generators) positions.push_back(position(input, p));
-  for (std::int32_t f = 0; f < result.mesh.face_count(); ++f) faces.push_back(result.mesh.vertices(FaceId(f)));
+  for (const FaceId f : result.mesh.faces()) faces.push_back(result.mesh.vertices(f));
   return {std::move(positions), std::move(faces)};
 }
 

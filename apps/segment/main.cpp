@@ -1,20 +1,30 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
+//
+// Whole faces get the label of the generator whose cell has them, so that borders run along edges; --cut splits the
+// faces along the bisectors, and each new face knows its parent. The JSON of -o is that of the diagram with one more
+// member, so that a reader of diagrams reads it too. Labels are ids of generators, -1 where none reaches.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/diagram_members.hpp"
 #include "common/options/typed_options.hpp"
-#include "common/run/command.hpp"
-#include "common/steps/build_diagram.hpp"
-#include "common/steps/load_input.hpp"
-#include "common/steps/make_generators.hpp"
-#include "common/steps/verify.hpp"
-#include "common/steps/write_outputs.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
-#include "segment/segment_json.hpp"
-#include "segment/segment_report.hpp"
 
+namespace gvd::app {
 namespace {
 
-using namespace gvd;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* kExamples =
     "  gvd-segment bunny.obj -n 30 -o regions.ply\n"
@@ -25,30 +35,144 @@ constexpr const char* kExamples =
 
 constexpr const char* kRegions = "Regions";
 
-void write_view(app::Run& run, const LabelledMesh& output) {
-  app::write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
+/// A note names this many generators.
+constexpr std::size_t kNamed = 8;
+
+/// The options of gvd-segment alone.
+struct OwnOptions {
+  bool cut = false;
+  std::optional<FaceLabels> labels;  ///< of whole faces
+};
+
+void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
+  Json& reported = run.report().options();
+  const std::string& stats = run.options().output.own.at("--stats");
+  reported["cut"] = own.cut;
+  reported["stats"] = stats.empty() ? nullptr : Json(stats);
+  const char* const labels = options.labels == FaceLabels::smooth ? "smooth" : "nearest";
+  reported["labels"] = own.cut ? nullptr : Json(labels);
 }
 
-void write_whole_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
+/// Faces that no generator reaches.
+std::int64_t count_unreached(const IdVector<FaceId, GeneratorId>& label) {
+  return std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
+}
+
+/// The note on generators that own no face. It names a few of them; the report lists all.
+std::string describe_without_face(const std::vector<GeneratorId>& without_face) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, without_face.size()); ++i) {
+    names += fmt::format("{}{}", i > 0 ? ", " : "", without_face[i].value());
+  }
+  if (without_face.size() > kNamed) names += ", ...";
+  return fmt::format("{} inside faces of other regions: {}",
+                     counted(std::ssize(without_face), "generator owns no face, its cell lies",
+                             "generators own no face, their cells lie"),
+                     names);
+}
+
+void report_segmentation(Json& results, const Segmentation& segmentation) {
+  Json without_face = Json::array();
+  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
+  results["generators_without_face"] = std::move(without_face);
+  results["moved_faces"] = segmentation.moved_faces;
+  results["given_faces"] = segmentation.given_faces;
+  results["smoothed_faces"] = segmentation.smoothed_faces;
+}
+
+/// Lengths are in mesh units.
+void report_borders(Json& results, double border_length, double bisector_length) {
+  results["border_length"] = border_length;
+  results["border_ratio"] = bisector_length > 0 ? Json(border_length / bisector_length) : Json();
+}
+
+/// Reports the size of each of `count` regions.
+void report_regions(Json& results, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
+  Json regions = Json::array();
+  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, label, count);
+  for (const GeneratorId g : sizes.ids()) {
+    regions.push_back({{"label", g.value()}, {"faces", sizes[g].faces}, {"area", sizes[g].area}});
+  }
+  results["faces"] = mesh.face_count();
+  results["unreached_faces"] = count_unreached(label);
+  results["regions"] = std::move(regions);
+}
+
+template <class Ids>
+void write_ids(std::ostream& out, const Ids& ids) {
+  write_array(out, ids, "", [](auto id) { return fmt::format("{}", id.value()); });
+}
+
+/// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
+void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
+                             const Segmentation& segmentation) {
+  out << open_diagram(mesh, diagram) << ",\"face_labels\":";
+  write_ids(out, segmentation.face_label);
+  out << "}\n";
+  finish(out);
+}
+
+/// Writes the diagram with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
+/// "vertex_labels":[],"vertex_distances":[]}`: labels and parents are those of the faces; a distance is null for none.
+void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
+                    const CutVertices& vertices) {
+  out << open_diagram(mesh, diagram) << ",\"cut_mesh\":{";
+  write_mesh_members(out, cut.mesh);
+  out << ",\n\"labels\":";
+  write_ids(out, cut.label);
+  out << ",\n\"parents\":";
+  write_ids(out, cut.parent);
+  out << ",\n\"vertex_labels\":";
+  write_ids(out, vertices.label);
+  out << ",\n\"vertex_distances\":";
+  write_array(out, vertices.distance, "", json_number);
+  out << "}}\n";
+  finish(out);
+}
+
+void note_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
+  if (const std::int64_t unreached = count_unreached(label); unreached > 0) {
+    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
+  }
+  report_regions(run.report().results(), mesh, label, count);
+}
+
+void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
+  write_output_files(run, output, {{"json", write_json}});
+  write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
+}
+
+void note_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
+  const double borders = compute_border_length(mesh, segmentation.face_label);
+  if (!segmentation.without_face.empty()) run.console().note(describe_without_face(segmentation.without_face));
+  report_segmentation(run.report().results(), segmentation);
+  if (diagram.length > 0) {
+    run.console().detail(
+        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / diagram.length));
+  }
+  report_borders(run.report().results(), borders, diagram.length);
+  note_regions(run, mesh, segmentation.face_label, diagram.generators.size());
+}
+
+void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
-  app::report_segmentation(run, segmentation);
-  app::report_borders(run, compute_border_length(mesh, segmentation.face_label), diagram.length);
-  app::report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
+  note_segmentation(run, mesh, diagram, segmentation);
   LabelledMesh output{mesh};
   output.face_label = &segmentation.face_label;
   output.vertex_label = &diagram.vertex_label;
   output.vertex_distance = &diagram.vertex_distance;
   output.diagram = &diagram;
-  const auto json = [&](std::ostream& out) { app::write_segmentation_json(out, mesh, diagram, segmentation); };
-  app::write_output_files(run, output, {{"json", json}});
-  write_view(run, output);
+  write_files(run, output, [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
 }
 
-void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
+void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
   const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram); });
   const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
-  app::report_cut(run, cut);
-  app::report_regions(run, cut.mesh, cut.label, diagram.generators.size());
+  if (cut.uncut_faces > 0) {
+    run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
+  }
+  run.report().results()["uncut_faces"] = cut.uncut_faces;
+  note_regions(run, cut.mesh, cut.label, diagram.generators.size());
   LabelledMesh output{cut.mesh};
   output.face_label = &cut.label;
   output.face_parent = &cut.parent;
@@ -56,32 +180,33 @@ void write_cut_faces(app::Run& run, const Mesh& mesh, const Diagram& diagram) {
   output.vertex_distance = &vertices.distance;
   output.diagram = &diagram;
   output.diagram_mesh = &mesh;
-  const auto json = [&](std::ostream& out) { app::write_cut_json(out, {mesh, diagram, cut, vertices}); };
-  app::write_output_files(run, output, {{"json", json}});
-  write_view(run, output);
+  write_files(run, output, [&](std::ostream& out) { write_cut_json(out, mesh, diagram, cut, vertices); });
 }
 
-void segment(app::Run& run, const app::OwnOptions& own) {
-  app::report_segment_options(run, own);
-  const CheckedMesh input = app::load_input(run);
+void segment(Run& run, const OwnOptions& own) {
+  const SegmentOptions options{own.labels.value_or(SegmentOptions().labels)};
+  report_options(run, own, options);
+  const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const Diagram diagram = app::build_diagram(run, mesh, app::make_generators(run, input));
+  const Diagram diagram = build_diagram(run, mesh, make_generators(run, input));
   if (own.cut) {
     write_cut_faces(run, mesh, diagram);
   } else {
-    write_whole_faces(run, mesh, diagram, own.segment_options());
+    write_whole_faces(run, mesh, diagram, options);
   }
-  app::write_diagram_file(run, mesh, diagram);
-  app::write_own_file(run, "--stats",
-                      [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
-  app::verify(run, mesh, diagram);
-  app::write_report_file(run);
+  write_diagram_file(run, mesh, diagram);
+  write_own_file(run, "--stats",
+                 [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
+  finish_run(run, mesh, diagram);
 }
 
 }  // namespace
+}  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  app::OwnOptions own;
+  using namespace gvd;
+  using namespace gvd::app;
+  OwnOptions own;
   app::Command command({"gvd-segment",
                         "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                         kExamples,

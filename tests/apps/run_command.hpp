@@ -6,6 +6,15 @@
 
 namespace gvd::test {
 
+// Sanitizers have an allocator of their own, and reserve more memory than there is.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 /// The outcome of a command.
 struct CommandResult {
   int exit_code = -1;  ///< -1 where a signal ended it

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/options/command_line.hpp"
+#include "common/options/options.hpp"
+#include "common/run.hpp"
+
+namespace gvd::app {
+
+struct CommandInfo {
+  std::string name;         ///< "gvd-segment"
+  std::string description;  ///< one sentence
+  std::string examples;     ///< for --help: one call a line
+  /// Extensions, without the dot, that `-o` takes. `-o -` writes the first one unless --output-format names another.
+  std::vector<std::string> output_formats;
+  bool sizes = false;     ///< takes --target-edge and --error for -n, and reports them
+  bool materials = true;  ///< an .obj of `-o` has its colours in an .mtl beside it
+};
+
+/// A command: the shared options, its own options, and the way from main() to an exit code.
+///
+///     bool cut = false;
+///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply", "obj"}});
+///     command.line().add_flag({"--cut", "", "Split faces along the bisectors"}, cut);
+///     return command.run(argc, argv, [&](Run& run) { segment(run, cut); });
+class Command {
+ public:
+  explicit Command(CommandInfo info);
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
+  CommandLine& line() { return line_; }
+
+  /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
+  /// checked as the files of all commands are. `extensions`, without their dots: of the names that it takes, or any.
+  void add_target(OptionText option, const std::vector<std::string>& extensions = {});
+
+  /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
+  /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.
+  int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);
+
+ private:
+  void check() const;
+
+  CommandInfo info_;
+  Options options_;
+  CommandLine line_;
+};
+
+}  // namespace gvd::app

@@ -1,0 +1,139 @@
+// Standard error of a command: lines of messages, and a progress bar below them on a terminal.
+//
+// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second. Every
+// message is one line: control characters become blanks, so that no file name can change a terminal's state. The time
+// left is that of the step's rest at the speed of its part that is done.
+
+#include "common/console.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace gvd::app {
+namespace {
+
+constexpr std::chrono::milliseconds kRedrawInterval{100};
+constexpr int kStepColumns = 24;
+constexpr int kPercentColumns = 7;  // "] 100 %"
+constexpr int kSmallestBar = 10;
+constexpr int kTimeColumns = 13;  // "  59 min left"
+constexpr int kLeastTimedWidth = 70;
+constexpr std::string_view kClearLine = "\r\x1b[K";
+
+constexpr double kLeastSeconds = 1;
+constexpr double kLeastShare = 0.01;
+/// A step whose fraction falls by more has begun again; by less, some of its work was in vain.
+constexpr double kFall = 0.1;
+
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+void write_stderr(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+std::optional<double> TimeLeft::update(std::string_view step, double fraction, double now) {
+  if (step != step_ || fraction < last_fraction_ - kFall) {
+    step_ = step;
+    first_fraction_ = last_fraction_ = fraction;
+    started_ = now;
+  }
+  last_fraction_ = std::max(last_fraction_, fraction);
+  const double share = last_fraction_ - first_fraction_, taken = now - started_;
+  if (taken < kLeastSeconds || share < kLeastShare) return std::nullopt;
+  return taken * (1 - last_fraction_) / share;
+}
+
+std::string format_time_left(double seconds) {
+  constexpr double kMinute = 60, kHour = 3600, kMost = 999;
+  if (seconds < kMinute) return fmt::format("{:.0f} s left", std::ceil(seconds));
+  if (seconds < kHour) return fmt::format("{:.0f} min left", std::ceil(seconds / kMinute));
+  return fmt::format("{:.0f} h left", std::min(kMost, std::ceil(seconds / kHour)));
+}
+
+ConsoleStyle detect_console_style() {
+  ConsoleStyle style;
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+  style.bars = ::isatty(STDERR_FILENO) == 1 && !dumb;
+  style.colours = style.bars && !is_set("NO_COLOR");
+  winsize size{};
+  if (style.bars && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
+  return style;
+}
+
+std::string render_bar(const Bar& bar, const ConsoleStyle& style) {
+  const double shown = std::clamp(bar.fraction, 0.0, 1.0);
+  const int percent = static_cast<int>(shown * 100);
+  const std::string text = bar.status.empty() ? std::string(bar.step) : fmt::format("{} {}", bar.step, bar.status);
+  const int time_columns = style.width < kLeastTimedWidth ? 0 : kTimeColumns;
+  const int room = style.width - 1 - 2 - kPercentColumns - time_columns;  // for text and cells
+  if (room < kStepColumns + kSmallestBar) {
+    const int columns = std::max(0, style.width - 1 - 6);
+    return fmt::format("{} {:3} %", text.substr(0, columns), percent);
+  }
+  const int columns = std::clamp(static_cast<int>(text.size()), kStepColumns, room - kSmallestBar);
+  const int cells = room - columns, filled = static_cast<int>(shown * cells);
+  const std::string done(filled, '#'), rest(cells - filled, '.');
+  const std::string_view on = style.colours ? "\x1b[36m" : "", off = style.colours ? "\x1b[0m" : "";
+  std::string line = fmt::format("{:{}.{}} [{}{}{}{}] {:3} %", text, columns, columns, on, done, off, rest, percent);
+  if (bar.seconds_left && time_columns > 0) line += fmt::format("  {}", format_time_left(*bar.seconds_left));
+  return line;
+}
+
+Console::Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose)
+    : command_(std::move(command)), style_(style), quiet_(quiet), verbose_(verbose) {}
+
+Console::~Console() { clear_bar(); }
+
+void Console::line(std::string_view kind, std::string_view message) {
+  clear_bar();
+  std::string text = fmt::format("{}: {}{}", command_, kind, message);
+  // File names and messages of libraries may hold line breaks, and sequences that change a terminal's state.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
+  write_stderr(text + '\n');
+}
+
+void Console::error(std::string_view message) { line("error: ", message); }
+
+void Console::note(std::string_view message) {
+  if (!quiet_) line("", message);
+}
+
+void Console::detail(std::string_view message) {
+  if (verbose_ && !quiet_) line("", message);
+}
+
+void Console::bar(std::string_view step, double fraction) {
+  if (!style_.bars || quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_draw_) return;
+  next_draw_ = now + kRedrawInterval;
+  const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
+  const auto left = time_left_.update(step, fraction, seconds);
+  write_stderr(fmt::format("{}{}", kClearLine, render_bar({step, status_, fraction, left}, style_)));
+  bar_drawn_ = true;
+}
+
+void Console::clear_bar() {
+  if (bar_drawn_) clear_line();
+  bar_drawn_ = false;
+}
+
+void Console::clear_line() const {
+  if (style_.bars) write_stderr(kClearLine);
+}
+
+}  // namespace gvd::app

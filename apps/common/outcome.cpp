@@ -1,0 +1,164 @@
+// The end of a run: every exception becomes an exit code and one line.
+//
+// gvd::Error has a code, which selects the exit code. std::bad_alloc is a shortage of memory, by --max-memory or of the
+// system. oneTBB and std::thread throw where a thread can't be started. Any other exception is a bug. Where none can be
+// caught (destructors, threads of oneTBB), the handler of std::terminate prints the line and gives the exit code. The
+// limit of memory is lifted before a message is made; a fixed text replaces a message that finds no memory.
+
+#include "common/outcome.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include "common/console.hpp"
+#include "common/name_options.hpp"
+#include "common/process.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd::app {
+namespace {
+
+struct CodeWords {
+  ErrorCode code;
+  ExitCode exit_code;
+  const char* words;
+};
+
+constexpr CodeWords kNoValidResult{ErrorCode::no_valid_result, kNoResult, "no valid result"};
+constexpr CodeWords kCodes[]{{ErrorCode::invalid_option, kUsage, "usage"},
+                             {ErrorCode::unreadable_input, kUnreadableInput, "unreadable input"},
+                             {ErrorCode::precondition, kPreconditionNotMet, "precondition not met"},
+                             kNoValidResult,
+                             {ErrorCode::unwritable_output, kNotWritten, "not written"},
+                             {ErrorCode::interrupted, kInterrupted, "interrupted"},
+                             {ErrorCode::reader_gone, kReaderGone, "reader gone"}};
+
+const CodeWords& words_of(ErrorCode code) {
+  for (const CodeWords& each : kCodes) {
+    if (each.code == code) return each;
+  }
+  return kNoValidResult;
+}
+
+/// The options that the message of a shortage depends on.
+ComputeOptions g_compute;
+
+Outcome out_of_memory() {
+  // The points of the bisectors are most of an exact diagram.
+  const bool exact = g_compute.method == Method::exact;
+  const char* const coarser = exact ? ", or take a coarser --chord-tolerance" : "";
+  std::string message;
+  if (g_compute.max_memory) {
+    message = fmt::format("out of memory: the run needs more than --max-memory {}; raise it, {}simplify the mesh{}",
+                          format_bytes(*g_compute.max_memory), exact ? "" : "or ", coarser);
+  } else {
+    message = fmt::format("out of memory: up to {} in use; simplify the mesh{}; --max-memory ends such a run sooner",
+                          format_bytes(peak_memory_bytes()), coarser);
+  }
+  return {kNoResult, std::move(message), "out of memory"};
+}
+
+/// oneTBB throws a std::runtime_error with the name of the function that failed; std::thread a std::system_error.
+bool tells_of_threads(const std::exception& error) {
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
+
+Outcome describe_exception(const std::exception& error) {
+  if (!tells_of_threads(error)) {
+    return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
+  }
+  if (g_compute.max_memory) return out_of_memory();  // no memory for the thread's stack
+  return {kNoResult,
+          "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
+          "no thread"};
+}
+
+// The names of the command and of its input, for std::terminate.
+std::string g_command, g_input;
+std::atomic_flag g_ending;
+constinit thread_local bool t_ending = false;
+
+[[noreturn]] void end_with_fixed_text() {
+  constexpr std::string_view kText = ": error: out of memory, even for a message; simplify the mesh\n";
+  for (const std::string_view text : {std::string_view(g_command), kText}) {
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
+  }
+  std::_Exit(kNoResult);
+}
+
+[[noreturn]] void end_with_message() {
+  if (t_ending) end_with_fixed_text();
+  t_ending = true;
+  while (g_ending.test_and_set()) ::pause();  // another thread ends the process
+  limit_memory({});
+  try {
+    const Outcome outcome = describe_failure(std::current_exception());
+    Console console(g_command, detect_console_style(), false, false);
+    console.clear_line();
+    if (!outcome.message.empty()) console.error((g_input.empty() ? "" : g_input + ": ") + outcome.message);
+    std::_Exit(outcome.exit_code);
+  } catch (...) {
+    end_with_fixed_text();
+  }
+}
+
+}  // namespace
+
+Outcome describe_failure(const std::exception_ptr& failure) {
+  if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Error& error) {
+    const CodeWords& words = words_of(error.code());
+    const bool gone = error.code() == ErrorCode::reader_gone;
+    return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
+  } catch (const std::bad_alloc&) {
+    return out_of_memory();
+  } catch (const std::exception& error) {
+    return describe_exception(error);
+  } catch (...) {
+    return {kNoResult, "unexpected: an exception of an unknown type; please report it", "unexpected error"};
+  }
+}
+
+Outcome run_guarded(const std::function<void()>& work) {
+  std::exception_ptr failure;
+  try {
+    work();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  limit_memory({});  // the message needs some
+  return failure ? describe_failure(failure) : Outcome();
+}
+
+void limit_memory_of(const ComputeOptions& compute) {
+  g_compute = compute;
+  limit_memory(compute.max_memory);
+}
+
+std::string format_bytes(std::int64_t bytes) {
+  constexpr std::array<const char*, 5> kUnits{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  auto amount = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; amount >= 1024 && unit + 1 < kUnits.size(); ++unit) amount /= 1024;
+  return unit == 0 || amount >= 100 ? fmt::format("{:.0f} {}", amount, kUnits[unit])
+                                    : fmt::format("{:.3g} {}", amount, kUnits[unit]);
+}
+
+void report_termination(const std::string& command, const std::string& input) {
+  g_command = command;
+  g_input = input;
+  std::set_terminate(end_with_message);
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,129 @@
+// The process of a command: signals, standard streams and memory.
+//
+// A signal only sets a flag, which the progress callback and the steps ask for: so a run ends where it can clean up.
+// --max-memory is the limit of the system for data (setrlimit, RLIMIT_DATA). It holds for every allocation of every
+// thread, C++ or not, and costs nothing. Beyond it malloc gives null and operator new throws std::bad_alloc. The system
+// counts what a thread's stack reserves, 8 MiB, and not what it holds; so these reserves come on top of the limit.
+
+#include "common/process.hpp"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>  // defines __GLIBC__
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "common/outcome.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/read_to_end.hpp"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace gvd::app {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void raise_flag(int) { interrupted = 1; }
+
+/// Bytes that the stacks of oneTBB's threads reserve, one for each core.
+rlim_t stack_bytes() {
+  pthread_attr_t attributes;
+  std::size_t size = 0;
+  if (::pthread_attr_init(&attributes) != 0) return 0;
+  ::pthread_attr_getstacksize(&attributes, &size);
+  ::pthread_attr_destroy(&attributes);
+  return size * std::thread::hardware_concurrency();
+}
+
+}  // namespace
+
+void install_signal_handlers() {
+  interrupted = 0;
+  struct sigaction once {};
+  once.sa_handler = raise_flag;
+  once.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&once.sa_mask);
+  sigaction(SIGINT, &once, nullptr);
+  sigaction(SIGTERM, &once, nullptr);
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignore, nullptr);
+  sigaction(SIGXFSZ, &ignore, nullptr);
+}
+
+bool interrupt_requested() noexcept { return interrupted != 0; }
+
+void check_interrupt() {
+  if (interrupt_requested()) throw Error(ErrorCode::interrupted, "interrupted; no file is left half-written");
+}
+
+void reserve_standard_streams() {
+  // open() takes the lowest free number. The wrong direction lets writes and reads fail as on the closed stream.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+std::string read_standard_input() {
+  std::string bytes = read_to_end(std::cin);
+  check_interrupt();
+  if (std::cin.bad()) {
+    throw Error(ErrorCode::unreadable_input, std::string(kStandardInput) + ": could not be read to its end");
+  }
+  return bytes;
+}
+
+void write_standard_output(const std::function<void(std::ostream&)>& write) {
+  write_open_file(stdout, "standard output", write);
+}
+
+int end_by_broken_pipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  return kReaderGone;
+}
+
+void keep_freed_memory() noexcept {
+#ifdef __GLIBC__
+  // Setting one of the two ends glibc's own choice of the other. Where pointers have 32 bits, the first one is refused.
+  if (mallopt(M_MMAP_THRESHOLD, kKeptFreedBytes) == 1) mallopt(M_TRIM_THRESHOLD, kKeptFreedBytes);
+#endif
+}
+
+void limit_memory(std::optional<std::int64_t> bytes) {
+  static const rlimit initial = [] {
+    rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+    ::getrlimit(RLIMIT_DATA, &limit);
+    return limit;
+  }();
+  rlimit limit = initial;
+  if (bytes) limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(*bytes) + stack_bytes());
+  ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+std::int64_t peak_memory_bytes() {
+  // On Linux, ru_maxrss of a new process begins with the peak of the process that started it; VmHWM is its own.
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::int64_t kibibytes = 0;
+    if (word == "VmHWM:" && status >> kibibytes) return std::int64_t{1024} * kibibytes;
+  }
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;  // bytes on macOS
+}
+
+}  // namespace gvd::app

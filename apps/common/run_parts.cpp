@@ -1,0 +1,240 @@
+// The parts that the runs of the three commands share: INPUT, generators, diagram, files, and the end.
+//
+// Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
+// report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
+// mesh are refused as soon as the mesh is known.
+
+#include "common/run_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include "common/choose_generators.hpp"
+#include "common/options/file_extension.hpp"
+#include "common/process.hpp"
+#include "gvd/counted.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/atomic_file.hpp"
+#include "gvd/io/diagram_json.hpp"
+#ifdef GVD_HAS_VERIFY
+#include "gvd/verify.hpp"
+#endif
+
+namespace gvd::app {
+namespace {
+
+std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
+
+PolygonSoup read(const InputOptions& input, std::string* standard_input) {
+  const auto format = format_from_extension(input.format);
+  if (input.path != "-") return read_soup(input.path, format);
+  std::string bytes = read_standard_input();
+  PolygonSoup soup = parse_soup(bytes, *format, kStandardInput);
+  if (standard_input != nullptr) *standard_input = std::move(bytes);
+  return soup;
+}
+
+DefectPolicy policy(const std::string& name) {
+  if (name == "error") return DefectPolicy::error;
+  return name == "largest" ? DefectPolicy::largest : DefectPolicy::repair;
+}
+
+/// Adds the name of the input to the errors of build_mesh, which knows no file.
+CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
+  try {
+    return build_mesh(soup, policy(input.on_defect));
+  } catch (const Error& error) {
+    throw Error(error.code(), name_of(input) + ": " + error.what(), error.element());
+  }
+}
+
+/// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
+void check_formats(const OutputOptions& output, const Mesh& mesh) {
+  for (const std::string& file : output.files) {
+    const auto format = parse_output_format(file == "-" ? stdout_format(output) : file_extension(file));
+    if (format) check_format(mesh, *format);
+  }
+}
+
+void note_changes(Console& console, const ResolvedGenerators& resolved) {
+  double largest = -1;
+  for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
+  if (largest >= 0) console.note(fmt::format("generators: moved to the surface, by at most {}", largest));
+  if (resolved.merged == 0) return;
+  console.note(fmt::format("generators: {}",
+                           counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
+}
+
+/// Computes the diagram, and reports the time of each of its steps as "diagram: step".
+Diagram compute_timed(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  DiagramOptions options = make_diagram_options(run.options().compute);
+  StepTimes times(run);
+  std::string current;
+  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
+    if (step != current) {
+      current = step;
+      times.start("diagram: " + current);
+    }
+    return show(step, fraction);
+  };
+  return compute_diagram(mesh, generators, options);
+}
+
+#ifdef GVD_HAS_VERIFY
+void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
+  VerifyOptions options;
+  options.threads = run.options().compute.threads;
+  options.progress = run.progress();
+  const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
+  run.report().set_error_measure(error);
+  run.figures().error_integral = error.error_integral;
+  run.console().note(
+      fmt::format("error against exact distances: E {:.6g} mesh units^2 (the difference of a bisector's two distances, "
+                  "integrated along all bisectors), mean {:.6g}, largest {:.6g} mesh units",
+                  error.error_integral, error.error_mean, error.error_max));
+}
+#else
+// check_options has refused --verify.
+void verify(Run&, const Mesh&, const Diagram&) {}
+#endif
+
+/// The mesh as the options want it in one format. JSON is the diagram itself, and keeps its bisectors.
+LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, OutputFormat format) {
+  if (output.no_curves && format != OutputFormat::json) mesh.diagram = nullptr;
+  mesh.ascii_ply = output.ascii_ply;
+  return mesh;
+}
+
+void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
+               const std::map<std::string, OutputWriter>& own_formats) {
+  const bool standard = path == "-";
+  const std::string format = standard ? stdout_format(run.options().output) : file_extension(path);
+  const auto own = own_formats.find(format);
+  if (own != own_formats.end()) {
+    if (standard) return write_standard_output(own->second);
+    return write_file(path, own->second, run.progress());
+  }
+  const auto known = parse_output_format(format);
+  if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
+  const LabelledMesh chosen = choose_content(run.options().output, mesh, *known);
+  if (standard) return write_standard_output([&](std::ostream& out) { write_mesh(out, chosen, *known); });
+  write_mesh(path, chosen, run.progress());
+}
+
+/// Writes the file of an option, which is empty where the option is not given.
+void write_timed(Run& run, const std::string& step, const std::string& path, const OutputWriter& write) {
+  if (path.empty()) return;
+  run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
+}
+
+}  // namespace
+
+CheckedMesh load_input(Run& run, std::string* standard_input) {
+  const InputOptions& input = run.options().input;
+  const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
+  for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
+  check_formats(run.options().output, checked.mesh);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  run.report().set_input(summary, checked.defects);
+  run.console().detail(fmt::format("{}, {}, {}, {}", counted(summary.vertices, "vertex", "vertices"),
+                                   counted(summary.faces, "face", "faces"),
+                                   counted(summary.components, "component", "components"),
+                                   counted(summary.boundary_loops, "boundary loop", "boundary loops")));
+  return checked;
+}
+
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count) {
+  Options options = run.options();
+  if (count) options.generators.count = count;
+  ResolvedGenerators found = run.timed("generators", [&] {
+    ResolvedGenerators chosen = choose_generators(input, options, run.progress());
+    note_changes(run.console(), chosen);
+    return chosen;
+  });
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    run.report().generators().push_back(
+        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+  }
+  run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
+  return std::move(found.points);
+}
+
+Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, mesh, generators); });
+  report_diagram(run, diagram);
+  return diagram;
+}
+
+void report_diagram(Run& run, const Diagram& diagram) {
+  const DiagramReport& report = diagram.report;
+  run.report().set_diagram(diagram);
+  run.figures().regions = std::ssize(diagram.cells);
+  run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
+                                 counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
+                                 counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
+  if (report.straightened_faces > 0) {
+    run.console().note(fmt::format(
+        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
+        counted(report.straightened_faces, "face", "faces"), report.straightened_error));
+  }
+  if (report.unresolved_ends > 0) {
+    run.console().note(fmt::format("the diagram is not complete: {} no branch point",
+                                   counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
+  }
+}
+
+void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
+  const OutputOptions& output = run.options().output;
+  const bool has_own =
+      std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
+  if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
+    run.console().note("no file is written; name one with -o, --report, --diagram or --view");
+  }
+  if (output.files.empty()) return;
+  run.timed("write", [&] {
+    for (const std::string& file : output.files) write_one(run, file, mesh, own_formats);
+  });
+}
+
+void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
+  write_timed(run, "diagram", run.options().output.diagram,
+              [&](std::ostream& out) { write_diagram_json(out, mesh, diagram); });
+}
+
+void write_own_file(Run& run, const std::string& option, const OutputWriter& write) {
+  const auto& own = run.options().output.own;
+  const auto target = own.find(option);
+  if (target != own.end()) write_timed(run, option.substr(2), target->second, write);
+}
+
+void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
+  const std::string &path = run.options().output.view, &input = run.options().input.path;
+  if (path.empty()) return;
+  ViewOptions options;
+  options.up = run.options().output.up.value_or(options.up);
+  options.title = input == "-" ? title : title + ": " + std::filesystem::path(input).filename().string();
+  run.timed("write view", [&] {
+    const std::string page = make_view_page(make_scenes(), options);
+    write_file(
+        path, [&](std::ostream& out) { out << page; }, run.progress());
+  });
+}
+
+void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram) {
+  if (run.options().compute.verify) verify(run, mesh, diagram);
+  write_report_file(run);
+}
+
+void write_report_file(Run& run) {
+  const std::string& path = run.options().output.report;
+  if (path.empty()) return;
+  check_interrupt();
+  run.report().set_peak_memory(peak_memory_bytes());
+  write_file(path, [&](std::ostream& out) { run.report().write(out); });
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/run.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/view.hpp"
+#include "gvd/soup.hpp"
+#include "gvd/surface_point.hpp"
+
+// The parts that the runs of the three commands share, in their order. Each part times its steps, notes what users
+// should know, and fills in its members of the report.
+namespace gvd::app {
+
+/// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.
+/// Throws Error{unreadable_input} or Error{precondition} with the name of the input, and Error{unwritable_output} where
+/// an output format can't hold the coordinates of the mesh. `standard_input`, if not null, receives what standard input
+/// held where INPUT is that: it can be read only once.
+CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
+
+/// Chooses the generators by the options (`choose_generators`), and reports them. `count`: of sampled ones, in place of
+/// that of the options.
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count = {});
+
+/// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
+Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+
+/// Notes and reports the figures of a diagram.
+void report_diagram(Run& run, const Diagram& diagram);
+
+/// Writes to `-o` in one format.
+using OutputWriter = std::function<void(std::ostream&)>;
+
+// Each of the following functions writes where its option is given, and throws Error{unwritable_output} where it can't.
+
+/// Writes every `-o` file: in the formats of `own_formats`, by extension without its dot, or else `mesh`.
+void write_output_files(Run& run, const LabelledMesh& mesh,
+                        const std::map<std::string, OutputWriter>& own_formats = {});
+
+/// Writes `--diagram`.
+void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
+
+/// Writes the file of an option that `Command::add_target` added.
+void write_own_file(Run& run, const std::string& option, const OutputWriter& write);
+
+/// Writes `--view`; `make_scenes` is called only then. The name of the input file is added to the title.
+void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes);
+
+/// Ends a run: with `--verify` measures the error of the diagram against exact distances, notes and reports it; then
+/// writes `--report`.
+void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram);
+
+/// Writes `--report`: to be called last.
+void write_report_file(Run& run);
+
+}  // namespace gvd::app

@@ -1,0 +1,122 @@
+// The report of a run: one JSON document (gvd-report/1), which the body of the run fills in and writes at its end.
+//
+// Members stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may
+// have a million, and written one a line, in the form in which `parse_generators` reads them.
+
+#include "common/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "common/diagram_members.hpp"
+#include "common/options/options_json.hpp"
+
+namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::int64_t count_disc_cells(const Diagram& diagram) {
+  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
+                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
+}
+
+std::string format_generator(const ReportedGenerator& generator) {
+  const auto& [point, position, snap_distance] = generator;
+  const std::string snapped = snap_distance ? ",\"snap_distance\":" + json_number(*snap_distance) : "";
+  return fmt::format("{},\"position\":[{},{},{}]{}}}", open_point(point), json_number(position.x()),
+                     json_number(position.y()), json_number(position.z()), snapped);
+}
+
+}  // namespace
+
+RunReport::RunReport(const std::string& command, const Options& options)
+    : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/1"},
+                                            {"command", command},
+                                            {"version", GVD_VERSION},
+                                            {"options", to_json(options)},
+                                            {"seed", options.generators.seed},
+                                            {"input", nullptr},
+                                            {"generators", nullptr},
+                                            {"diagram", nullptr},
+                                            {"timings_ms", Json::object()},
+                                            {"peak_memory_bytes", 0},
+                                            {"results", Json::object()}})) {}
+
+RunReport::~RunReport() = default;
+
+Json& RunReport::options() { return (*document_)["options"]; }
+
+Json& RunReport::results() { return (*document_)["results"]; }
+
+void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
+  Json counts = Json::object();
+  for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
+  (*document_)["input"] = {{"vertices", mesh.vertices},
+                           {"faces", mesh.faces},
+                           {"components", mesh.components},
+                           {"boundary_loops", mesh.boundary_loops},
+                           {"euler_characteristic", mesh.euler_characteristic},
+                           {"area", mesh.area},
+                           {"bbox_diagonal", mesh.bbox_diagonal},
+                           {"defects", std::move(counts)}};
+}
+
+void RunReport::set_diagram(const Diagram& diagram) {
+  (*document_)["diagram"] = {{"branch_points", diagram.branch_points.size()},
+                             {"bisectors", diagram.bisectors.size()},
+                             {"length", diagram.length},
+                             {"cells", diagram.cells.size()},
+                             {"disc_cells", count_disc_cells(diagram)},
+                             {"trivial_faces", diagram.report.face_classes.trivial},
+                             {"ordinary_faces", diagram.report.face_classes.ordinary},
+                             {"branching_faces", diagram.report.face_classes.branching},
+                             {"gaps", diagram.report.gaps},
+                             {"gaps_grown", diagram.report.gaps_grown},
+                             {"gaps_assembled", diagram.report.gaps_assembled},
+                             {"unresolved_ends", diagram.report.unresolved_ends},
+                             {"relabelled_vertices", diagram.report.relabelled_vertices},
+                             {"straightened_faces", diagram.report.straightened_faces},
+                             {"straightened_error", diagram.report.straightened_error},
+                             {"verify", nullptr}};
+}
+
+void RunReport::set_error_measure(const ErrorMeasure& error) {
+  (*document_)["diagram"]["verify"] = {{"error_integral", error.error_integral},
+                                       {"error_mean", error.error_mean},
+                                       {"error_max", error.error_max},
+                                       {"length", error.length}};
+}
+
+void RunReport::set_time(std::string_view step, double milliseconds) {
+  (*document_)["timings_ms"][std::string(step)] = milliseconds;
+}
+
+void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
+
+void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  generators_.resize(points.size(), {{}, Vec3::Zero(), {}});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(generators_[i].point == points[i])) generators_[i] = {points[i], position(mesh, points[i]), {}};
+  }
+}
+
+void RunReport::write(std::ostream& out) const {
+  const char* separator = "{";
+  for (const auto& [name, value] : document_->items()) {
+    out << separator << '"' << name << "\":";
+    if (name == "generators") {
+      write_array(out, generators_, "\n  ", format_generator, "\n]");
+    } else {
+      out << value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    separator = ",\n";
+  }
+  out << "}\n";
+  finish(out);
+}
+
+}  // namespace gvd::app

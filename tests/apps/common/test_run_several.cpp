@@ -1,0 +1,94 @@
+#include <csignal>
+#include <new>
+
+#include "apps/run_command.hpp"
+#include "common/process.hpp"
+#include "common/run_several.hpp"
+#include "gvd/error.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_run_several {
+
+using namespace app;
+
+std::vector<Options> quiet_runs(const std::vector<std::string>& inputs) {
+  std::vector<Options> runs;
+  for (const std::string& input : inputs) {
+    runs.emplace_back().input.path = input;
+    runs.back().quiet = true;
+  }
+  return runs;
+}
+
+TEST_CASE("a run that fails does not stop the others, and the first failure is the exit code") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  const int code = run_several("gvd-test", quiet_runs({"a", "b", "c"}), [&](Run& run) {
+    const std::string& input = run.options().input.path;
+    gvd::test::write_text(scratch / input, input);
+    if (input == "a") throw Error(ErrorCode::precondition, "a: refused by a test");
+    if (input == "b") throw Error(ErrorCode::unreadable_input, "b: refused by a test");
+  });
+  for (const char* input : {"a", "b", "c"}) CHECK(gvd::test::read_text(scratch / input) == input);
+  CHECK(code == 4);
+  CHECK(run_several("gvd-test", quiet_runs({"a"}), [](Run&) {}) == 0);
+}
+
+TEST_CASE("a run without memory does not end the others, and has let go of its own") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  std::vector<Options> runs = quiet_runs({"a", "b"});
+  for (Options& options : runs) options.compute.max_memory = peak_memory_bytes() + (256 << 20);
+  CHECK(run_several("gvd-test", runs, [&](Run& run) {
+          const std::string& input = run.options().input.path;
+          if (input == "a") throw std::bad_alloc();
+          const std::string kept(std::size_t{70} << 20, 'x');
+          gvd::test::write_text(scratch / input, input);
+        }) == 5);
+  CHECK(gvd::test::read_text(scratch / "b") == "b");
+}
+
+TEST_CASE("an interruption ends all runs") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  const int code = run_several("gvd-test", quiet_runs({"a", "b"}), [&](Run& run) {
+    gvd::test::write_text(scratch / run.options().input.path, "seen");
+    std::raise(SIGINT);
+    check_interrupt();
+  });
+  CHECK(code == 130);
+  CHECK(gvd::test::read_text(scratch / "a") == "seen");
+  CHECK(gvd::test::read_text(scratch / "b").empty());
+  install_signal_handlers();
+}
+
+TEST_CASE("runs that an interruption leaves out are not done, even if the last one was") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  const int code = run_several("gvd-test", quiet_runs({"a", "b"}), [&](Run& run) {
+    gvd::test::write_text(scratch / run.options().input.path, "seen");
+    std::raise(SIGINT);
+  });
+  CHECK(code == 130);
+  CHECK(gvd::test::read_text(scratch / "b").empty());
+  install_signal_handlers();
+}
+
+TEST_CASE("results stand in columns, with a column for each figure that a run has") {
+  const std::vector<RunResult> results{{"a.ply", "done", {30, std::nullopt, 1.5}, 0.125},
+                                       {"long-name.ply", "failed (3: unreadable input)", {}, 12}};
+  CHECK(format_results(results) ==
+        std::vector<std::string>{"input          result                        regions  energy     time",
+                                 "a.ply          done                               30     1.5   0.12 s",
+                                 "long-name.ply  failed (3: unreadable input)        -       -  12.00 s"});
+  const std::vector<std::string> plain = format_results({{"a", "done", {1, 0.5, std::nullopt}, 0}});
+  CHECK(plain.front() == "input  result  regions    E    time");
+}
+
+TEST_CASE("columns are as wide as the letters in them, whatever bytes these take") {
+  const auto lines = format_results({{"\u00fc.off", "done", {1, {}, {}}, 0}, {"ab.off", "done", {1, {}, {}}, 0}});
+  CHECK(lines[1] == "\u00fc.off   done          1  0.00 s");
+  CHECK(lines[2] == "ab.off  done          1  0.00 s");
+}
+
+}  // namespace gvd::test_run_several
