@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
 #include "common/relaxation/relaxation_report.hpp"
 #include "gvd/counted.hpp"
 

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "common/options/typed_options.hpp"
-#include "common/relaxation/constraint_options.hpp"
+#include "common/options/options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
 #include "lloyd/lloyd_report.hpp"
 
 namespace gvd::app {

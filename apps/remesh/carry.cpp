@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "common/options/file_extension.hpp"
+#include "common/options/options.hpp"
 #include "common/steps/standard_input.hpp"
 #include "gvd/error.hpp"
 

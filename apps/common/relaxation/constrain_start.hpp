@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/relaxation/constraint_options.hpp"
+#include "common/options/options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/density.hpp"
 #include "gvd/features.hpp"

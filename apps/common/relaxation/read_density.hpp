@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/relaxation/constraint_options.hpp"
+#include "common/options/options.hpp"
 #include "common/run/run.hpp"
 #include "gvd/density.hpp"
 #include "gvd/soup.hpp"

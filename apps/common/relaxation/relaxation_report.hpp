@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "common/relaxation/constraint_options.hpp"
+#include "common/options/options.hpp"
 #include "gvd/lloyd.hpp"
 
 namespace gvd::app {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {

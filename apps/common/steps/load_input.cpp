@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "common/options/file_extension.hpp"
+#include "common/options/options.hpp"
 #include "common/steps/standard_input.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"

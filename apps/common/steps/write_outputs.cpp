@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "common/options/file_extension.hpp"
+#include "common/options/options.hpp"
 #include "common/run/standard_output.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
