@@ -149,7 +149,7 @@ void lloyd(app::Run& run, const app::OwnOptions& own) {
 int main(int argc, char** argv) {
   app::OwnOptions own;
   app::Command command({"gvd-lloyd",
-                        "Moves generators to the geodesic centroids of their regions until they rest.",
+                        "Moves generators to the geodesic centroids of their cells until they stop moving.",
                         kExamples,
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_relaxation(command.line(), own);

@@ -27,17 +27,18 @@ void register_input(CLI::App& app, InputOptions& input) {
     input.path = paths.front();
   };
   app.add_option_function<std::vector<std::string>>(
-         "INPUT", store, "The mesh: .obj, .ply, .off or .stl; - for standard input. Several ones go with --output-dir")
+         "INPUT", store, "The mesh: .obj, .ply, .off or .stl; - for standard input. Several inputs need --output-dir")
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
   add_choice(app, "--input-format", input.format,
              Choices<std::string>{{"obj", "obj"}, {"ply", "ply"}, {"off", "off"}, {"stl", "stl"}},
              "The input's format; needed with -, else told from content and extension");
-  add_choice(app, "--on-defect", input.on_defect,
-             Choices<std::string>{{"error", "error"}, {"repair", "repair"}, {"largest", "largest"}},
-             "What to do about defects of the mesh: refuse, repair what loses nothing (default), or repair and keep "
-             "the largest component");
+  add_choice(
+      app, "--on-defect", input.on_defect,
+      Choices<std::string>{{"error", "error"}, {"repair", "repair"}, {"largest", "largest"}},
+      "What to do about defects of the mesh: refuse them, make the repairs that lose nothing (default), or repair "
+      "and keep the largest component");
 }
 
 /// Options that choose generators on the surface.

@@ -13,40 +13,33 @@ namespace {
 /// Beyond there is no such memory, and rounding begins.
 constexpr double kMostBytes = 0x1p60;
 
-/// The number that `text` spells; infinity or 0 where a double can't hold it. Nothing where it spells none.
-std::optional<double> parse_any_number(const std::string& text) {
-  double value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value);
-  if (end != last || error == std::errc::invalid_argument) return std::nullopt;
-  if (error == std::errc{}) return value;
-  return text.find("e-") == text.npos ? std::numeric_limits<double>::infinity() : 0;
-}
-
-/// Takes the unit off the end of `text`, which is in small letters. Returns its factor, or nothing for a wrong one.
-std::optional<double> take_unit(std::string& text) {
+/// The factor of a unit in small letters; nothing for a wrong one.
+std::optional<double> unit_factor(std::string_view unit) {
   constexpr std::string_view kUnits = "kmgt";
-  if (text.ends_with('b')) text.pop_back();
-  const bool binary = text.ends_with('i');
-  if (binary) text.pop_back();
-  const std::size_t unit = text.empty() ? kUnits.npos : kUnits.find(text.back());
-  if (unit == kUnits.npos) return binary ? std::nullopt : std::optional(1.0);
-  text.pop_back();
-  return std::ldexp(1.0, 10 * (static_cast<int>(unit) + 1));
+  if (unit.ends_with('b')) unit.remove_suffix(1);
+  const bool binary = unit.ends_with('i');
+  if (binary) unit.remove_suffix(1);
+  if (unit.empty()) return binary ? std::nullopt : std::optional(1.0);
+  const std::size_t index = unit.size() == 1 ? kUnits.find(unit) : kUnits.npos;
+  if (index == kUnits.npos) return std::nullopt;
+  return std::ldexp(1.0, 10 * (static_cast<int>(index) + 1));
 }
 
 }  // namespace
 
 ParsedSize parse_size(std::string_view text) {
-  std::string lower = to_lower(std::string(text));
-  const std::optional<double> factor = take_unit(lower);
-  const std::optional<double> number = parse_any_number(lower);
-  if (!factor || !number || std::isnan(*number) || lower.find("inf") != lower.npos) {
+  const std::string lower = to_lower(std::string(text));
+  const char* const last = lower.data() + lower.size();
+  double number = 0;
+  const auto [end, error] = std::from_chars(lower.data(), last, number);
+  const std::optional<double> factor = unit_factor({end, last});
+  if (!factor || error == std::errc::invalid_argument || !std::isfinite(number)) {
     return {0, fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text)};
   }
-  const double bytes = *number * *factor;
+  const bool overflows = error != std::errc{} && lower.find("e-") == lower.npos;
+  const double bytes = number * *factor;
+  if (overflows || bytes > kMostBytes) return {0, fmt::format("'{}' is too large; write at most 1048576T", text)};
   if (bytes < 1) return {0, fmt::format("'{}' is less than a byte; write a size such as 500M or 2G", text)};
-  if (bytes > kMostBytes) return {0, fmt::format("'{}' is too large; write at most 1048576T", text)};
   return {static_cast<std::int64_t>(bytes), ""};
 }
 
