@@ -1,13 +1,13 @@
+// The frame of every command: options in, an exit code out. Whatever goes wrong on the way, in the options or in the
+// body, ends in one line on standard error and in the exit code of its kind.
+
 #include "common/command.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 
 #include "common/options/check_options.hpp"
-#include "common/options/file_extension.hpp"
-#include "common/options/plan_runs.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/outcome.hpp"
@@ -32,27 +32,22 @@ CommandInfo guard(CommandInfo info) {
 
 }  // namespace
 
-Command::Command(CommandInfo info)
-    : info_(guard(std::move(info))),
-      line_(info_.name, info_.description, info_.name + " " + GVD_VERSION, help_footer(info_.examples)) {
-  register_options(line_, options_, info_.output_formats, info_.sizes);
+Command::Command(CommandInfo info) : info_(guard(std::move(info))), line_(info_.description, info_.name) {
+  rules_ = register_options(line_, options_, info_.output_formats);
+  if (info_.sizes) register_sizes(line_, options_.generators);
+  line_.footer(help_footer(info_.examples));
 }
 
-void Command::add_target(OptionText option, const std::vector<std::string>& extensions) {
-  option.group = "Output";
-  option.excludes.emplace_back("--output-dir");
-  std::string& target = options_.output.own[option.names];
-  if (extensions.empty()) return add_file(line_, option, target);
-  line_.add_value(option, [&target, extensions](const std::string& text) -> std::optional<std::string> {
-    if (std::find(extensions.begin(), extensions.end(), file_extension(text)) == extensions.end()) {
-      return fmt::format("'{}': the extension must be one of .{}", printable(text), fmt::join(extensions, ", ."));
-    }
-    target = text;
-    return std::nullopt;
+void Command::add_target(const std::string& name, const std::string& type, const std::string& description,
+                         const std::vector<std::string>& extensions) {
+  CLI::Option* const option = add_file(line_, name, options_.output.own[name], description, type);
+  option->group("Output")->excludes("--output-dir");
+  if (extensions.empty()) return;
+  option->check([extensions](const std::string& file) {
+    if (contains(extensions, file_extension(file))) return std::string();
+    return fmt::format("'{}': the extension must be one of .{}", printable(file), fmt::join(extensions, ", ."));
   });
 }
-
-void Command::check() const { check_options(options_, {info_.output_formats, info_.materials}); }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
   keep_freed_memory();
@@ -60,10 +55,11 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
   install_signal_handlers();
   int exit_code = kDone;
   const Outcome outcome = run_guarded([&] {
-    if (const auto answer = line_.parse(argc, argv)) {
+    register_general(line_, options_, info_.name + " " + GVD_VERSION);
+    if (const auto answer = parse_command_line(line_, rules_, argc, argv)) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }
-    check();
+    check_options(options_, {info_.output_formats, info_.materials});
     if (!options_.output.folder.empty()) {
       exit_code = run_several(info_.name, plan_runs(options_), body);
       return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct CommandInfo {
 ///
 ///     bool cut = false;
 ///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply", "obj"}});
-///     command.line().add_flag({"--cut", "", "Split faces along the bisectors"}, cut);
+///     add_flag(command.line(), "--cut", cut, "Split faces along the bisectors");
 ///     return command.run(argc, argv, [&](Run& run) { segment(run, cut); });
 class Command {
  public:
@@ -33,22 +34,23 @@ class Command {
   Command& operator=(const Command&) = delete;
 
   /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
-  CommandLine& line() { return line_; }
+  CLI::App& line() { return line_; }
 
   /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
-  /// checked as the files of all commands are. `extensions`, without their dots: of the names that it takes, or any.
-  void add_target(OptionText option, const std::vector<std::string>& extensions = {});
+  /// checked as the files of all commands are. `type` stands for it in --help. `extensions`, without their dots: of the
+  /// names that it takes, or any.
+  void add_target(const std::string& name, const std::string& type, const std::string& description,
+                  const std::vector<std::string>& extensions = {});
 
   /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
   /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.
   int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);
 
  private:
-  void check() const;
-
   CommandInfo info_;
   Options options_;
-  CommandLine line_;
+  CLI::App line_;
+  std::vector<ValueRule> rules_;
 };
 
 }  // namespace gvd::app

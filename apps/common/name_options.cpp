@@ -1,3 +1,6 @@
+// Advice of the library in the words of the commands. libgvd knows no command line: where a message of its errors ends
+// with advice, it names a field of an options struct, and the user of a command needs the option that sets it.
+
 #include "common/name_options.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/constraint_options.hpp"
+#include "common/options/options.hpp"
 #include "common/options/options.hpp"
 #include "gvd/density.hpp"
 #include "gvd/features.hpp"

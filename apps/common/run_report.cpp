@@ -12,7 +12,7 @@
 #include <ostream>
 
 #include "common/diagram_members.hpp"
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
 
 namespace gvd::app {
 namespace {

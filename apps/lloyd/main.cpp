@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "common/command.hpp"
-#include "common/options/file_extension.hpp"
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
+#include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
@@ -62,55 +62,35 @@ constexpr app::Range<std::int32_t> kIterations{0, 1000000, "a whole number from 
 // The upper end is the largest double below 2.
 constexpr app::Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
 
-void register_options(app::CommandLine& line, LloydOptions& options) {
-  const auto text = [](const char* name, const std::string& description) {
-    return app::OptionText{name, "", description, "Relaxation"};
-  };
-  LloydOptions plain;
+void register_relaxation(CLI::App& line, app::OwnOptions& own) {
+  LloydOptions &options = own.relaxation, plain;
   plain.acceleration = Acceleration::none;
-  const app::OptionText acceleration =
-      text("--accelerate",
-           "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's "
-           "mixing of the last steps, or by Lloyd's method alone");
-  app::add_choice(line, acceleration, options.acceleration, app::acceleration_names());
-  app::add_choice(line,
-                  text("--relocate",
-                       "Move generators from cells with little energy to distant cells with much, where that lowers "
-                       "the energy at once (default: on, with --accelerate none off)"),
-                  options.relocate, app::Choices<bool>{{"on", true}, {"off", false}});
+  line.option_defaults()->group("Relaxation");
+  app::add_choice(
+      line, "--accelerate", options.acceleration, app::acceleration_names(),
+      "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's mixing of the last "
+      "steps, or by Lloyd's method alone");
+  app::add_choice(line, "--relocate", options.relocate, app::Choices<bool>{{"on", true}, {"off", false}},
+                  "Move generators from cells with little energy to distant cells with much, where that lowers the "
+                  "energy at once (default: on, with --accelerate none off)");
+  app::add_number(line, "--iterations", options.max_iterations, kIterations,
+                  fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
+                              max_iterations(options), max_iterations(plain)));
+  app::add_number(line, "--tolerance", options.energy_tolerance, app::kNotNegative,
+                  fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, "
+                              "with --accelerate none {}); 1e-5 saves about half of the time",
+                              energy_tolerance(options), energy_tolerance(plain)));
+  app::add_number(line, "--move-tolerance", options.move_tolerance, app::kNotNegative,
+                  fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
+                              "radius (default: {})",
+                              options.move_tolerance));
   app::add_number(
-      line,
-      text("--iterations", fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
-                                       max_iterations(options), max_iterations(plain))),
-      options.max_iterations, kIterations);
-  app::add_number(
-      line,
-      text("--tolerance",
-           fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, with "
-                       "--accelerate none {}); 1e-5 saves about half of the time",
-                       energy_tolerance(options), energy_tolerance(plain))),
-      options.energy_tolerance, app::kNotNegative);
-  app::add_number(line,
-                  text("--move-tolerance", fmt::format("Stop once no generator is farther from its centroid than this "
-                                                       "fraction of the mean cell radius (default: {})",
-                                                       options.move_tolerance)),
-                  options.move_tolerance, app::kNotNegative);
-  app::add_number(
-      line,
-      text("--step",
-           fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
-                       options.step)),
-      options.step, kStep);
-}
-
-void register_time_limit(app::CommandLine& line, std::optional<double>& seconds) {
-  app::add_number(
-      line,
-      {"--time-limit", "",
-       "Stop after the iteration in which the relaxation has taken this many seconds; the result then differs "
-       "between runs (default: none)",
-       "Relaxation"},
-      seconds, app::kNotNegative);
+      line, "--step", options.step, kStep,
+      fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
+                  options.step));
+  app::add_number(line, "--time-limit", own.time_limit, app::kNotNegative,
+                  "Stop after the iteration in which the relaxation has taken this many seconds; the result then "
+                  "differs between runs (default: none)");
 }
 
 const char* describe(LloydStop stop) {
@@ -358,16 +338,15 @@ int main(int argc, char** argv) {
   using namespace gvd::app;
   app::OwnOptions own;
   app::Command command({"gvd-lloyd",
-                        "Moves generators to the geodesic centroids of their regions until they rest.",
+                        "Moves generators to the geodesic centroids of their cells until they stop moving.",
                         kExamples,
                         {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
-  register_options(command.line(), own.relaxation);
+  register_relaxation(command.line(), own);
   app::register_constraints(command.line(), own.constraints);
-  register_time_limit(command.line(), own.time_limit);
   command.add_target(
-      {"--points", "FILE",
-       "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)"},
+      "--points", "FILE",
+      "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)",
       {"ply", "xyz", "npy"});
-  command.add_target({"--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV"});
+  command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV");
   return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
 }

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "common/command.hpp"
-#include "common/options/file_extension.hpp"
+#include "common/options/options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "common/relaxation.hpp"
@@ -71,35 +71,24 @@ constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from
 
 constexpr const char* kMap = "--map";
 
-void register_options(app::CommandLine& line, Settings& settings) {
-  const std::string group = "Remesh";
-  app::add_number(line,
-                  {"--max-added",
-                   "",
-                   "Most generators that may be added (default: ten for each given one, component, boundary loop and "
-                   "handle, and 100 more)",
-                   group,
-                   {},
-                   {"--no-refine", "--exact-count"}},
-                  settings.remesh.max_added, kMaxAdded);
-  line.add_flag(
-      {"--no-refine", "", "Add no generators: refuse where the given ones are too few for a valid mesh", group},
-      settings.no_refine);
-  line.add_flag({"--exact-count", "", "The same as --no-refine: exactly the given number of vertices, or none", group},
-                settings.no_refine);
-  app::add_choice(line,
-                  {"--place", "",
-                   "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
-                   "(default: fit, for --generators and --vertices generator)",
-                   group},
-                  settings.place, app::placement_names());
-  line.add_flag({"--allow-intersections", "",
-                 "Accept triangles that intersect each other; without it, generators are added there", group},
-                settings.remesh.allow_intersections);
-  line.add_flag(
-      {"--carry", "",
-       "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates", group},
-      settings.carry);
+void register_remesh(CLI::App& line, Settings& settings) {
+  line.option_defaults()->group("Remesh");
+  app::add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
+                  "Most generators that may be added (default: ten for each given one, component, boundary loop and "
+                  "handle, and 100 more)");
+  app::add_flag(line, "--no-refine", settings.no_refine,
+                "Add no generators: refuse where the given ones are too few for a valid mesh")
+      ->excludes("--max-added");
+  app::add_flag(line, "--exact-count", settings.no_refine,
+                "The same as --no-refine: exactly the given number of vertices, or none")
+      ->excludes("--max-added");
+  app::add_choice(line, "--place", settings.place, app::placement_names(),
+                  "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
+                  "(default: fit, for --generators and --vertices generator)");
+  app::add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
+                "Accept triangles that intersect each other; without it, generators are added there");
+  app::add_flag(line, "--carry", settings.carry,
+                "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates");
 }
 
 /// The generators that a remesh begins with.
@@ -399,9 +388,9 @@ int main(int argc, char** argv) {
   info.materials = false;  // the coarse mesh has no labels
   app::Command command(info);
   app::register_relaxation(command.line(), settings.relaxation);
-  register_options(command.line(), settings);
-  command.add_target(
-      {kMap, "FILE.json", "Write each output vertex's point of INPUT, and each input vertex's point of the output"},
-      {"json"});
+  register_remesh(command.line(), settings);
+  command.add_target(kMap, "FILE.json",
+                     "Write each output vertex's point of INPUT, and each input vertex's point of the output",
+                     {"json"});
   return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
 }

@@ -1,7 +1,11 @@
+// How gvd-remesh relaxes: listed generators stay where the user has put them, and sampled ones move to the centroids of
+// their cells, since random samples make poor triangles.
+
 #include "remesh/relax_options.hpp"
 
 #include <fmt/format.h>
 
+#include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 
@@ -12,28 +16,22 @@ constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 
 
 }  // namespace
 
-void register_relaxation(CommandLine& line, RelaxOptions& options) {
-  line.add_value(
-      {"--relax", "N|none",
-       fmt::format("Iterations that move the generators to the centroids of their cells first; 'none' moves none "
-                   "(default: {}, for --generators and --vertices none)",
-                   kDefaultRelaxation),
-       "Relaxation"},
-      [&options](const std::string& text) -> std::optional<std::string> {
-        const std::optional<std::int32_t> value = text == "none" ? 0 : parse_number_in(text, kIterations);
-        if (!value) return fmt::format("'{}' is not {}", text, kIterations.text);
-        options.iterations = *value;
-        return std::nullopt;
-      });
-  register_constraints(line, options.constraints);
-  line.add_flag({"--loose-boundary",
-                 "",
-                 "Put no generators on the boundary: the outline then runs through generators beside it (default: "
-                 "--keep-boundary for -n and --radius, where it takes at most four fifths of them)",
-                 "Constraints",
-                 {},
-                 {"--keep-boundary"}},
-                options.loose_boundary);
+void register_relaxation(CLI::App& app, RelaxOptions& options) {
+  const auto store = [&options](const std::string& text) {
+    const std::optional<std::int32_t> value = text == "none" ? 0 : parse_number_in(text, kIterations);
+    if (value) options.iterations = *value;
+    return value ? "" : fmt::format("'{}' is not {}", text, kIterations.text);
+  };
+  app.option_defaults()->group("Relaxation");
+  add_parsed(app, "--relax", "N|none", store,
+             fmt::format("Iterations that move the generators to the centroids of their cells first; 'none' moves none "
+                         "(default: {}, for --generators and --vertices none)",
+                         kDefaultRelaxation));
+  register_constraints(app, options.constraints);
+  add_flag(app, "--loose-boundary", options.loose_boundary,
+           "Put no generators on the boundary: the outline then runs through generators beside it (default: "
+           "--keep-boundary for -n and --radius, where it takes at most four fifths of them)")
+      ->excludes("--keep-boundary");
 }
 
 std::int32_t relax_iterations(const RelaxOptions& options, const GeneratorOptions& generators) {

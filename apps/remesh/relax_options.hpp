@@ -1,10 +1,9 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 
-#include "common/constraint_options.hpp"
-#include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
 
 namespace gvd::app {
@@ -20,8 +19,8 @@ struct RelaxOptions {
   bool loose_boundary = false;  ///< no generator is put on the boundary, unless it is sampled there
 };
 
-/// Registers `--relax`, the options of constraints and `--loose-boundary`. `options` must outlive `line`.
-void register_relaxation(CommandLine& line, RelaxOptions& options);
+/// Registers `--relax`, the options of constraints and `--loose-boundary`. `options` must outlive `app`.
+void register_relaxation(CLI::App& app, RelaxOptions& options);
 
 /// The iterations of a run: those given, or kDefaultRelaxation for sampled generators and 0 for listed ones, which
 /// stay where the user has put them.

@@ -33,8 +33,6 @@ constexpr const char* kExamples =
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
-constexpr const char* kRegions = "Regions";
-
 /// A note names this many generators.
 constexpr std::size_t kNamed = 8;
 
@@ -211,13 +209,12 @@ int main(int argc, char** argv) {
                         "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                         kExamples,
                         {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
-  command.line().add_flag({"--cut", "", "Split faces along the bisectors instead of labelling whole faces", kRegions},
-                          own.cut);
-  app::OptionText labels{"--labels", "",
-                         "Whole faces on a bisector: shortest borders, or largest share (default: smooth)", kRegions};
-  labels.excludes = {"--cut"};
-  app::add_choice(command.line(), labels, own.labels,
-                  app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});
-  command.add_target({"--stats", "FILE.csv", "Write area, perimeter, radius, neighbours of each region as CSV"});
+  command.line().option_defaults()->group("Regions");
+  app::add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
+  app::add_choice(command.line(), "--labels", own.labels,
+                  app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}},
+                  "Whole faces on a bisector: shortest borders, or largest share (default: smooth)")
+      ->excludes("--cut");
+  command.add_target("--stats", "FILE.csv", "Write area, perimeter, radius, neighbours of each region as CSV");
   return command.run(argc, argv, [&](app::Run& run) { segment(run, own); });
 }

@@ -43,7 +43,7 @@ TEST_CASE("commands: a bad option is a usage error") {
   for (const std::string& name : built_commands()) {
     require_error(name, "", 2, "INPUT");
     require_error(name, mesh, 2, "no generators");
-    require_error(name, mesh + " -n 5 --radius 1", 2, "-n and --radius");
+    require_error(name, mesh + " -n 5 --radius 1", 2, "--count excludes --radius");
     require_error(name, mesh + " -n five", 2, "five");
     require_error(name, mesh + " -n 5 --method other", 2, "exact|gbgvd");
     require_error(name, mesh + " -n 5 --front planar", 2, "add --method gbgvd");

@@ -103,7 +103,7 @@ TEST_CASE("commands: a list of generators comes through a pipe, in any format") 
   require_error("gvd-segment", mesh + " --generators -", 3, "standard input:1: the list holds no generator");
   require_error("gvd-segment", "- --input-format obj --generators -", 2,
                 "INPUT and --generators are both standard input");
-  require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format does nothing here");
+  require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format requires --generators");
   const std::string list = scratch / "list.csv";
   require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2,
                 "this is the file that is read");

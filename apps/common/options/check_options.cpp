@@ -1,24 +1,87 @@
+// What is refused before any work starts, because it could not end well: words that are no input, options that this
+// build lacks, and outputs that can't be written or would replace a file that is read. A folder of outputs is made
+// last, once nothing else is wrong. Targets are compared as files, not as names: links and "./" must not hide that two
+// are one.
+
 #include "common/options/check_options.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
-#include "common/options/check_outputs.hpp"
-#include "common/options/file_extension.hpp"
-#include "common/options/option_text.hpp"
-#include "common/options/parse_number.hpp"
+#include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/view.hpp"
+#include "gvd/io/write_file.hpp"
 
 namespace gvd::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
+[[noreturn]] void refuse_target(const std::string& option, const std::string& path, const std::string& reason) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("{} {}: {}", option, path, reason));
+}
+
+/// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
+std::string describe_stray(const std::string& word, bool follows, const Options& options,
+                           const OutputFormats& formats) {
+  std::error_code ignored;
+  if (word.starts_with('-')) return "is no file; options go before --";
+  if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
+  if (parse_number<std::int64_t>(word)) {
+    if (options.generators.vertices) return "is no file; --vertices has commas and no blanks: 3,17,99";
+    if (!options.generators.count) return fmt::format("is no file; did you mean -n {}?", word);
+  }
+  return follows && contains(formats.extensions, file_extension(word))
+             ? fmt::format("is no file; did you mean -o {}?", word)
+             : "is no file; options have dashes in front";
+}
+
+bool may_be_read(const std::string& path) {
+  std::error_code ignored;
+  return path == "-" || (fs::exists(path, ignored) && !fs::is_directory(path, ignored));
+}
+
+/// Refuses several inputs without a folder for their outputs. A word that is no file is no input either.
+[[noreturn]] void refuse_several(const Options& options, const OutputFormats& formats) {
+  const std::vector<std::string>& paths = options.input.paths;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (may_be_read(paths[i])) continue;
+    const std::string word = printable(paths[i]);
+    refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
+  }
+  const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
+  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
+                     paths.front(), others));
+}
+
+/// Several inputs need a folder for their outputs, in which standard input has no name.
+void check_inputs(const Options& options, const OutputFormats& formats) {
+  const std::vector<std::string>& paths = options.input.paths;
+  const bool has_list_piped = options.generators.file == "-", into_folder = !options.output.folder.empty();
+  if (options.input.path == "-" && options.input.format.empty()) {
+    refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
+  }
+  if (options.input.path == "-" && has_list_piped) {
+    refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
+  }
+  if (!into_folder && paths.size() > 1) refuse_several(options, formats);
+  if (into_folder && contains(paths, "-")) {
+    refuse("--output-dir: standard input has no name for its outputs; write them with -o");
+  }
+  if (into_folder && has_list_piped && paths.size() > 1) {
+    refuse("--generators -: standard input can be read for one input only; name a file");
+  }
+}
+
 void check_generator_source(const GeneratorOptions& generators) {
-  if (generators.count || !generators.file.empty() || generators.vertices || generators.radius) return;
+  if (generators.count || generators.are_listed() || generators.radius) return;
   if (generators.target_edge || generators.error) return;
   refuse("no generators: give one of -n, --generators, --vertices or --radius");
 }
@@ -39,73 +102,184 @@ void check_build(const Options& options) {
   }
 }
 
-/// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
-std::string describe_stray(const std::string& word, bool follows, const Options& options,
-                           const OutputFormats& formats) {
+/// Longest chain of symbolic links that is followed: the limit of Linux.
+constexpr int kMaxLinks = 40;
+
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no target
+/// may overwrite another.
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  fs::path target = fs::absolute(path, failed);
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(target, failed); ++i) {
+    target = target.parent_path() / fs::read_symlink(target, failed);
+  }
+  target = fs::weakly_canonical(target, failed);
+  return failed ? path : target.string();
+}
+
+/// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
+/// symbolic and hard links are found.
+void check_not_read(const std::string& option, const std::string& path, const Options& options) {
   std::error_code ignored;
-  if (word.starts_with('-')) return "is no file; options go before --";
-  if (std::filesystem::is_directory(word, ignored)) {
-    return fmt::format("is a directory; did you mean --output-dir {}?", word);
+  if (!fs::is_regular_file(path, ignored)) return;
+  std::vector<std::string> all = options.input.paths;
+  all.insert(all.end(), {options.generators.file, options.config});
+  for (const std::string& read : all) {
+    if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
+    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
   }
-  if (parse_number<std::int64_t>(word)) {
-    if (options.generators.vertices) return "is no file; --vertices has commas and no blanks: 3,17,99";
-    if (!options.generators.count) return fmt::format("is no file; did you mean -n {}?", word);
-  }
-  const auto& known = formats.extensions;
-  const bool output = std::find(known.begin(), known.end(), file_extension(word)) != known.end();
-  return follows && output ? fmt::format("is no file; did you mean -o {}?", word)
-                           : "is no file; options have dashes in front";
 }
 
-bool may_be_read(const std::string& path) {
+void check_standard_output(const OutputOptions& output) {
+  const int flags = ::fcntl(STDOUT_FILENO, F_GETFL);
+  if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
+    refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
+  }
+  const std::string format = stdout_format(output);
+  const bool is_binary = (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb";
+  if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
+    refuse(
+        fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "
+                    "text with --output-format",
+                    format));
+  }
+}
+
+/// Refuses a target that can't be written, as far as its folder tells.
+void check_target(const std::string& option, const std::string& path) {
   std::error_code ignored;
-  return path == "-" || (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored));
+  const fs::path target(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (fs::is_directory(target, ignored)) refuse_target(option, path, "is a directory; name a file");
+  if (!fs::is_directory(folder, ignored)) {
+    refuse_target(option, path, fmt::format("there is no directory {}; create it first", folder.string()));
+  }
 }
 
-/// Refuses several inputs without a folder for their outputs. A word that is no file is no input either.
-[[noreturn]] void refuse_several(const Options& options, const OutputFormats& formats) {
-  const std::vector<std::string>& paths = options.input.paths;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (may_be_read(paths[i])) continue;
-    const std::string word = printable(paths[i]);
-    refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
+/// The targets of a run: each one is claimed once.
+class Targets {
+ public:
+  explicit Targets(const Options& options) : options_(options) {}
+
+  void claim(const std::string& option, const std::string& path) {
+    if (path.empty()) return;
+    if (!names_.insert(path == "-" ? path : one_name(path)).second) {
+      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
+    }
+    if (path == "-") {
+      if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+      return check_standard_output(options_.output);
+    }
+    check_target(option, path);
+    check_not_read(option, path, options_);
+    check_writable(path);
   }
-  const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
-  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
-                     paths.front(), others));
+
+  void claim_with_materials(const std::string& option, const std::string& path, const OutputFormats& formats) {
+    claim(option, path);
+    if (!formats.materials || file_extension(path) != "obj") return;
+    claim("the materials of " + option, fs::path(path).replace_extension(".mtl").string());
+  }
+
+ private:
+  const Options& options_;
+  std::set<std::string> names_;
+};
+
+void check_extension(const std::string& file, const std::vector<std::string>& extensions) {
+  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file == "-" || contains(extensions, file_extension(file))) return;
+  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(extensions, ", .")));
 }
 
-/// Several inputs need a folder for their outputs, in which standard input has no name.
-void check_inputs(const Options& options, const OutputFormats& formats) {
-  const std::vector<std::string>& paths = options.input.paths;
-  const OutputOptions& output = options.output;
-  const bool piped = std::find(paths.begin(), paths.end(), "-") != paths.end();
-  if (output.folder.empty() && paths.size() > 1) refuse_several(options, formats);
-  if (!output.folder.empty() && piped) {
-    refuse("--output-dir: standard input has no name for its outputs; write them with -o");
+/// Refuses inputs of one name before the work: the second result would replace the first.
+void check_names(const std::vector<Options>& runs) {
+  std::map<std::string, std::string> input_of;
+  for (const Options& run : runs) {
+    for (const std::string& file : run.output.files) {
+      const auto [other, is_new] = input_of.emplace(file, run.input.path);
+      if (is_new) continue;
+      if (one_name(other->second) == one_name(run.input.path)) {
+        refuse(fmt::format("INPUT {}: is there twice; keep one", run.input.path));
+      }
+      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart", other->second,
+                         run.input.path, file));
+    }
   }
-  if (!output.folder.empty() && options.generators.file == "-" && paths.size() > 1) {
-    refuse("--generators -: standard input can be read for one input only; name a file");
+}
+
+/// Makes one folder, not those above it: a misspelt path is not to be made.
+void make_folder(const std::string& folder) {
+  std::error_code failed;
+  const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
+  if (!fs::is_directory(above, failed)) {
+    refuse_target("--output-dir", folder, fmt::format("there is no directory {}; create it first", above.string()));
   }
-  if (output.folder.empty() && output.formats.size() > 1) {
-    refuse("--output-format: -o - writes one format; choose one");
+  fs::create_directory(folder, failed);
+  if (failed) refuse_target("--output-dir", folder, failed.message() + "; name another one");
+}
+
+/// A folder that is not there holds nothing that could be lost.
+void check_folder(const Options& options, const OutputFormats& formats) {
+  const std::string& folder = options.output.folder;
+  const std::vector<Options> runs = plan_runs(options);
+  check_names(runs);
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return make_folder(folder);
+  if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
+  Targets targets(options);
+  for (const Options& run : runs) {
+    for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);
   }
+}
+
+/// Each format once, and one for standard output.
+void check_formats(const OutputOptions& output) {
+  std::set<std::string> names;
+  for (const std::string& format : output.formats) {
+    if (!names.insert(format).second) refuse(fmt::format("--output-format: {} is there twice; keep one", format));
+  }
+  if (output.folder.empty() && names.size() > 1) refuse("--output-format: -o - writes one format; choose one");
 }
 
 }  // namespace
 
+void check_outputs(const Options& options, const OutputFormats& formats) {
+  const OutputOptions& output = options.output;
+  check_formats(output);
+  if (!output.folder.empty()) return check_folder(options, formats);
+  Targets targets(options);
+  for (const std::string& file : output.files) {
+    check_extension(file, formats.extensions);
+    targets.claim_with_materials("-o", file, formats);
+  }
+  targets.claim("--report", output.report);
+  targets.claim("--diagram", output.diagram);
+  targets.claim("--view", output.view);
+  for (const auto& [option, file] : output.own) targets.claim(option, file);
+}
+
 void check_options(const Options& options, const OutputFormats& formats) {
-  if (options.input.path == "-" && options.input.format.empty()) {
-    refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
-  }
-  if (options.input.path == "-" && options.generators.file == "-") {
-    refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
-  }
   check_inputs(options, formats);
   check_generator_source(options.generators);
   check_chord_tolerance(options.compute);
   check_build(options);
   check_outputs(options, formats);
+}
+
+std::vector<Options> plan_runs(const Options& options) {
+  std::vector<Options> runs;
+  for (const std::string& path : options.input.paths) {
+    Options& run = runs.emplace_back(options);
+    run.input.path = path;
+    if (options.output.folder.empty()) continue;
+    for (const std::string& format : options.output.formats) {
+      fs::path name = fs::path(path).stem();
+      name += '.' + format;
+      run.output.files.push_back((fs::path(options.output.folder) / name).string());
+    }
+  }
+  return runs;
 }
 
 }  // namespace gvd::app

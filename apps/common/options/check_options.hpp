@@ -1,15 +1,32 @@
 #pragma once
 
-#include "common/options/check_outputs.hpp"
+#include <string>
+#include <vector>
+
 #include "common/options/options.hpp"
 
 namespace gvd::app {
 
-/// Checks what no single option can: one source of generators, a format for standard input, options of the chosen
-/// method, known extensions. Targets must be distinct, writable, and not read by the run.
-///
-/// Throws Error{invalid_option}, or Error{unwritable_output} where the folder of a
-/// target does not exist.
+/// What `-o` of a command takes.
+struct OutputFormats {
+  std::vector<std::string> extensions;  ///< without their dots
+  bool materials = true;                ///< an .obj has its colours in an .mtl beside it
+};
+
+/// Checks what no single option can: the inputs and what is read from standard input, one source of generators,
+/// features that this build lacks, and the outputs.
+/// Throws Error{invalid_option}, and what check_outputs throws.
 void check_options(const Options& options, const OutputFormats& formats);
+
+/// Refuses outputs that the run could not write or must not, before it starts. By name: an unknown extension, a file
+/// that another option names or that the run reads. By the system: a missing folder, no write permission, a closed
+/// standard output, binary data for a terminal.
+///
+/// Throws Error{invalid_option}, or Error{unwritable_output} where the system refuses.
+void check_outputs(const Options& options, const OutputFormats& formats);
+
+/// The options of each run: those of a command line, with one of its inputs. With --output-dir each run writes a file
+/// of each format into the folder, named after its input.
+std::vector<Options> plan_runs(const Options& options);
 
 }  // namespace gvd::app

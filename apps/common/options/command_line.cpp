@@ -1,245 +1,189 @@
+// From argv to the targets of the options, by CLI11. This adds what users meet around it: unknown names with the ones
+// that they may stand for, a help in columns, errors of one line with their place in a file, and options that depend
+// on values. Each error says what is wrong, where, and where the help is.
+
 #include "common/options/command_line.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <deque>
-#include <utility>
+#include <sstream>
+#include <string_view>
 
-#include "common/options/config_options.hpp"
-#include "common/options/help_text.hpp"
-#include "common/options/merge_options.hpp"
-#include "common/options/suggest_name.hpp"
+#include "common/options/config_file.hpp"
+#include "common/options/options.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::app {
 namespace {
 
-bool is_positional(const OptionText& option) { return option.names.front() != '-'; }
+constexpr std::size_t kHelpWidth = 80;
+constexpr std::size_t kDescriptionColumn = 26;
 
-/// The value of a flag, for GivenOption.
-std::string flag_text(bool on) { return on ? "true" : "false"; }
+/// A shorter beginning fits too many options. Of what is no option, and written in capitals, there is one at most.
+std::size_t least_beginning(const std::string& name) { return name.front() >= 'A' && name.front() <= 'Z' ? 1 : 3; }
 
-/// Adds what a message of a store function lacks: where the option comes from.
-[[noreturn]] void refuse(const GivenOption& given, const std::string& message) {
-  throw Error(ErrorCode::invalid_option, given.place.empty() ? message : given.place + ": " + message);
+/// "--Sampling=random" as "sampling".
+std::string bare_name(const std::string& text) {
+  const std::size_t first = text.find_first_not_of('-');
+  return first == text.npos ? "" : to_lower(text.substr(first, text.find('=') - first));
 }
 
-void store(const GivenOption& given, const std::string& hint) {
-  std::optional<std::string> wrong;
-  try {
-    wrong = given.option->store(given.values);
-  } catch (const Error& error) {
-    refuse(given, error.what());
+/// Whether `typed` has the beginnings of words of `name`, in their order and with its first one, with or without the
+/// dashes between them: "outdir" or "out-d" for "output-dir".
+bool abbreviates(std::string_view typed, std::string_view name) {
+  if (typed.empty()) return true;
+  if (!name.empty() && typed.front() == name.front() && abbreviates(typed.substr(1), name.substr(1))) return true;
+  const std::size_t dash = name.find('-');
+  if (dash == name.npos || dash + 1 == name.size()) return false;
+  const std::string_view next = name.substr(dash + 1), rest = typed.substr(typed.front() == '-' ? 1 : 0);
+  return !rest.empty() && rest.front() == next.front() && abbreviates(rest.substr(1), next.substr(1));
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
+/// Damerau and Levenshtein, with no letter changed twice.
+std::size_t count_edits(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> before, last, now(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j) now[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    before = std::move(last);
+    last = now;
+    now[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (from[i - 1] != to[j - 1])});
+      const bool swapped = i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
+      if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+    }
   }
-  if (wrong) refuse(given, given.name + ": " + *wrong + (given.place.empty() ? hint : ""));
+  return now[to.size()];
 }
 
-/// See OptionText::idle.
-void check_idle(const GivenOption& given, const std::vector<GivenOption>& line) {
-  const OptionText& text = given.option->text;
-  if (!text.idle || !is_given_as(given, split_names(text.names).front())) return;
-  const std::optional<std::string> reason = text.idle();
-  if (!reason) return;
-  const bool overridden = std::any_of(line.begin(), line.end(), [&](const GivenOption& other) {
-    return std::any_of(text.depends_on.begin(), text.depends_on.end(),
-                       [&](const std::string& name) { return is_given_as(other, name); });
-  });
-  if (given.place.empty() || !overridden) refuse(given, fmt::format("{}: {}", given.name, *reason));
-  given.option->store({flag_text(false)});
+/// Every name that a user can type, and those of positional arguments.
+std::vector<std::string> list_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    if (option->get_positional()) names.push_back(option->get_name(true));
+  }
+  return names;
+}
+
+/// Refuses what CLI11 did not know, in the order typed, each with the name that it may stand for. The word behind a
+/// wrong option may be its value, or an INPUT.
+void check_known(const CLI::App& app, const std::string& hint) {
+  const std::vector<std::string> names = list_names(app);
+  std::vector<std::string> unknown;
+  for (const std::string& word : app.remaining()) {
+    if (word == "--") continue;
+    const auto meant = suggest_name(word, names);
+    const char* const form = !meant                  ? "{}"
+                             : meant->front() == '-' ? "{} (did you mean {}?)"
+                                                     : "{} ({} needs no option in front)";
+    unknown.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
+  }
+  if (unknown.empty()) return;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", "), hint));
+}
+
+void apply_rules(const std::vector<ValueRule>& rules, const ConfigFile& file) {
+  const auto is_typed = [&](const CLI::Option* option) { return is_given(*option) && file.place_of(option).empty(); };
+  const auto is_idle = [](const ValueRule& rule) { return is_given(*rule.option) && !rule.idle().empty(); };
+  for (const ValueRule& rule : rules) {
+    const bool is_overridden = std::any_of(rule.depends_on.begin(), rule.depends_on.end(), is_typed);
+    if (is_overridden && !is_typed(rule.option) && is_idle(rule)) {
+      rule.leave_out();
+      rule.option->clear();
+    }
+  }
+  for (const ValueRule& rule : rules) {
+    const std::string place = file.place_of(rule.option);
+    if (is_idle(rule)) throw Error(ErrorCode::invalid_option, place + (place.empty() ? "" : ": ") + rule.idle());
+  }
 }
 
 }  // namespace
 
-struct CommandLine::Parser {
-  /// An option of the command, and how CLI11 gives its values.
-  struct Entry {
-    CLI::Option* option;
-    std::vector<std::string> values;
-    bool flag = false;
-  };
-
-  Parser(const std::string& name, const std::string& description) : cli(description, name) {}
-
-  DeclaredOption& declare(const OptionText& text) {
-    shown.push_back(text);
-    declared.push_back({text, false, {}});
-    entries.emplace_back();
-    return declared.back();
-  }
-
-  std::vector<GivenOption> given_on_line() const {
-    std::vector<GivenOption> given;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      if (entries[i].option->count() == 0) continue;
-      const std::string name = split_names(declared[i].text.names).front();
-      check_equals_sign(name, entries[i].values);
-      const bool flag = declared[i].text.kind == ValueKind::flag;
-      given.push_back({&declared[i], name, "", flag ? std::vector{flag_text(entries[i].flag)} : entries[i].values});
+std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names) {
+  const std::string typed = bare_name(wrong);
+  std::optional<std::string> nearest, longer;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const std::string bare = bare_name(name);
+    // So many letters at least have to be inserted or deleted.
+    const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
+    const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
+    // An option of one letter is nobody's misspelling.
+    if (edits < least && (bare.size() > 1 || edits == 0)) {
+      least = edits;
+      nearest = name;
     }
-    return given;
+    const bool begins = typed.size() >= least_beginning(name) && typed.size() <= bare.size() &&
+                        typed.front() == bare.front() && abbreviates(typed, bare);
+    if (begins && (!longer || name.size() < longer->size())) longer = name;
   }
-
-  void check_required(const std::vector<GivenOption>& given) const {
-    for (const DeclaredOption& option : declared) {
-      if (!is_positional(option.text)) continue;
-      const bool found =
-          std::any_of(given.begin(), given.end(), [&](const auto& one) { return one.option == &option; });
-      if (!found) throw CLI::RequiredError(option.text.names);
-    }
-  }
-
-  std::string help() const {
-    return fmt::format("{}\n\nUsage: {} {} [options]\n{}{}", wrap(cli.get_description(), kHelpWidth, 0), cli.get_name(),
-                       fmt::join(positionals(), " "), describe_options(shown), cli.get_footer());
-  }
-
-  std::vector<std::string> positionals() const {
-    std::vector<std::string> names;
-    for (const DeclaredOption& option : declared) {
-      if (is_positional(option.text)) names.push_back(option.is_list ? option.text.names + "..." : option.text.names);
-    }
-    return names;
-  }
-
-  /// Refuses what CLI11 did not know, in the order typed, each with the name that it may stand for. What follows a
-  /// wrong option may be its value, and is not told.
-  void check_known() const {
-    std::vector<std::string> names, unknown, unexpected;
-    for (const OptionText& option : shown) {
-      for (const std::string& name : split_names(option.names)) names.push_back(name);
-    }
-    bool is_marked = false;  // by "--", after which nothing is an option
-    for (const std::string& word : cli.remaining()) {
-      if (word == "--" && !std::exchange(is_marked, true)) continue;
-      if (is_marked || word.size() < 2 || word.front() != '-') {
-        unexpected.push_back(printable(word));
-        continue;
-      }
-      unknown.push_back(printable(word) + hint_at(suggest_name(word, names)));
-    }
-    if (!unknown.empty()) {
-      refuse_line(fmt::format("unknown option{}: {}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", ")));
-    }
-    if (!unexpected.empty()) refuse_line(fmt::format("unexpected: {}", fmt::join(unexpected, ", ")));
-  }
-
-  /// "=" parts a name with two dashes from its value, but "-n=3" is the value "=3".
-  void check_equals_sign(const std::string& name, const std::vector<std::string>& values) const {
-    if (name.starts_with("--") || name.front() != '-') return;
-    for (const std::string& value : values) {
-      if (!value.starts_with('=')) continue;
-      refuse_line(
-          fmt::format("{}: '{}' begins with =; write {} {}", name, printable(value), name, printable(value.substr(1))));
-    }
-  }
-
-  /// What CLI11 found wrong, in our words.
-  std::string describe(const CLI::Error& error) const {
-    const std::string message = error.what(), name = message.substr(0, message.find(':'));
-    constexpr std::string_view kConvert = "Could not convert: ";
-    if (message.starts_with(kConvert)) return message.substr(kConvert.size()) + ": expected true or false";
-    if (message.find(": At Most 1 ") != message.npos) return name + ": is there several times; keep one";
-    if (!message.ends_with(" missing")) return message;
-    const auto has_name = [&](const OptionText& option) {
-      const std::vector<std::string> names = split_names(option.names);
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    const auto option = std::find_if(shown.begin(), shown.end(), has_name);
-    return fmt::format("{}: its value is missing; write {} {}", name, name, option == shown.end() ? "" : option->type);
-  }
-
-  static std::string hint_at(const std::optional<std::string>& meant) {
-    if (!meant) return "";
-    if (meant->front() != '-') return fmt::format(" ({} needs no option in front)", *meant);
-    return fmt::format(" (did you mean {}?)", *meant);
-  }
-
-  [[noreturn]] void refuse_line(const std::string& message) const {
-    throw Error(ErrorCode::invalid_option, fmt::format("{}{}", message, hint()));
-  }
-
-  std::string hint() const { return " (see " + cli.get_name() + " --help)"; }
-
-  CLI::App cli;
-  std::vector<OptionText> shown;  ///< by --help
-  std::deque<DeclaredOption> declared;
-  std::deque<Entry> entries;  ///< of the same indices
-  std::optional<std::string> config;
-};
-
-CommandLine::CommandLine(const std::string& name, const std::string& description, const std::string& version,
-                         const std::string& footer)
-    : parser_(std::make_unique<Parser>(name, description)) {
-  parser_->cli.set_help_flag("-h,--help");
-  parser_->cli.set_version_flag("--version", version);
-  parser_->cli.footer(footer);
-  parser_->cli.allow_extras();
-  parser_->shown = {{"-h,--help", "", "Show this help"}, {"--version", "", "Show the version"}};
+  return longer && least > 0 ? longer : nearest;
 }
 
-CommandLine::~CommandLine() = default;
-
-void CommandLine::add_value(const OptionText& option, const StoreValue& store) {
-  parser_->declare(option).store = [store](const std::vector<std::string>& values) { return store(values.back()); };
-  std::vector<std::string>& values = parser_->entries.back().values;
-  const auto keep = [&values](const std::string& text) { values = {text}; };
-  parser_->entries.back().option = parser_->cli.add_option_function<std::string>(option.names, keep);
+std::string wrap(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string wrapped;
+  std::size_t column = 0;
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      wrapped += fmt::format("\n{:{}}", "", indent);
+      column = 0;
+    } else if (column > 0) {
+      wrapped += ' ';
+      ++column;
+    }
+    wrapped += word;
+  }
+  return wrapped;
 }
 
-void CommandLine::add_list(const OptionText& option, const StoreList& store) {
-  DeclaredOption& declared = parser_->declare(option);
-  declared.is_list = true;
-  declared.store = [store](const std::vector<std::string>& values) {
-    store(values);
-    return std::optional<std::string>();
-  };
-  std::vector<std::string>& values = parser_->entries.back().values;
-  const auto keep = [&values](const std::vector<std::string>& all) { values = all; };
-  CLI::Option* const added = parser_->cli.add_option_function<std::vector<std::string>>(option.names, keep);
-  if (!is_positional(option)) added->allow_extra_args(false);
-  parser_->entries.back().option = added;
+std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const {
+  std::string text = wrap(app->get_description(), kHelpWidth, 0) + "\n\n" + make_usage(app, name);
+  for (const std::string& group : app->get_groups()) {
+    text += fmt::format("\n{}:\n", group);
+    for (const CLI::Option* const option : app->get_options()) {
+      if (option->get_group() == group) text += make_option(option, option->get_positional());
+    }
+  }
+  return text + app->get_footer();
 }
 
-void CommandLine::add_flag(const OptionText& option, bool& target) {
-  DeclaredOption& declared = parser_->declare(option);
-  declared.text.kind = ValueKind::flag;
-  declared.store = [&target](const std::vector<std::string>& values) {
-    target = values.back() == flag_text(true);
-    return std::optional<std::string>();
-  };
-  parser_->entries.back().option = parser_->cli.add_flag(option.names, parser_->entries.back().flag);
+std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
+  const std::string type = option->get_items_expected_max() > 0 ? " " + option->get_type_name() : "";
+  const std::string names = CLI::detail::find_and_replace(option->get_name(is_positional, true), ",", ", ");
+  const std::string title = fmt::format("  {:{}}", names + type, kDescriptionColumn - 4);
+  const std::string gap =
+      title.size() + 2 <= kDescriptionColumn ? "  " : fmt::format("\n{:{}}", "", kDescriptionColumn);
+  return title + gap + wrap(option->get_description(), kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
 }
 
-void CommandLine::add_config(const OptionText& option, std::string& target) {
-  const auto keep = [this, &target](const std::string& path) { parser_->config = target = path; };
-  parser_->cli.add_option_function<std::string>(option.names, keep);
-  parser_->shown.push_back(option);
-}
-
-std::optional<std::string> CommandLine::parse(int argc, const char* const* argv) {
+std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<ValueRule>& rules, int argc,
+                                              const char* const* argv) {
+  const auto file = std::make_shared<ConfigFile>(app);
+  app.config_formatter(file);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.allow_extras();
+  const std::string hint = fmt::format(" (see {} --help)", app.get_name());
   try {
-    parser_->config.reset();
-    parser_->cli.parse(argc, argv);
-    parser_->check_known();
-    std::vector<GivenOption> given = parser_->given_on_line();
-    const std::vector<GivenOption> line = given;
-    if (parser_->config) {
-      given = merge_options(given, find_config_options(read_config_file(*parser_->config), parser_->declared));
-    }
-    parser_->check_required(given);
-    check_together(given);
-    for (const GivenOption& each : given) store(each, parser_->hint());
-    for (const GivenOption& each : given) check_idle(each, line);
-    return std::nullopt;
+    app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
     return std::string(version.what()) + "\n";
   } catch (const CLI::Success&) {
-    return parser_->help();
+    return app.help();
   } catch (const CLI::Error& error) {
-    parser_->refuse_line(parser_->describe(error));
+    check_known(app, hint);  // a misspelt name may be all that is wrong
+    const std::string message = file->with_place(error.what());
+    throw Error(ErrorCode::invalid_option, message == error.what() ? message + hint : message);
   }
+  check_known(app, hint);
+  apply_rules(rules, *file);
+  return std::nullopt;
 }
 
 }  // namespace gvd::app

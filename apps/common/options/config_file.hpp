@@ -1,32 +1,48 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <istream>
 #include <string>
 #include <vector>
 
 namespace gvd::app {
 
-/// A value of a TOML file.
-struct ConfigValue {
-  enum class Type { text, whole, number, flag, other };
-  Type type = Type::other;
-  std::string type_name;  ///< for messages: "a string"
-  std::string text;       ///< as it would be typed on a command line; empty for `other`
-  std::string place;      ///< file:line:column
+/// The TOML file of --config, for CLI11. A key is a name of an option without its dashes; "INPUT" is `input`.
+///
+/// The command line goes before the file. Of the file, an option is left out that the line
+/// 1. gives too;
+/// 2. excludes: a file's `n` goes where the line has --vertices;
+/// 3. leaves without an option that it needs: a file's `up` goes where the line excludes --view.
+class ConfigFile : public CLI::Config {
+ public:
+  explicit ConfigFile(const CLI::App& app) : app_(app) {}
+
+  /// The options that the file gives, in its order. To be called once the line is parsed.
+  /// Throws Error{invalid_option} with file, line, key and what was expected: where it is no TOML, a key is no option,
+  /// two keys name one option, or a value has a wrong type.
+  std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
+
+  /// "file:line:column" of the key that gave an option; empty where none did.
+  std::string place_of(const CLI::Option* option) const;
+
+  /// A message of CLI11 with the place in front, and keys for the options that the file gives. Without any: as it is.
+  std::string with_place(const std::string& message) const;
+
+  /// Nothing: no command writes such a file.
+  std::string to_config(const CLI::App*, bool, bool, std::string) const override { return ""; }
+
+ private:
+  struct Given {
+    const CLI::Option* option;
+    std::string key;
+    std::string place;
+  };
+
+  const CLI::App& app_;
+  mutable std::vector<Given> given_;  ///< CLI11 calls `from_config` as const, and does not keep places
 };
 
-/// A key of a TOML file and its value, or the values of its array.
-struct ConfigEntry {
-  std::string key;
-  std::string place;  ///< file:line:column of the key
-  bool is_array = false;
-  std::vector<ConfigValue> values;
-};
-
-/// The entries of a TOML file, in its order. Tables and dates are values of the type `other`.
-/// Throws Error{invalid_option} with the place where the file can't be read or is no TOML.
-std::vector<ConfigEntry> read_config_file(const std::string& path);
-
-/// The same for the content of a file. `name` is the file's, for messages.
-std::vector<ConfigEntry> parse_config(const std::string& content, const std::string& name);
+/// Whether the command line, or what has been read of the file, has `option`. A flag that is off is not given.
+bool is_given(const CLI::Option& option);
 
 }  // namespace gvd::app

@@ -1,6 +1,63 @@
+// The options as the library and the report take them, and the texts of users that every step on the way handles:
+// names of files, and texts that messages repeat. Everything here is the same in any locale.
+
 #include "common/options/options.hpp"
 
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
 namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+void add_generators(Json& json, const GeneratorOptions& generators) {
+  json["n"] = or_null(generators.count);
+  json["sampling"] = name_in(kSamplings, generators.sampling);
+  json["seed"] = generators.seed;
+  json["generators"] = or_null(generators.file);
+  json["generators_format"] = generators.format ? Json(name_in(kGeneratorFormats, *generators.format)) : Json();
+  json["vertices"] = or_null(generators.vertices);
+  json["radius"] = or_null(generators.radius);
+  json["max_snap"] = or_null(generators.max_snap);
+  json["merge_coincident"] = generators.merge_coincident;
+}
+
+void add_compute(Json& json, const ComputeOptions& compute) {
+  const DiagramOptions diagram = make_diagram_options(compute);
+  const bool exact = compute.method == Method::exact;
+  json["method"] = method_name(compute.method);
+  json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
+  json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.front));
+  json["threads"] = compute.threads;
+  json["verify"] = compute.verify;
+  json["max_memory"] = or_null(compute.max_memory);
+}
+
+void add_output(Json& json, const OutputOptions& output) {
+  json["output"] = output.files;
+  json["no_curves"] = output.no_curves;
+  json["ascii_ply"] = output.ascii_ply;
+  json["diagram"] = or_null(output.diagram);
+  json["view"] = or_null(output.view);
+  json["up"] = output.up ? Json(to_text(*output.up)) : Json();
+  json["report"] = or_null(output.report);
+}
+
+}  // namespace
+
+const char* method_name(const Method& method) {
+  if (method == Method::exact) return "exact";
+  return method == Method::paper ? "paper" : "gbgvd";
+}
 
 std::string stdout_format(const OutputOptions& output) { return output.formats.empty() ? "" : output.formats.front(); }
 
@@ -11,6 +68,40 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   options.chord_tolerance = compute.chord_tolerance.value_or(options.chord_tolerance);
   options.threads = compute.threads;
   return options;
+}
+
+Json to_json(const Options& options) {
+  Json json = Json::object();
+  json["input"] = options.input.path;
+  json["input_format"] = or_null(options.input.format);
+  json["on_defect"] = options.input.on_defect;
+  add_generators(json, options.generators);
+  add_compute(json, options.compute);
+  add_output(json, options.output);
+  return json;
+}
+
+std::string to_lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+std::string file_extension(const std::string& path) {
+  const std::string dotted = std::filesystem::path(path).extension().string();
+  return dotted.empty() ? "" : to_lower(dotted.substr(1));
+}
+
+bool contains(const std::vector<std::string>& texts, const std::string& text) {
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+std::string printable(std::string text, std::size_t longest) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // no half character of UTF-8
+  return text.substr(0, end) + "...";
 }
 
 }  // namespace gvd::app

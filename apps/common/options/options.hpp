@@ -2,14 +2,17 @@
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
 
+// The options of the commands as plain values, with their defaults.
 namespace gvd::app {
 
 /// Where the mesh comes from.
@@ -80,10 +83,61 @@ struct Options {
   bool verbose = false;
 };
 
+/// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
+struct ConstraintOptions {
+  std::optional<std::int32_t> count;  ///< of sampled generators, instead of the options'
+  std::string fixed;                  ///< a list of generators that stay; empty: none
+  std::optional<double> features;     ///< angle of creases, degrees
+  bool keep_boundary = false;
+  /// Keep the boundary where generators are sampled, and enough of them are left beside it.
+  bool prefers_boundary = false;
+  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
+  double gradation = 0.3;
+};
+
+/// The names of some values, as on the command line and in the report.
+template <class T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+inline const Choices<SamplingKind> kSamplings{{"farthest", SamplingKind::farthest},
+                                              {"random", SamplingKind::random},
+                                              {"vertices", SamplingKind::vertices},
+                                              {"poisson", SamplingKind::poisson}};
+inline const Choices<GeneratorFormat> kGeneratorFormats{
+    {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}};
+inline const Choices<Method> kMethods{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}};
+inline const Choices<Front> kFronts{{"planar", Front::planar}, {"circle", Front::circle}};
+
+/// The name of a value; empty where it has none.
+template <class T>
+std::string name_in(const Choices<T>& choices, const T& value) {
+  for (const auto& [name, named] : choices) {
+    if (named == value) return name;
+  }
+  return "";
+}
+
+/// The name of a method that has one, as on the command line.
+const char* method_name(const Method& method);
+
 /// The format of standard output.
 std::string stdout_format(const OutputOptions& output);
 
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);
+
+/// The options as they were understood, defaults included; null for what was not given. For the report.
+nlohmann::ordered_json to_json(const Options& options);
+
+/// `text` with small letters in place of the capitals of ASCII, in any locale.
+std::string to_lower(std::string text);
+
+/// The extension of `path` in lower case, without its dot; empty where it has none.
+std::string file_extension(const std::string& path);
+
+bool contains(const std::vector<std::string>& texts, const std::string& text);
+
+/// A text of the user's for a message: blanks for control characters, and "..." after `longest` bytes.
+std::string printable(std::string text, std::size_t longest = 60);
 
 }  // namespace gvd::app

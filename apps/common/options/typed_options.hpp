@@ -2,68 +2,107 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
+#include <string_view>
 
-#include "common/options/command_line.hpp"
-#include "common/options/parse_number.hpp"
+#include "common/options/options.hpp"
 
+// Kinds of options that CLI11 lacks: numbers in any locale, names of values, flags that can be turned off.
 namespace gvd::app {
 
-/// Adds an option that takes one number in `range`, in any locale. `Target` is T or std::optional<T>.
-/// The type that --help shows is N or NUMBER.
-template <class T, class Target>
-void add_number(CommandLine& line, OptionText option, Target& target, const Range<T>& range) {
-  constexpr bool kWhole = std::numeric_limits<T>::is_integer;
-  option.type = std::string(kWhole ? "N" : "NUMBER");
-  option.kind = kWhole ? ValueKind::whole : ValueKind::number;
-  line.add_value(option, [&target, range](const std::string& text) -> std::optional<std::string> {
-    const std::optional<T> value = parse_number_in(text, range);
-    if (!value) return fmt::format("'{}' is not {}", text, range.text);
-    target = *value;
-    return std::nullopt;
-  });
+/// The number that `text` spells in full, in any locale. Nothing where it spells no number, or one that T can't hold.
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
-/// The names of the values of a choice.
+/// A closed range of accepted values, and its description for messages.
 template <class T>
-using Choices = std::vector<std::pair<std::string, T>>;
+struct Range {
+  T low;
+  T high;
+  std::string_view text;  ///< what is expected: "a number above 0"
+};
+
+inline constexpr Range<double> kPositive{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
+                                         "a finite number above 0"};
+inline constexpr Range<double> kNotNegative{0, std::numeric_limits<double>::max(), "a finite number from 0 on"};
+inline constexpr Range<std::int32_t> kCount{1, std::numeric_limits<std::int32_t>::max(),
+                                            "a whole number from 1 to 2147483647"};
+inline constexpr Range<std::uint64_t> kAnyWhole{0, std::numeric_limits<std::uint64_t>::max(),
+                                                "a whole number from 0 to 2^64 - 1"};
+
+/// The number that `text` spells, where it lies in `range`. A NaN lies in no range.
+template <class T>
+std::optional<T> parse_number_in(std::string_view text, const Range<T>& range) {
+  const std::optional<T> value = parse_number<T>(text);
+  return value && *value >= range.low && *value <= range.high ? value : std::nullopt;
+}
+
+/// A size, or what is wrong with its text.
+struct ParsedSize {
+  std::int64_t bytes = 0;
+  std::string wrong;  ///< empty where nothing is
+};
+
+/// "500M" as bytes: a number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth, in capital or
+/// small letters; nothing for bytes. "B" or "iB" may follow. From 1 byte to 2^60.
+ParsedSize parse_size(std::string_view text);
+
+/// Stores a text of the user's. Returns what is wrong with it; empty where nothing is.
+using StoreText = std::function<std::string(const std::string&)>;
+
+/// Adds an option whose texts go to `store`. `type` stands for the value in --help. It also says what a TOML file may
+/// give: N a whole number, NUMBER a number, SIZE both or a string, LIST a string or whole numbers, all others a string.
+CLI::Option* add_parsed(CLI::App& app, const std::string& names, const std::string& type, const StoreText& store,
+                        const std::string& description);
+
+/// Adds a flag, which `--flag=false` turns off. A flag that is off is as good as not given: nothing excludes it.
+CLI::Option* add_flag(CLI::App& app, const std::string& names, bool& target, const std::string& description);
+
+/// Refuses an empty name. `kind`: what is to be named, for messages.
+CLI::Validator not_empty(const std::string& kind);
+
+/// Adds an option that names a file. `type`: "FILE", or with an extension.
+CLI::Option* add_file(CLI::App& app, const std::string& names, std::string& target, const std::string& description,
+                      const std::string& type = "FILE");
+
+/// Adds an option that takes one number in `range`. `Target` is T or std::optional<T>.
+template <class T, class Target>
+CLI::Option* add_number(CLI::App& app, const std::string& names, Target& target, const Range<T>& range,
+                        const std::string& description) {
+  const auto store = [&target, range](const std::string& text) {
+    const std::optional<T> value = parse_number_in(text, range);
+    if (value) target = *value;
+    return value ? "" : fmt::format("'{}' is not {}", text, range.text);
+  };
+  return add_parsed(app, names, std::numeric_limits<T>::is_integer ? "N" : "NUMBER", store, description);
+}
 
 /// Adds an option that takes one of a few names. `Target` is T or std::optional<T>.
-/// The type that --help shows is the list of names.
 template <class T, class Target>
-void add_choice(CommandLine& line, OptionText option, Target& target, const Choices<T>& choices) {
-  option.type.clear();
-  for (const auto& [name, value] : choices) option.type += (option.type.empty() ? "" : "|") + name;
-  line.add_value(option, [&target, choices, listed = option.type](const std::string& text) {
+CLI::Option* add_choice(CLI::App& app, const std::string& names, Target& target, const Choices<T>& choices,
+                        const std::string& description) {
+  std::string listed;
+  for (const auto& [name, value] : choices) listed += (listed.empty() ? "" : "|") + name;
+  const auto store = [&target, choices, listed](const std::string& text) -> std::string {
     for (const auto& [name, value] : choices) {
       if (text != name) continue;
       target = value;
-      return std::optional<std::string>();
+      return "";
     }
-    return std::optional<std::string>(fmt::format("'{}' is none of {}", text, listed));
-  });
-}
-
-/// Adds an option whose text is stored as it is.
-inline void add_text(CommandLine& line, const OptionText& option, std::string& target) {
-  line.add_value(option, [&target](const std::string& text) {
-    target = text;
-    return std::optional<std::string>();
-  });
-}
-
-/// Adds an option that names a file, which an empty text does not. `kind`: what is named, for messages.
-inline void add_file(CommandLine& line, const OptionText& option, std::string& target,
-                     const std::string& kind = "file") {
-  line.add_value(option, [&target, kind](const std::string& text) {
-    if (text.empty()) return std::optional<std::string>("the name is empty; name a " + kind);
-    target = text;
-    return std::optional<std::string>();
-  });
+    return fmt::format("'{}' is none of {}", text, listed);
+  };
+  return add_parsed(app, names, listed, store, description);
 }
 
 }  // namespace gvd::app

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagram/growth/growing_end.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"

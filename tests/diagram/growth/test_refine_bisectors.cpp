@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagram/growth/growth_steps.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "base/segment.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "diagram/growth/check_growth.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {

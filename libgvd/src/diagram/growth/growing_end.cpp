@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "base/segment.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "diagram/growth/growth_steps.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "gvd/diagram_steps.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "diagram/assembly/distance_form.hpp"
 #include "diagram/growth/growth_steps.hpp"
-#include "geodesic/marching/auxiliary_distance.hpp"
+#include "geodesic/marching/local_update.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"
 

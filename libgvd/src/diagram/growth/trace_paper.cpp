@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "diagram/graph/face_class.hpp"
-#include "geodesic/field/face_layout.hpp"
+#include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {

@@ -4,17 +4,19 @@
 
 namespace gvd::test {
 
-std::optional<std::string> parse_line(app::CommandLine& line, const std::vector<std::string>& arguments) {
+std::optional<std::string> parse_line(CLI::App& app, const std::vector<std::string>& arguments,
+                                      const std::vector<app::ValueRule>& rules) {
   std::vector<const char*> argv{"gvd-test"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return line.parse(static_cast<int>(argv.size()), argv.data());
+  return app::parse_command_line(app, rules, static_cast<int>(argv.size()), argv.data());
 }
 
 app::Options parse_options(const std::vector<std::string>& arguments) {
-  app::CommandLine line("gvd-test", "A test.", "gvd-test 1", "");
+  CLI::App line("A test.", "gvd-test");
   app::Options options;
-  app::register_options(line, options, kFormats);
-  parse_line(line, arguments);
+  const std::vector<app::ValueRule> rules = app::register_options(line, options, kFormats);
+  app::register_general(line, options, "gvd-test 1");
+  parse_line(line, arguments, rules);
   return options;
 }
 

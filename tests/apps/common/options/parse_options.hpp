@@ -1,9 +1,11 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "common/options/check_outputs.hpp"
+#include "common/options/check_options.hpp"
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
 
@@ -15,7 +17,8 @@ inline const std::vector<std::string> kFormats{"ply", "obj", "json"};
 inline const app::OutputFormats kOutputFormats{kFormats};
 
 /// Parses a command line without its first word. Returns the text of --help or --version, or nothing.
-std::optional<std::string> parse_line(app::CommandLine& line, const std::vector<std::string>& arguments);
+std::optional<std::string> parse_line(CLI::App& app, const std::vector<std::string>& arguments,
+                                      const std::vector<app::ValueRule>& rules = {});
 
 /// The shared options of a command line. Throws Error{invalid_option}.
 app::Options parse_options(const std::vector<std::string>& arguments);

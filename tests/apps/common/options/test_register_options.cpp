@@ -122,13 +122,23 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
 
 TEST_CASE("a list of vertices has one index between each two commas") {
   using Indices = std::vector<std::int64_t>;
-  CHECK(parse_vertex_list("3") == Indices{3});
-  CHECK(parse_vertex_list("3, 17 ,\t99") == Indices{3, 17, 99});
-  CHECK(parse_vertex_list("9223372036854775807") == Indices{9223372036854775807});
+  const auto read = [](const std::string& list) {
+    return parse_options({"a.obj", "--vertices", list}).generators.vertices;
+  };
+  CHECK(read("3") == Indices{3});
+  CHECK(read("3, 17 ,\t99") == Indices{3, 17, 99});
+  CHECK(read("9223372036854775807") == Indices{9223372036854775807});
+  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices == Indices{3, 17, 99});
   for (const char* wrong : {"", ",", "1,", "1,,2", "-1", "1.0", "0x1", "9223372036854775808"}) {
     CAPTURE(wrong);
-    CHECK_THROWS_AS(parse_vertex_list(wrong), Error);
+    CHECK_THROWS_AS(read(wrong), Error);
   }
+}
+
+TEST_CASE("a file of -o that begins with = is a slip") {
+  CHECK_THROWS_WITH(parse_options({"a.obj", "-n", "3", "-o=a.ply"}),
+                    "--output: '=a.ply' begins with =; write -o a.ply (see gvd-test --help)");
+  CHECK(parse_options({"a.obj", "-n", "3", "--output=a.ply"}).output.files == std::vector<std::string>{"a.ply"});
 }
 
 }  // namespace gvd::test_register_options

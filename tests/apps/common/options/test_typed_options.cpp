@@ -1,3 +1,7 @@
+// Kinds of options, and the numbers and sizes that they read.
+
+#include <clocale>
+
 #include "apps/common/options/parse_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
@@ -9,21 +13,79 @@ using namespace app;
 using Catch::Matchers::Contains;
 using gvd::test::parse_line;
 
+TEST_CASE("a number is the whole text, in any locale") {
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  CHECK(parse_number<double>("1.5") == 1.5);
+  CHECK(parse_number<double>("-2e-3") == -2e-3);
+  CHECK(!parse_number<double>("1,5"));
+  std::setlocale(LC_ALL, "C");
+  CHECK(parse_number<int>("010") == 10);
+  for (const char* wrong : {"", " 1", "1 ", "+1", "1x", "0x10", "one", "99999999999"}) {
+    CAPTURE(wrong);
+    CHECK(!parse_number<int>(wrong));
+  }
+  CHECK(parse_number<std::uint64_t>("18446744073709551615") == 18446744073709551615u);
+  CHECK(!parse_number<std::uint64_t>("-1"));
+}
+
+TEST_CASE("a range holds its ends, and no NaN") {
+  CHECK(parse_number_in("1", kCount) == 1);
+  CHECK(!parse_number_in("0", kCount));
+  CHECK(parse_number_in("0", kNotNegative) == 0.0);
+  CHECK(!parse_number_in("-0.1", kNotNegative));
+  CHECK(!parse_number_in("0", kPositive));
+  CHECK(parse_number_in("1e-300", kPositive) == 1e-300);
+  for (const char* wrong : {"nan", "-nan", "inf", "1e999"}) CHECK(!parse_number_in(wrong, kNotNegative));
+}
+
+TEST_CASE("sizes have binary units, in any spelling") {
+  CHECK(parse_size("1").bytes == 1);
+  CHECK(parse_size("500K").bytes == 500 * 1024);
+  CHECK(parse_size("500m").bytes == 500LL << 20);
+  CHECK(parse_size("2G").bytes == 2LL << 30);
+  CHECK(parse_size("1.5GiB").bytes == 3LL << 29);
+  CHECK(parse_size("3TB").bytes == 3LL << 40);
+  CHECK(parse_size("7b").bytes == 7);
+}
+
+TEST_CASE("what is no size is refused") {
+  for (const char* text : {"", "G", "B", "1X", "1 G", "1GG", "1i", "nan", "inf", "G1", "1e", "infK"}) {
+    CAPTURE(text);
+    CHECK_THAT(parse_size(text).wrong, Contains("is no size; write a number with K, M, G or T, as 500M or 2G"));
+  }
+}
+
+TEST_CASE("sizes that no memory has are told as such") {
+  for (const char* text : {"1e30", "1e999", "1048577T", "99999999999999999999"}) {
+    CAPTURE(text);
+    CHECK_THAT(parse_size(text).wrong, Contains("is too large; write at most 1048576T"));
+  }
+  for (const char* text : {"0", "0.2", "-1G", "1e-999"}) {
+    CAPTURE(text);
+    CHECK_THAT(parse_size(text).wrong, Contains("is less than a byte"));
+  }
+  CHECK(parse_size("1048576T").bytes == std::int64_t{1} << 60);
+}
+
 enum class Colour { red, green };
 
 struct Fixture {
   Fixture() {
-    add_number(line, {"--count", "", "A count"}, count, kCount);
-    add_number(line, {"--length", "", "A length"}, length, kPositive);
-    add_choice(line, {"--colour", "", "A colour"}, colour,
-               Choices<Colour>{{"red", Colour::red}, {"green", Colour::green}});
-    add_text(line, {"--name", "TEXT", "A name"}, name);
+    line.set_help_flag();
+    line.add_flag_callback("--help", [] { throw CLI::CallForHelp(); });
+    add_number(line, "--count", count, kCount, "A count");
+    add_number(line, "--length", length, kPositive, "A length");
+    add_choice(line, "--colour", colour, Choices<Colour>{{"red", Colour::red}, {"green", Colour::green}}, "A colour");
+    add_file(line, "--name", name, "A name", "TEXT");
+    add_flag(line, "--flag", flag, "A flag");
+    add_flag(line, "--other", other, "Another flag")->excludes("--flag");
   }
-  CommandLine line{"gvd-test", "A test.", "1", ""};
+  CLI::App line{"A test.", "gvd-test"};
   std::int32_t count = 0;
   std::optional<double> length;
   Colour colour = Colour::red;
   std::string name;
+  bool flag = false, other = false;
 };
 
 TEST_CASE("numbers, choices and texts are stored") {
@@ -63,6 +125,16 @@ TEST_CASE("help shows the type of each option") {
   for (const char* part : {"--count N", "--length NUMBER", "--colour red|green", "--name TEXT"}) {
     CHECK_THAT(help, Contains(part));
   }
+}
+
+TEST_CASE("a flag that is turned off is as good as not given") {
+  Fixture fixture;
+  parse_line(fixture.line, {"--flag=false", "--other"});
+  CHECK(!fixture.flag);
+  CHECK(fixture.other);
+  parse_line(fixture.line, {"--flag", "--other=false"});
+  CHECK(fixture.flag);
+  CHECK(!fixture.other);
 }
 
 }  // namespace gvd::test_typed_options

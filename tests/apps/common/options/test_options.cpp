@@ -1,10 +1,12 @@
+// The options as the report shows them, and texts of users.
+
 #include <nlohmann/json.hpp>
 
 #include "apps/common/options/parse_options.hpp"
-#include "common/options/options_json.hpp"
+#include "common/options/options.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test_options_json {
+namespace gvd::test_options {
 
 using namespace app;
 using gvd::test::parse_options;
@@ -48,4 +50,22 @@ TEST_CASE("options that are given have their values") {
   CHECK(to_json(parse_options({"a.obj", "-n", "3", "--sampling", "random"}))["sampling"] == "random");
 }
 
-}  // namespace gvd::test_options_json
+TEST_CASE("an extension is in lower case and has no dot") {
+  CHECK(file_extension("a.ply") == "ply");
+  CHECK(file_extension("folder.d/A.tar.OBJ") == "obj");
+  CHECK(file_extension("a.") == "");
+  for (const char* none : {"", "a", "folder.d/a", ".hidden", "-"}) {
+    CAPTURE(none);
+    CHECK(file_extension(none).empty());
+  }
+}
+
+TEST_CASE("texts of the user's are printable and short in messages, and keep their letters whole") {
+  CHECK(printable("-n") == "-n");
+  CHECK(printable(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
+  CHECK(printable(std::string(61, 'a')) == std::string(60, 'a') + "...");
+  CHECK(printable("k\u00e4se", 3) == "k\u00e4...");
+  CHECK(printable("k\u00e4se", 2) == "k...");
+}
+
+}  // namespace gvd::test_options
