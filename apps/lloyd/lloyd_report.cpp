@@ -8,7 +8,7 @@
 
 #include "common/options/options_json.hpp"
 #include "common/relaxation/relaxation_report.hpp"
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

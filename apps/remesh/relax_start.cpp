@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/relaxation/relaxation_report.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

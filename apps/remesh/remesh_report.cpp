@@ -7,8 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -12,7 +12,7 @@
 #include "common/options/checked_toml.hpp"
 #include "common/options/option_text.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "common/relaxation/read_density.hpp"
 #include "common/steps/make_generators.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

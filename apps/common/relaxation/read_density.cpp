@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/number_list.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/run/step_times.hpp"
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 

@@ -6,9 +6,9 @@
 
 #include "common/options/file_extension.hpp"
 #include "common/steps/standard_input.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "common/steps/standard_input.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

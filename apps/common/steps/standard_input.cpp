@@ -4,7 +4,7 @@
 
 #include "common/run/interrupt.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 

@@ -8,10 +8,10 @@
 
 #include "creases/follow_creases.hpp"
 #include "dual_mesh_maker.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/text.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
 #include "repair/propose_nearby.hpp"

@@ -1,5 +1,5 @@
 #include "geodesic/tracing/locate_in_face.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

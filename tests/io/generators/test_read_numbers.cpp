@@ -1,5 +1,5 @@
 // Plain lists of numbers, as densities are given.
-#include "gvd/number_list.hpp"
+#include "gvd/text.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "base/triangulate_plane_polygon.hpp"
 #include "geodesic/windows/departures/departures.hpp"
 #include "geodesic/windows/departures/nearest_paths.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"

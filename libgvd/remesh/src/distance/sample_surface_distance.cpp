@@ -7,7 +7,7 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/surface_distance.hpp"
 
 namespace gvd {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "gvd/counted.hpp"
 #include "gvd/dual.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

@@ -1,6 +1,6 @@
 #include "dual/flipped_triangle.hpp"
 #include "gvd/dual.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gvd/dual.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 

@@ -13,7 +13,7 @@
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "map/plane_border.hpp"
 
 namespace gvd {

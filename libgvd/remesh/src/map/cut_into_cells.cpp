@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/closest_point.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 

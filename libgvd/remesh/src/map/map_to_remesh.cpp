@@ -3,7 +3,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/remesh_map.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "map/nearest_map.hpp"
 #include "map/one_to_one_map.hpp"
 

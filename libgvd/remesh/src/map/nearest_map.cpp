@@ -8,8 +8,7 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_normal.hpp"
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/barycentric.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "repair/boundary_arcs.hpp"
 
 namespace gvd {

@@ -7,7 +7,7 @@
 
 #include "base/union_find.hpp"
 #include "creases/edge_labels.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

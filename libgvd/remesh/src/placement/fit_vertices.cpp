@@ -6,7 +6,7 @@
 
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gvd/surface_area.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 

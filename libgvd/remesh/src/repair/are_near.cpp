@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/closest_point.hpp"
 
 namespace gvd {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/closest_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "geodesic/field/distance_field.hpp"
 
 namespace gvd {

@@ -12,7 +12,7 @@
 #include "base/barycentric.hpp"
 #include "diagram/evaluation/absolute_integral.hpp"
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

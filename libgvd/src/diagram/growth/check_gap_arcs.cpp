@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "gvd/ids.hpp"

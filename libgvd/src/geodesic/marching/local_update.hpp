@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/apex_foot.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/apex_foot.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 namespace {

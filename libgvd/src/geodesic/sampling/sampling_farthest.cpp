@@ -16,9 +16,9 @@
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
 #include "geodesic/sampling/sampling_spacing.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/text.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {

@@ -10,8 +10,8 @@
 #include "base/barycentric.hpp"
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

@@ -9,8 +9,8 @@
 #include "geodesic/field/face_layout.hpp"
 #include "geodesic/tracing/polar_update.hpp"
 #include "geodesic/tracing/tangent_fan.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/apex_foot.hpp"
+#include "base/plane.hpp"
 #include "geodesic/marching/local_update.hpp"
 
 namespace gvd {

@@ -6,7 +6,7 @@
 
 #include "base/plane.hpp"
 #include "gvd/generator_list.hpp"
-#include "mesh/coincidence.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/printable.hpp"
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::detail {
 namespace {

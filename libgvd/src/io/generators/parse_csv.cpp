@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 #include "io/generators/list_fields.hpp"
 
 namespace gvd::detail {

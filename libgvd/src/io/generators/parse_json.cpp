@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base/printable.hpp"
+#include "gvd/text.hpp"
 #include "io/generators/list_location.hpp"
 
 namespace gvd::detail {

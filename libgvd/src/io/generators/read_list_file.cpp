@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::detail {
 

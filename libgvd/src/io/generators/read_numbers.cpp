@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "gvd/number_list.hpp"
+#include "gvd/text.hpp"
 #include "io/generators/list_fields.hpp"
 #include "io/generators/read_list_file.hpp"
 

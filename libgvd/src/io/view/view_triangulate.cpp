@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "base/triangulate_plane_polygon.hpp"
 
 namespace gvd::io {
 namespace {

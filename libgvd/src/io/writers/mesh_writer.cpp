@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/atomic_file.hpp"
 #include "gvd/io/diagram_json.hpp"
+#include "gvd/text.hpp"
 #include "io/writers/single_precision.hpp"
 #include "io/writers/write_glb.hpp"
 #include "io/writers/write_obj.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd::io {
