@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cpu_clock.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "median.hpp"
 
 namespace gvd::bench {

@@ -2,7 +2,7 @@
 
 #include "flat_square.hpp"
 #include "gvd/lloyd.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_flat_square {

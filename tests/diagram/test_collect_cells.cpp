@@ -5,7 +5,7 @@
 #include "base/barycentric.hpp"
 #include "diagram/collect_cells.hpp"
 #include "diagram/trace_bisectors.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

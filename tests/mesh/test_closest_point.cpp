@@ -84,4 +84,44 @@ TEST_CASE("closest point: a query without a finite distance is refused") {
   CHECK_THROWS_AS(tree.query({std::numeric_limits<double>::infinity(), 0, 0}), Error);
 }
 
+TEST_CASE("nearest face: as a search by closest points, near the surface and far from it, from any guess") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const ClosestPointTree tree(mesh);
+    test::Random random(7);
+    for (int round = 0; round < 200; ++round) {
+      const double size = std::pow(10, random.real(-3, 1));
+      const Vec3 point = mesh.position(VertexId(random.below(mesh.vertex_count()))) +
+                         size * Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+      const NearestFace found = tree.nearest_face(point, FaceId(random.below(mesh.face_count())));
+      const double wanted = tree.query(point).distance;
+      REQUIRE(found.distance == Approx(wanted).epsilon(1e-9).margin(1e-14));
+      REQUIRE(closest_point_on_face(mesh, found.face, point).distance == Approx(wanted).epsilon(1e-9).margin(1e-14));
+      const FaceId any(random.below(mesh.face_count()));
+      REQUIRE(tree.distance(point, any) == Approx(closest_point_on_face(mesh, any, point).distance).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a face without area has the distance of its longest edge") {
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {4, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
+  const ClosestPointTree line(mesh);
+  CHECK(line.distance({3, 2, 0}, FaceId(0)) == Approx(2));
+  CHECK(line.nearest_face({-3, 4, 0}).distance == Approx(5));
+  CHECK(line.nearest_face({7, 0, 4}).distance == Approx(5));
+}
+
+TEST_CASE("foot on edge: a point of the line has its own parameter, and moves across change nothing") {
+  const Mesh mesh = test::make_grid(2, 2);
+  for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    const Vec3 from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
+    const Vec3 across = along.unitOrthogonal();
+    for (const double t : {-0.5, 0.0, 0.25, 1.0, 2.0}) {
+      CHECK(foot_on_edge(mesh, h, from + t * along) == Approx(t).margin(1e-12));
+      CHECK(foot_on_edge(mesh, h, from + t * along + 3 * across) == Approx(t).margin(1e-12));
+    }
+  }
+}
+
 }  // namespace gvd::test_closest_point

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/placement.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh.hpp"
-#include "gvd/surface_area.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

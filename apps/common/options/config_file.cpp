@@ -14,7 +14,7 @@
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/text.hpp"
 
 // Two faults of toml++ 3.3 that files can reach are mended before it is included.
 // 1. It asserts before it tests: `[` and a zero byte would abort a build with assertions, and break an assumption of

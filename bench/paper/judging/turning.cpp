@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd::paper {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/union_find.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd::paper {
 namespace {

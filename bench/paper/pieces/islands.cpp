@@ -4,7 +4,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd::paper {
 namespace {

@@ -15,6 +15,12 @@ struct ClosestPoint {
   double distance = 0;  ///< Euclidean, to the query, in mesh units
 };
 
+/// The foot of a point on the line of a halfedge: 0 at the halfedge's start, 1 at its end. Not limited to the edge, and
+/// not finite where the edge has no length. Cost: O(1).
+inline double foot_on_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
+  return foot_on_line(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), point);
+}
+
 /// The point of face f that is closest to `query`. The face may have no area. Cost: O(1).
 ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query);
 
@@ -36,8 +42,9 @@ class ClosestPointTree {
   /// Throws Error{precondition} where `query` is so large, or not finite, that no distance is finite.
   ClosestPoint query(const Vec3& query) const;
 
-  /// For measurements, several times as fast: within rounding, and of faces at the same distance any one. `guess`: any
-  /// face; the search is short where it is near. `query` must be finite, and the mesh must have a face.
+  /// The nearest face within rounding; among faces at the same distance any one. For measurements, as it is several
+  /// times as fast as `query`. `guess`: any face; the search is short where it is near. `query` must be finite, and the
+  /// mesh must have a face.
   NearestFace nearest_face(const Vec3& query, FaceId guess = FaceId(0)) const;
 
   /// Distance from one face, mesh units, as nearest_face measures it. Cost: O(1).

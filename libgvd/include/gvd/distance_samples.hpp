@@ -12,7 +12,7 @@ struct DistanceSamples {
   IdVector<VertexId, double> at_vertex;
   /// The number k of parts that each side of a face is cut into, in [1, kMaxSteps]; faces with 1 have no lattice.
   IdVector<FaceId, std::int32_t> steps;
-  /// Of the faces with a lattice, in the order of their ids, its (k + 1) (k + 2) / 2 points with the corners. Row
+  /// The (k + 1) (k + 2) / 2 points of each lattice with the corners, face by face in the order of their ids. Row
   /// i = 0 ... k has the points whose weight of corner 0 is i / k; point j = 0 ... k - i of it has the weight j / k of
   /// corner 2.
   std::vector<double> lattice;

@@ -50,6 +50,8 @@ class Mesh {
   const std::array<VertexId, 3>& vertices(FaceId f) const { return faces_[f]; }
 
   static HalfedgeId halfedge(FaceId f, int corner) { return HalfedgeId(3 * f.value() + corner); }
+  /// The halfedges of a face's corners 0, 1 and 2.
+  static std::array<HalfedgeId, 3> halfedges(FaceId f) { return {halfedge(f, 0), halfedge(f, 1), halfedge(f, 2)}; }
   static FaceId face(HalfedgeId h) { return FaceId(h.value() / 3); }
   static int corner(HalfedgeId h) { return h.value() % 3; }
   static HalfedgeId next(HalfedgeId h) { return HalfedgeId(corner(h) == 2 ? h.value() - 2 : h.value() + 1); }
@@ -107,6 +109,9 @@ class Mesh {
   double largest_coordinate_ = 0;
 };
 
+/// The area of all faces, summed in the order of their ids; square mesh units. Cost: O(n).
+double compute_area(const Mesh& mesh);
+
 /// Topology and size of a mesh as a whole.
 struct MeshSummary {
   std::int32_t vertices = 0;
@@ -119,10 +124,10 @@ struct MeshSummary {
   double bbox_diagonal = 0;               ///< mesh units
 };
 
-/// Cost: O(n).
+/// The summary of a mesh. Cost: O(n).
 MeshSummary compute_mesh_summary(const Mesh& mesh);
 
-/// Component of every face, numbered from 0 in the order of their first face. Cost: O(n).
+/// The component of each face, numbered from 0 in the order of their first face. Cost: O(n).
 IdVector<FaceId, std::int32_t> compute_face_components(const Mesh& mesh);
 
 }  // namespace gvd

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gvd/mesh_format.hpp"
+#include "gvd/read_soup.hpp"
 
 namespace gvd {
 
@@ -40,7 +40,7 @@ struct CornerTexture {
   std::vector<std::array<double, 2>> coordinates;  ///< per corner: u and v; not finite where it has none
 };
 
-/// What a file holds besides positions and polygons.
+/// The contents of a file besides positions and polygons.
 struct MeshAttributes {
   std::vector<MeshProperty> properties;
   std::optional<CornerTexture> texture;
@@ -52,7 +52,7 @@ struct MeshAttributes {
 /// Throws Error{unreadable_input} where the file can't be read. Cost: O(bytes).
 MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// `read_mesh_attributes` from bytes in memory; `name` stands for the file in messages.
 MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name);
 
 }  // namespace gvd

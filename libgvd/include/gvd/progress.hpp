@@ -1,7 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
+
+#include "gvd/error.hpp"
 
 namespace gvd {
 
@@ -11,7 +14,10 @@ namespace gvd {
 using Progress = std::function<bool(std::string_view step, double fraction)>;
 
 /// Calls `progress` unless it is empty, and throws Error{interrupted} if it returns false.
-void report_progress(const Progress& progress, std::string_view step, double fraction);
+inline void report_progress(const Progress& progress, std::string_view step, double fraction) {
+  if (!progress || progress(step, fraction)) return;
+  throw Error(ErrorCode::interrupted, "interrupted during " + std::string(step));
+}
 
 /// A part of a step: its work raises the step's fraction from `from` to `to`, both in [0, 1].
 struct StepPart {
@@ -19,7 +25,9 @@ struct StepPart {
   double from = 0, to = 1;
 };
 
-/// The same for a part of a step, of which the share `done` in [0, 1] is done.
-void report_progress(const Progress& progress, const StepPart& part, double done);
+/// Reports the step's fraction where the share `done` in [0, 1] of a part is done.
+inline void report_progress(const Progress& progress, const StepPart& part, double done) {
+  report_progress(progress, part.name, part.from + (part.to - part.from) * done);
+}
 
 }  // namespace gvd

@@ -11,7 +11,7 @@
 
 namespace gvd {
 
-/// What `build_mesh` does about a defect.
+/// The ways in which `build_mesh` treats a defect.
 enum class DefectPolicy {
   error,    ///< refuses any defect
   repair,   ///< repairs defects where that loses no part of the surface, refuses the others

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "gvd/ids.hpp"
@@ -44,6 +46,14 @@ SurfacePoint edge_point(HalfedgeId h, double t);
 /// error is larger: see `coincidence`.
 inline constexpr double kCoincidence = 1e-12;
 
+/// Positions closer than this fraction of the largest coordinate can't be told apart. Dimensionless. One position is
+/// rounded by up to 2^-53 of its largest coordinate, and the distance of two by up to nine times as much.
+inline constexpr double kCoordinateRounding = 1e-15;
+
+/// Generators closer than this coincide, in mesh units: a fraction of the bounding box's diagonal, or, far from the
+/// origin, the rounding error of positions.
+double coincidence(const Mesh& mesh);
+
 /// Position in mesh units.
 Vec3 position(const Mesh& mesh, const SurfacePoint& point);
 
@@ -54,7 +64,7 @@ double interpolate_at(const Mesh& mesh, const IdVector<VertexId, double>& values
 /// The vertex that a point of kind vertex lies on.
 VertexId vertex(const Mesh& mesh, const SurfacePoint& point);
 
-/// For a point of kind edge: the halfedge of `point.face` that it lies on.
+/// The halfedge of `point.face` on which a point of kind edge lies.
 HalfedgeId halfedge(const SurfacePoint& point);
 
 /// Whether the point lies on the mesh's boundary.
@@ -64,7 +74,29 @@ bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point);
 /// number).
 std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same point seen from the face with the smallest id that contains it: equal surface points compare equal.
+/// The point seen from the face with the smallest id that contains it: canonical forms of one point compare equal.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
+
+/// A point on an edge, in the coordinates of the face on the other side; nothing on the boundary. The weights of the
+/// two corners are the same numbers.
+std::optional<SurfacePoint> find_view_across(const Mesh& mesh, const SurfacePoint& point);
+
+/// The point seen from every face that contains it: one view inside a face, at most two on an edge, the whole fan at a
+/// vertex. Ascending by face. Cost: O(valence).
+std::vector<SurfacePoint> find_views(const Mesh& mesh, const SurfacePoint& point);
+
+/// Two points seen from a face that contains both, the one with the least id; nothing where there is none.
+std::optional<std::pair<SurfacePoint, SurfacePoint>> find_common_view(const Mesh& mesh, const SurfacePoint& a,
+                                                                      const SurfacePoint& b);
+
+/// Unit normal of a face; zero for one without area. Cost: O(1).
+Vec3 face_normal(const Mesh& mesh, FaceId f);
+
+/// Angle of the corner where a halfedge begins, in radians, from 0 to pi. Cost: O(1).
+double corner_angle(const Mesh& mesh, HalfedgeId h);
+
+/// Unit normal of the surface at a point: inside a face its normal, on an edge the mean of its two faces, at a vertex
+/// the mean of its faces weighted by their angles. Zero where all these faces have no area. Cost: O(valence).
+Vec3 surface_normal(const Mesh& mesh, const SurfacePoint& point);
 
 }  // namespace gvd

@@ -3,7 +3,7 @@
 #include <string>
 #include <tuple>
 
-#include "base/triangulate_plane_polygon.hpp"
+#include "base/ear_clipping.hpp"
 #include "face_shares.hpp"
 #include "face_tiling.hpp"
 #include "gvd/error.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {

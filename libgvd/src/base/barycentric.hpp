@@ -17,7 +17,16 @@ inline Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-/// The sum of three values, one of each corner, by their weights: of numbers, of points.
+/// Barycentric coordinates of p in a triangle, by the areas that p spans with its sides. `signed_area(a, b, c)` is the
+/// area of a triangle, times any constant. Not finite where the triangle has no area.
+template <class Point, class SignedArea>
+Bary bary_by_areas(const std::array<Point, 3>& corners, const Point& p, const SignedArea& signed_area) {
+  const auto& [a, b, c] = corners;
+  const double area = signed_area(a, b, c);
+  return {signed_area(p, b, c) / area, signed_area(a, p, c) / area, signed_area(a, b, p) / area};
+}
+
+/// The sum of three values, numbers or points, one for each corner, by their weights.
 template <class Value>
 Value interpolate(const Bary& bary, const Value& a, const Value& b, const Value& c) {
   return bary[0] * a + bary[1] * b + bary[2] * c;
@@ -27,7 +36,7 @@ Value interpolate(const Bary& bary, const Value& a, const Value& b, const Value&
 /// at (1, 0) and corner 2 at (0, 1). It keeps orientations, and areas up to the factor 2 area(face).
 inline Vec2 affine_point(const Bary& bary) { return {bary[1], bary[2]}; }
 
-/// Signed area of a polygon, as a fraction of its face's; < 0 where it is clockwise.
+/// Signed area of a polygon as a fraction of the area of its face; < 0 where it is clockwise.
 inline double area_share(const std::vector<Bary>& polygon) {
   return twice_signed_area(polygon.size(), [&](std::size_t i) { return affine_point(polygon[i]); });
 }

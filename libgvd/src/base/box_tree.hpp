@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/box.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 
@@ -12,7 +12,7 @@ namespace gvd {
 /// ranges of the list. It pays off where neighbours in the list lie near each other, as the corners of a polygon do.
 class BoxTree {
  public:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kNone = -1;
 
   /// Builds the tree over items 0 .. n - 1, of which `box_of(i)` is the box, in place of what it held. Cost: O(n).
   template <class BoxOf>
@@ -24,7 +24,11 @@ class BoxTree {
   }
 
   /// Takes an item out of every later search. Cost: O(log n).
-  void remove(std::size_t item);
+  void remove(std::size_t item) {
+    std::size_t node = leaves_ + item;
+    boxes_[node] = Box2();
+    while ((node /= 2) > 0) unite_children(node);
+  }
 
   /// The first item from `from` on that was not removed and for whose box the test holds; kNone where there is none.
   /// `test(box)` may be false of a box only if it is false of every box within it.

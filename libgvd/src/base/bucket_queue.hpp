@@ -16,13 +16,12 @@ template <class Item>
 class BucketQueue {
  public:
   /// `width` is the span of keys in one bucket, > 0; `count` the number of buckets in the ring, >= 2.
-  BucketQueue(double width, std::size_t count)
-      : inverse_width_(1 / width), last_(static_cast<double>(count - 1)), buckets_(count) {}
+  BucketQueue(double width, std::size_t count) : inverse_width_(1 / width), last_(double(count - 1)), buckets_(count) {}
 
   bool empty() const { return size_ == 0; }
 
-  /// The least key of the current bucket. Only items that were pushed with a smaller key than this have one.
-  double front() const { return static_cast<double>(turn_) / inverse_width_; }
+  /// The least key of the current bucket. Items in it have a smaller key only if they were pushed with one behind it.
+  double front() const { return turn_ / inverse_width_; }
 
   void push(double key, const Item& item) {
     const double ahead = key * inverse_width_ - turn_;
@@ -54,7 +53,7 @@ class BucketQueue {
     buckets_[current_].clear();
     next_ = 0;
     current_ = wrapped(current_ + steps);
-    turn_ += static_cast<double>(steps);
+    turn_ += double(steps);
   }
 
   /// The next item. The queue must not be empty.

@@ -22,7 +22,7 @@ class LazyMaxHeap {
   /// Inserts the ids 0 .. count - 1. `key(id)` is the current key of an item.
   template <class Key>
   LazyMaxHeap(std::int32_t count, Key key) {
-    items_.reserve(static_cast<std::size_t>(count));
+    items_.reserve(count);
     for (std::int32_t id = 0; id < count; ++id) items_.push_back({key(id), id});
     std::make_heap(items_.begin(), items_.end());
   }

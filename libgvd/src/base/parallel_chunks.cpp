@@ -1,3 +1,8 @@
+// A run of chunks on oneTBB's threads: each thread takes the next chunk that nobody has taken, until none is left.
+//
+// Invariant: chunks start in their order, and none after a failed one starts. So all chunks before a failed one run,
+// the failure with the least index is known at the end, and it is the one that the caller sees, for any number of
+// threads. Only the calling thread calls the progress callback.
 #include "base/parallel_chunks.hpp"
 
 #include <tbb/parallel_for.h>
@@ -13,7 +18,7 @@
 namespace gvd {
 namespace {
 
-/// What the threads of one run share.
+/// The state that the threads of one run share.
 class SharedRun {
  public:
   SharedRun(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work,
@@ -54,7 +59,7 @@ class SharedRun {
     failure_ = std::current_exception();
   }
 
-  double fraction_done() const { return static_cast<double>(done_) / static_cast<double>(count_); }
+  double fraction_done() const { return double(done_) / double(count_); }
 
   void report(double fraction) {
     try {
@@ -110,8 +115,8 @@ std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size) {
 
 void ParallelChunks::run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const {
   SharedRun shared(count, step, work, progress_);
-  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t threads = std::min({threads_ == 0 ? cores : static_cast<std::size_t>(threads_), cores, count});
+  const std::size_t cores = tbb::this_task_arena::max_concurrency();
+  const std::size_t threads = std::min({threads_ == 0 ? cores : std::size_t(threads_), cores, count});
   if (threads <= 1) {
     shared.take_items();
   } else {

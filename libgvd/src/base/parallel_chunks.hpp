@@ -38,7 +38,7 @@ std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work)
 
 /// Work by several threads, with the same result to the last bit for any number of them.
 ///
-/// Why it is the same: a list is cut into chunks by its contents alone, never by the number of threads. A chunk reads
+/// Reason: a list is cut into chunks by its contents alone, never by the number of threads. A chunk reads
 /// only what nobody writes meanwhile, and has results and scratch memory of its own. The results are joined in the
 /// order of the chunks. Chance decides which thread takes which chunk, and when, but no result depends on it. Sums over
 /// several chunks must therefore be formed after the run, in the order of the chunks.
@@ -58,7 +58,7 @@ class ParallelChunks {
   /// Runs work(i) for i = 0 .. count - 1.
   void run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const;
 
-  /// compute(chunk) of every chunk, in their order. The result's type has a default.
+  /// The results of compute(chunk) for every chunk, in their order. The result's type has a default.
   template <class Compute>
   auto map(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
     std::vector<std::invoke_result_t<const Compute&, const Chunk&>> results(chunks.size());
@@ -66,7 +66,7 @@ class ParallelChunks {
     return results;
   }
 
-  /// The same for results that are vectors, which are joined to one.
+  /// The results of `map` where they are vectors, joined to one in the order of the chunks.
   template <class Compute>
   auto collect(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
     auto results = map(chunks, step, compute);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -41,6 +42,84 @@ inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double area = left - right;
   if (std::abs(area) <= kOrientationError * (std::abs(left) + std::abs(right))) return 0;
   return area > 0 ? 1 : -1;
+}
+
+/// Foot of a triangle's apex on its base, measured from the base's first end, from the lengths of the three sides. The
+/// sides may be distances to a point source, whose image is then the apex. By the law of cosines, with the difference
+/// of two squares as a product: nothing cancels where the sides are long and nearly equal.
+///
+/// Inputs: mesh units, base > 0. Returns: mesh units; outside of [0, base] where an angle at the base is obtuse.
+inline double apex_foot(double base, double first_side, double second_side) {
+  return 0.5 * (base + (first_side - second_side) * (first_side + second_side) / base);
+}
+
+/// `apex_foot` by 1 / base, for loops that have it at hand. It may differ from apex_foot in the last digit.
+inline double apex_foot_by_inverse(double base, double inverse_base, double first_side, double second_side) {
+  return 0.5 * (base + (first_side - second_side) * (first_side + second_side) * inverse_base);
+}
+
+/// An axis-aligned box of the plane, with its border. Empty where low > high.
+struct Box2 {
+  Vec2 low = Vec2::Constant(kInfinity);
+  Vec2 high = Vec2::Constant(-kInfinity);
+
+  bool is_empty() const { return low.x() > high.x(); }
+};
+
+/// The box of two points.
+inline Box2 bounding_box(const Vec2& a, const Vec2& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+/// The box of two boxes.
+inline Box2 unite(const Box2& a, const Box2& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
+/// Whether two boxes have a point in common; never true of an empty one.
+inline bool overlap(const Box2& a, const Box2& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// A straight line segment in the plane.
+struct PlaneSegment {
+  Vec2 from, to;
+};
+
+/// The parameters of the point p + s d = q + t e.
+struct LineIntersection {
+  double s, t;
+};
+
+/// Where the line through p along d crosses the line through q along e. Not finite where the lines are parallel.
+inline LineIntersection intersect_lines(const Vec2& p, const Vec2& d, const Vec2& q, const Vec2& e) {
+  const Vec2 between = q - p;
+  const double denominator = cross(d, e);
+  return {cross(between, e) / denominator, cross(between, d) / denominator};
+}
+
+// Three predicates tell whether segments cross. They differ in what they answer where rounding leaves it open.
+
+/// Whether two segments cross or touch elsewhere than at a common end, or rounding leaves that open. For a search that
+/// must not miss a crossing. Never false of segments that cross.
+inline bool may_intersect(const PlaneSegment& a, const PlaneSegment& b) {
+  if (!overlap(bounding_box(a.from, a.to), bounding_box(b.from, b.to))) return false;
+  if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return false;
+  return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) <= 0 &&
+         orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) <= 0;
+}
+
+/// Whether two segments cross by more than `tolerance`: the ends of each lie on both sides of the other's line, and
+/// both triangles that they form with it have more than this twice the area. For a check that must not fail by
+/// rounding.
+inline bool intersect_beyond(const PlaneSegment& a, const PlaneSegment& b, double tolerance) {
+  const auto separates = [tolerance](const PlaneSegment& line, const PlaneSegment& other) {
+    const double from = twice_signed_area(line.from, line.to, other.from);
+    const double to = twice_signed_area(line.from, line.to, other.to);
+    return std::min(from, to) < -tolerance && std::max(from, to) > tolerance;
+  };
+  return separates(a, b) && separates(b, a);
+}
+
+/// Whether p and q lie strictly on one side of the segment's line, as rounded.
+inline bool lie_on_one_side(const PlaneSegment& line, const Vec2& p, const Vec2& q) {
+  return twice_signed_area(line.from, line.to, p) * twice_signed_area(line.from, line.to, q) > 0;
 }
 
 }  // namespace gvd

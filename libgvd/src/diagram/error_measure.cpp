@@ -20,7 +20,7 @@
 #include "base/barycentric.hpp"
 #include "diagram/absolute_integral.hpp"
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

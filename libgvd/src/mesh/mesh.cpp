@@ -1,3 +1,8 @@
+// The connectivity of a triangle mesh: twins, edges and a halfedge for each vertex, and the figures of the whole mesh.
+//
+// Halfedge 3 f + i runs from corner i of face f to the next corner, so only twins and edges need tables. `visit_edges`
+// lists the halfedges of each edge by a counting sort. Edges get their numbers in the order of their first halfedge.
+// Invariant: a mesh that breaks one of the properties in mesh.hpp is refused here, so no later step checks them again.
 #include "gvd/mesh.hpp"
 
 #include <fmt/format.h>
@@ -17,26 +22,22 @@ namespace {
   throw Error(ErrorCode::precondition, message, element);
 }
 
-void check_indices(const std::vector<std::array<VertexId, 3>>& faces, std::size_t vertex_count) {
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+void check_indices(const IdVector<FaceId, std::array<VertexId, 3>>& faces, std::int32_t vertex_count) {
+  for (const FaceId f : faces.ids()) {
     for (const VertexId v : faces[f]) {
-      if (!v.valid() || v.index() >= vertex_count) {
-        refuse(fmt::format("face {} refers to vertex {}, and there are {}", f, v.value(), vertex_count),
-               static_cast<std::int64_t>(f));
-      }
+      if (v.valid() && v.value() < vertex_count) continue;
+      refuse(fmt::format("face {} refers to vertex {}, and there are {}", f.value(), v.value(), vertex_count),
+             f.value());
     }
     const auto& [a, b, c] = faces[f];
-    if (a == b || b == c || c == a) {
-      refuse(fmt::format("face {} has the same vertex twice", f), static_cast<std::int64_t>(f));
-    }
+    if (a == b || b == c || c == a) refuse(fmt::format("face {} has the same vertex twice", f.value()), f.value());
   }
 }
 
-void check_positions(const std::vector<Vec3>& positions) {
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (!positions[v].allFinite()) {
-      refuse(fmt::format("vertex {} has a coordinate that is not finite", v), static_cast<std::int64_t>(v));
-    }
+void check_positions(const IdVector<VertexId, Vec3>& positions) {
+  for (const VertexId v : positions.ids()) {
+    if (positions[v].allFinite()) continue;
+    refuse(fmt::format("vertex {} has a coordinate that is not finite", v.value()), v.value());
   }
 }
 
@@ -44,13 +45,24 @@ std::string edge_name(const Mesh& mesh, HalfedgeId h) {
   return fmt::format("{}-{}", mesh.from(h).value(), mesh.to(h).value());
 }
 
+/// Number of closed chains of boundary halfedges.
+std::int32_t count_boundary_loops(const Mesh& mesh) {
+  IdVector<HalfedgeId, char> visited(mesh.halfedge_count(), 0);
+  std::int32_t loops = 0;
+  for (HalfedgeId h : mesh.halfedges()) {
+    if (mesh.twin(h).valid() || visited[h]) continue;
+    ++loops;
+    for (; !visited[h]; h = next_on_boundary(mesh, h)) visited[h] = 1;
+  }
+  return loops;
+}
+
 }  // namespace
 
-Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces) {
-  check_positions(positions);
-  check_indices(faces, positions.size());
-  positions_ = IdVector<VertexId, Vec3>(std::move(positions));
-  faces_ = IdVector<FaceId, std::array<VertexId, 3>>(std::move(faces));
+Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces)
+    : positions_(std::move(positions)), faces_(std::move(faces)) {
+  check_positions(positions_);
+  check_indices(faces_, vertex_count());
   link_twins();
   number_edges();
   find_vertex_halfedges();
@@ -58,7 +70,7 @@ Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> fac
 }
 
 void Mesh::link_twins() {
-  twin_.assign(static_cast<std::size_t>(halfedge_count()), HalfedgeId());
+  twin_.assign(halfedge_count(), HalfedgeId());
   const auto number = [](VertexId v) { return static_cast<std::uint64_t>(v.value()); };
   visit_edges(faces_, positions_.size(), number, [this](const EdgeHalfedges& edge) {
     const HalfedgeId h(edge[0]);
@@ -79,10 +91,9 @@ void Mesh::link_twins() {
 }
 
 void Mesh::number_edges() {
-  halfedge_edge_.assign(static_cast<std::size_t>(halfedge_count()), EdgeId());
-  edge_halfedge_.reserve(static_cast<std::size_t>(halfedge_count()) / 2);
-  for (std::int32_t i = 0; i < halfedge_count(); ++i) {
-    const HalfedgeId h(i);
+  halfedge_edge_.assign(halfedge_count(), EdgeId());
+  edge_halfedge_.reserve(halfedge_count() / 2);
+  for (const HalfedgeId h : halfedges()) {
     if (halfedge_edge_[h].valid()) continue;
     const EdgeId e = edge_halfedge_.push_back(h);
     halfedge_edge_[h] = e;
@@ -92,32 +103,26 @@ void Mesh::number_edges() {
 
 void Mesh::find_vertex_halfedges() {
   vertex_halfedge_.assign(positions_.size(), HalfedgeId());
-  std::vector<std::int32_t> degree(positions_.size(), 0);
-  for (std::int32_t i = 0; i < halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    ++degree[from(h).index()];
+  IdVector<VertexId, std::int32_t> degree(positions_.size(), 0);
+  for (const HalfedgeId h : halfedges()) {
+    ++degree[from(h)];
     HalfedgeId& chosen = vertex_halfedge_[from(h)];
     if (!chosen.valid() || (!twin_[h].valid() && twin_[chosen].valid())) chosen = h;
   }
-  for (std::int32_t i = 0; i < vertex_count(); ++i) {
-    const VertexId v(i);
-    if (!vertex_halfedge_[v].valid()) refuse(fmt::format("vertex {} belongs to no face", i), i);
+  for (const VertexId v : vertices()) {
+    if (!vertex_halfedge_[v].valid()) refuse(fmt::format("vertex {} belongs to no face", v.value()), v.value());
     std::int32_t visited = 0;
     for_each_outgoing(*this, v, [&](HalfedgeId) { ++visited; });
-    if (visited != degree[v.index()]) {
-      refuse(fmt::format("vertex {} joins several fans of faces", i), i);
-    }
+    if (visited != degree[v]) refuse(fmt::format("vertex {} joins several fans of faces", v.value()), v.value());
   }
 }
 
 void Mesh::measure() {
   shape_.resize(faces_.size());
-  for (std::int32_t f = 0; f < face_count(); ++f) measure_face(FaceId(f));
+  for (const FaceId f : faces()) measure_face(f);
   double sum = 0;
-  for (std::int32_t i = 0; i < edge_count(); ++i) {
-    const EdgeId e(i);
-    const HalfedgeId h = halfedge(e);
-    const double length = this->length(e);
+  for (const HalfedgeId h : edge_halfedge_) {
+    const double length = this->length(h);
     if (!(length > 0) || !std::isfinite(length)) {
       refuse(fmt::format("edge {} of face {} has length {}", edge_name(*this, h), face(h).value(),
                          length > 0 ? "infinity" : "0"),
@@ -145,6 +150,48 @@ void Mesh::measure_face(FaceId f) {
   const auto& [a, b, c] = vertices(f);
   const Vec3 ab = position(b) - position(a), bc = position(c) - position(b), ca = position(a) - position(c);
   shape_[f] = {{ab.stableNorm(), bc.stableNorm(), ca.stableNorm()}, ab.cross(ca).stableNorm()};
+}
+
+double compute_area(const Mesh& mesh) {
+  double area = 0;
+  for (const FaceId f : mesh.faces()) area += mesh.area(f);
+  return area;
+}
+
+IdVector<FaceId, std::int32_t> compute_face_components(const Mesh& mesh) {
+  IdVector<FaceId, std::int32_t> component(mesh.face_count(), -1);
+  std::int32_t count = 0;
+  std::vector<FaceId> stack;
+  for (const FaceId start : mesh.faces()) {
+    if (component[start] >= 0) continue;
+    component[start] = count;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const FaceId f = stack.back();
+      stack.pop_back();
+      for (const HalfedgeId h : Mesh::halfedges(f)) {
+        const HalfedgeId twin = mesh.twin(h);
+        if (!twin.valid() || component[Mesh::face(twin)] >= 0) continue;
+        component[Mesh::face(twin)] = count;
+        stack.push_back(Mesh::face(twin));
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+MeshSummary compute_mesh_summary(const Mesh& mesh) {
+  MeshSummary summary;
+  summary.vertices = mesh.vertex_count();
+  summary.edges = mesh.edge_count();
+  summary.faces = mesh.face_count();
+  for (const std::int32_t c : compute_face_components(mesh)) summary.components = std::max(summary.components, c + 1);
+  summary.boundary_loops = count_boundary_loops(mesh);
+  summary.euler_characteristic = summary.vertices - summary.edges + summary.faces;
+  summary.area = compute_area(mesh);
+  summary.bbox_diagonal = mesh.bbox_diagonal();
+  return summary;
 }
 
 }  // namespace gvd

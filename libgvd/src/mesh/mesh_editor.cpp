@@ -1,3 +1,8 @@
+// Splits and flips on the flat arrays of a built mesh.
+//
+// Each operation first reads the twins and edges outside of the faces that it rewrites, then writes the faces, then
+// links their halfedges again. Invariant: at a boundary vertex, the stored halfedge is the boundary one, as the walk in
+// vertex_ring.hpp needs it; `set_halfedge` restores that for every vertex of the rewritten faces.
 #include "mesh/mesh_editor.hpp"
 
 #include <array>

@@ -1,3 +1,6 @@
+// Shape figures of triangles and valences, as section 5 of the paper tabulates them for remeshes.
+//
+// Invariant: sums run over the faces in the order of their ids, so that a figure has the same last digit on every run.
 #include "gvd/quality.hpp"
 
 #include <algorithm>
@@ -39,8 +42,8 @@ TriangleQuality compute_triangle_quality(const Mesh& mesh) {
   quality.q_min = 1;
   quality.angle_min = 60;
   std::int32_t below = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const auto& [i, j, k] = mesh.vertices(FaceId(f));
+  for (const FaceId f : mesh.faces()) {
+    const auto& [i, j, k] = mesh.vertices(f);
     const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
     const double q = compute_q(a, b, c), angle = compute_min_angle(a, b, c);
     quality.q_min = std::min(quality.q_min, q);
@@ -57,17 +60,15 @@ TriangleQuality compute_triangle_quality(const Mesh& mesh) {
 
 Valences compute_valences(const Mesh& mesh) {
   if (mesh.vertex_count() == 0) return {};
-  IdVector<VertexId, std::int32_t> edges(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  for (std::int32_t e = 0; e < mesh.edge_count(); ++e) {
-    const HalfedgeId h = mesh.halfedge(EdgeId(e));
+  IdVector<VertexId, std::int32_t> edges(mesh.vertex_count(), 0);
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
     ++edges[mesh.from(h)];
     ++edges[mesh.to(h)];
   }
   const auto [least, largest] = std::minmax_element(edges.begin(), edges.end());
   std::int32_t regular = 0;
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    regular += edges[VertexId(i)] == (mesh.is_boundary(VertexId(i)) ? 4 : 6);
-  }
+  for (const VertexId v : mesh.vertices()) regular += edges[v] == (mesh.is_boundary(v) ? 4 : 6);
   return {*least, *largest, 100.0 * regular / mesh.vertex_count()};
 }
 

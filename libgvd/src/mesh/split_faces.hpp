@@ -1,15 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
 
-/// A point by its barycentric coordinates in a triangle, and how badly it lies inside: the less the better.
+/// A point by its barycentric coordinates in a triangle, and how far it lies outside: the less the better.
 struct PlacedInTriangle {
   Bary local{};
   double outside = 0;
@@ -24,10 +25,21 @@ class SplitFaces {
   };
 
   /// Cost: O(n), and O(k log k) for k parts.
-  explicit SplitFaces(const WorkingMesh& working);
+  explicit SplitFaces(const WorkingMesh& working) {
+    for (const FaceId face : working.mesh().faces()) {
+      if (!working.is_split(face)) continue;
+      const auto corner = [&](const Bary& bary) { return working.parent_bary(face, bary); };
+      parts_.push_back({working.parent(face), face, {corner({1, 0, 0}), corner({0, 1, 0}), corner({0, 0, 1})}});
+    }
+    std::sort(parts_.begin(), parts_.end(),
+              [](const Part& a, const Part& b) { return std::pair(a.parent, a.face) < std::pair(b.parent, b.face); });
+  }
 
   /// The parts of a face of the input, ascending by face; none if it is not split. Cost: O(log k).
-  std::span<const Part> parts_of(FaceId parent) const;
+  std::span<const Part> parts_of(FaceId parent) const {
+    const auto [first, last] = std::ranges::equal_range(parts_, parent, {}, &Part::parent);
+    return {first, last};
+  }
 
  private:
   std::vector<Part> parts_;  // ascending by parent and face
@@ -38,7 +50,7 @@ class SplitFaces {
 template <class Place>
 SurfacePoint locate_in_parts(std::span<const SplitFaces::Part> parts, Place place) {
   SurfacePoint best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const SplitFaces::Part& part : parts) {
     const PlacedInTriangle placed = place(part.corners);
     if (!(placed.outside < least)) continue;

@@ -1,3 +1,8 @@
+// Points of the surface: their kinds, positions, normals, and how they look from each face that contains them.
+//
+// Invariant: a barycentric coordinate is exactly 0 where a point lies on an edge or a vertex, so its kind is a fact and
+// no later step needs a tolerance. A point on an edge has the same two weights seen from both faces, and each view of a
+// vertex has one weight of 1: so equal points have equal canonical forms.
 #include "gvd/surface_point.hpp"
 
 #include <fmt/format.h>
@@ -7,28 +12,31 @@
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
+
+using PointKind = SurfacePoint::Kind;
 
 /// How far given coordinates may lie below 0 (rounding of a projection), and how far their sum may differ from 1 (six
 /// printed digits). Dimensionless.
 constexpr double kNegativeSlack = 1e-9;
 constexpr double kSumSlack = 1e-6;
 
-std::array<double, 3> unit(std::size_t corner) {
-  std::array<double, 3> bary{0, 0, 0};
-  bary[corner] = 1;
-  return bary;
+/// The vertex from which a halfedge leaves.
+SurfacePoint corner_point(HalfedgeId h) { return edge_point(h, 0); }
+
+Vec3 normalized_or_zero(const Vec3& v) {
+  const double length = v.norm();
+  return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 
 }  // namespace
 
-SurfacePoint::Kind SurfacePoint::kind() const {
+PointKind SurfacePoint::kind() const {
   const auto zeros = std::count(bary.begin(), bary.end(), 0.0);
-  return zeros == 2 ? Kind::vertex : zeros == 1 ? Kind::edge : Kind::face;
+  return zeros == 2 ? PointKind::vertex : zeros == 1 ? PointKind::edge : PointKind::face;
 }
 
 SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) {
@@ -50,16 +58,17 @@ SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) 
   return point;
 }
 
-SurfacePoint vertex_point(const Mesh& mesh, VertexId v) {
-  const HalfedgeId h = mesh.halfedge(v);
-  return {Mesh::face(h), unit(static_cast<std::size_t>(Mesh::corner(h)))};
-}
+SurfacePoint vertex_point(const Mesh& mesh, VertexId v) { return corner_point(mesh.halfedge(v)); }
 
 SurfacePoint edge_point(HalfedgeId h, double t) {
-  std::array<double, 3> bary{0, 0, 0};
-  bary[Mesh::corner(h)] = 1 - t;
-  bary[Mesh::corner(Mesh::next(h))] = t;
-  return {Mesh::face(h), bary};
+  SurfacePoint point{Mesh::face(h), {0, 0, 0}};
+  point.bary[Mesh::corner(h)] = 1 - t;
+  point.bary[Mesh::corner(Mesh::next(h))] = t;
+  return point;
+}
+
+double coincidence(const Mesh& mesh) {
+  return std::max(kCoincidence * mesh.bbox_diagonal(), kCoordinateRounding * mesh.largest_coordinate());
 }
 
 Vec3 position(const Mesh& mesh, const SurfacePoint& point) {
@@ -69,7 +78,7 @@ Vec3 position(const Mesh& mesh, const SurfacePoint& point) {
 
 double interpolate_at(const Mesh& mesh, const IdVector<VertexId, double>& values, const SurfacePoint& point) {
   double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     if (point.bary[i] > 0) sum += point.bary[i] * values[mesh.vertices(point.face)[i]];
   }
   return sum;
@@ -82,29 +91,23 @@ VertexId vertex(const Mesh& mesh, const SurfacePoint& point) {
 
 HalfedgeId halfedge(const SurfacePoint& point) {
   const auto zero = std::find(point.bary.begin(), point.bary.end(), 0.0) - point.bary.begin();
-  return Mesh::next(Mesh::halfedge(point.face, static_cast<int>(zero)));
+  return Mesh::next(HalfedgeId(3 * point.face.value() + zero));
 }
 
 bool is_on_boundary(const Mesh& mesh, const SurfacePoint& point) {
-  switch (point.kind()) {
-    case SurfacePoint::Kind::vertex:
-      return mesh.is_boundary(vertex(mesh, point));
-    case SurfacePoint::Kind::edge:
-      return mesh.is_boundary(mesh.edge(halfedge(point)));
-    case SurfacePoint::Kind::face:
-      break;
-  }
-  return false;
+  const PointKind kind = point.kind();
+  if (kind == PointKind::vertex) return mesh.is_boundary(vertex(mesh, point));
+  return kind == PointKind::edge && mesh.is_boundary(mesh.edge(halfedge(point)));
 }
 
 std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point) {
   std::vector<FaceId> faces;
-  if (point.kind() == SurfacePoint::Kind::vertex) {
+  if (point.kind() == PointKind::vertex) {
     for_each_outgoing(mesh, vertex(mesh, point), [&](HalfedgeId h) { faces.push_back(Mesh::face(h)); });
     return faces;
   }
   faces.push_back(point.face);
-  if (point.kind() == SurfacePoint::Kind::edge) {
+  if (point.kind() == PointKind::edge) {
     const HalfedgeId twin = mesh.twin(halfedge(point));
     if (twin.valid()) faces.push_back(Mesh::face(twin));
   }
@@ -112,20 +115,66 @@ std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point) {
 }
 
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
-  switch (point.kind()) {
-    case SurfacePoint::Kind::vertex: {
-      HalfedgeId best = mesh.halfedge(vertex(mesh, point));
-      for_each_outgoing(mesh, vertex(mesh, point), [&](HalfedgeId h) { best = std::min(best, h); });
-      return {Mesh::face(best), unit(static_cast<std::size_t>(Mesh::corner(best)))};
-    }
-    case SurfacePoint::Kind::edge: {
-      const auto across = find_view_across(mesh, point);
-      return across && across->face < point.face ? *across : point;
-    }
-    case SurfacePoint::Kind::face:
-      break;
+  return point.kind() == PointKind::face ? point : find_views(mesh, point).front();
+}
+
+std::optional<SurfacePoint> find_view_across(const Mesh& mesh, const SurfacePoint& point) {
+  const HalfedgeId h = halfedge(point), twin = mesh.twin(h);
+  if (!twin.valid()) return std::nullopt;
+  SurfacePoint across{Mesh::face(twin), {0, 0, 0}};
+  const auto weight = [&](HalfedgeId at) { return point.bary[Mesh::corner(at)]; };
+  across.bary[Mesh::corner(twin)] = weight(Mesh::next(h));
+  across.bary[Mesh::corner(Mesh::next(twin))] = weight(h);
+  return across;
+}
+
+std::vector<SurfacePoint> find_views(const Mesh& mesh, const SurfacePoint& point) {
+  std::vector<SurfacePoint> views;
+  const PointKind kind = point.kind();
+  if (kind == PointKind::vertex) {
+    for_each_outgoing(mesh, vertex(mesh, point), [&](HalfedgeId h) { views.push_back(corner_point(h)); });
+  } else {
+    views.push_back(point);
+    const auto across = kind == PointKind::edge ? find_view_across(mesh, point) : std::nullopt;
+    if (across) views.push_back(*across);
   }
-  return point;
+  std::sort(views.begin(), views.end(), [](const auto& a, const auto& b) { return a.face < b.face; });
+  return views;
+}
+
+std::optional<std::pair<SurfacePoint, SurfacePoint>> find_common_view(const Mesh& mesh, const SurfacePoint& a,
+                                                                      const SurfacePoint& b) {
+  const std::vector<SurfacePoint> views_a = find_views(mesh, a), views_b = find_views(mesh, b);
+  for (const SurfacePoint& view_a : views_a) {
+    for (const SurfacePoint& view_b : views_b) {
+      if (view_a.face == view_b.face) return std::pair(view_a, view_b);
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 face_normal(const Mesh& mesh, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  return normalized_or_zero((mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)));
+}
+
+double corner_angle(const Mesh& mesh, HalfedgeId h) {
+  const Vec3 along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
+  const Vec3 other = mesh.position(mesh.opposite(h)) - mesh.position(mesh.from(h));
+  return std::atan2(along.cross(other).norm(), along.dot(other));
+}
+
+Vec3 surface_normal(const Mesh& mesh, const SurfacePoint& point) {
+  Vec3 sum = Vec3::Zero();
+  if (point.kind() == PointKind::vertex) {
+    for_each_outgoing(mesh, vertex(mesh, point),
+                      [&](HalfedgeId h) { sum += corner_angle(mesh, h) * face_normal(mesh, Mesh::face(h)); });
+    return normalized_or_zero(sum);
+  }
+  sum = face_normal(mesh, point.face);  // a sum that begins with 0 would lose the sign of a zero
+  const HalfedgeId twin = point.kind() == PointKind::edge ? mesh.twin(halfedge(point)) : HalfedgeId();
+  if (twin.valid()) sum += face_normal(mesh, Mesh::face(twin));
+  return normalized_or_zero(sum);
 }
 
 }  // namespace gvd

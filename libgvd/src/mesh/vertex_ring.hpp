@@ -11,7 +11,7 @@ namespace gvd {
 /// From a halfedge that leaves a vertex to the one of the next face counter-clockwise; invalid at the boundary.
 inline HalfedgeId next_outgoing(const Mesh& mesh, HalfedgeId outgoing) { return mesh.twin(Mesh::previous(outgoing)); }
 
-/// The same clockwise.
+/// From a halfedge that leaves a vertex to the one of the next face clockwise; invalid at the boundary.
 inline HalfedgeId previous_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
   const HalfedgeId twin = mesh.twin(outgoing);
   return twin.valid() ? Mesh::next(twin) : twin;

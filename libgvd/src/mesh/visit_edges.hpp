@@ -12,11 +12,16 @@ namespace gvd {
 /// The halfedges of one edge, ascending.
 class EdgeHalfedges {
  public:
-  /// `keys`: a halfedge each in the lower 32 bits.
+  /// Each of the `keys` has a halfedge in its lower 32 bits.
   explicit EdgeHalfedges(std::span<const std::uint64_t> keys) : keys_(keys) {}
 
   std::size_t size() const { return keys_.size(); }
-  std::int32_t operator[](std::size_t i) const { return static_cast<std::int32_t>(keys_[i] & 0xffffffff); }
+  std::int32_t operator[](std::size_t i) const { return std::int32_t(keys_[i] & 0xffffffff); }
+  std::vector<std::int32_t> list() const {
+    std::vector<std::int32_t> halfedges;
+    for (std::size_t i = 0; i < size(); ++i) halfedges.push_back((*this)[i]);
+    return halfedges;
+  }
 
  private:
   std::span<const std::uint64_t> keys_;
@@ -49,7 +54,7 @@ void visit_edges(const Faces& faces, std::size_t vertex_count, const VertexNumbe
   std::size_t begin = 0;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const std::size_t end = first[v];
-    std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin), keys.begin() + static_cast<std::ptrdiff_t>(end));
+    std::sort(keys.data() + begin, keys.data() + end);
     while (begin < end) {
       std::size_t next = begin + 1;
       while (next < end && keys[next] >> 32 == keys[begin] >> 32) ++next;

@@ -1,16 +1,21 @@
+// Generators become vertices: those on edges first, edge by edge, then those inside of faces, face by face.
+//
+// A point splits the edge or the face in which it lies, and Lawson's flips (C. L. Lawson, Software for C1 surface
+// interpolation, 1977) make the triangles inside a parent face Delaunay again. Each child keeps its corners'
+// barycentric coordinates in its parent: predicates use these, because needles have no area in space.
+// Invariant: edges of the input are split but never flipped, so the surface stays the same.
 #include "mesh/working_mesh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <utility>
 
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
-#include "mesh/coincidence.hpp"
+#include "gvd/text.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -31,26 +36,60 @@ constexpr std::size_t kInsertionStride = 1 << 6;
 /// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates. The largest one is left out:
 /// near a corner of the face it has lost the digits that the two others have.
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
-  const auto largest = static_cast<std::size_t>(std::max_element(a.begin(), a.end()) - a.begin());
-  const std::size_t i = (largest + 1) % 3, k = (largest + 2) % 3;
+  const auto largest = std::max_element(a.begin(), a.end()) - a.begin();
+  const auto i = (largest + 1) % 3, k = (largest + 2) % 3;
   return twice_signed_area({a[i], a[k]}, {b[i], b[k]}, {c[i], c[k]});
-}
-
-/// Barycentric coordinates of p in the triangle of `corners`, all given in the parent's coordinates.
-Bary local_bary(const std::array<Bary, 3>& corners, const Bary& p) {
-  const double area = signed_area(corners[0], corners[1], corners[2]);
-  return {signed_area(p, corners[1], corners[2]) / area, signed_area(corners[0], p, corners[2]) / area,
-          signed_area(corners[0], corners[1], p) / area};
 }
 
 constexpr std::array<Bary, 3> kWhole{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
 
+void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  if (generators.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const FaceId f = generators[i].face;
+    if (f.valid() && f.value() < mesh.face_count()) continue;
+    throw Error(ErrorCode::precondition,
+                fmt::format("generator {} lies in face {}, and the mesh has {}", i, f.value(),
+                            counted(mesh.face_count(), "face", "faces")),
+                i);
+  }
+}
+
+EdgeGenerator on_first_halfedge(const Mesh& mesh, const SurfacePoint& generator, GeneratorId g) {
+  const SurfacePoint point = canonical(mesh, generator);
+  const HalfedgeId h = halfedge(point);
+  return {h, point.bary[Mesh::corner(Mesh::next(h))], g};
+}
+
 }  // namespace
+
+SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  check_generators(mesh, generators);
+  SortedGenerators sorted;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const GeneratorId g(i);
+    switch (generators[i].kind()) {
+      case SurfacePoint::Kind::vertex:
+        sorted.on_vertices.emplace_back(vertex(mesh, generators[i]), g);
+        break;
+      case SurfacePoint::Kind::edge:
+        sorted.on_edges.push_back(on_first_halfedge(mesh, generators[i], g));
+        break;
+      case SurfacePoint::Kind::face:
+        sorted.in_faces[generators[i].face].push_back(g);
+        break;
+    }
+  }
+  std::sort(sorted.on_edges.begin(), sorted.on_edges.end(), [](const EdgeGenerator& a, const EdgeGenerator& b) {
+    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
+  });
+  return sorted;
+}
 
 WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress)
     : input_(&input),
       generator_vertex_(generators.size()),
-      vertex_generator_(static_cast<std::size_t>(input.vertex_count())),
+      vertex_generator_(input.vertex_count()),
       coincidence_(coincidence(input)) {
   const SortedGenerators sorted = sort_generators(input, generators);
   for (const auto& [v, g] : sorted.on_vertices) claim(v, g);
@@ -61,22 +100,20 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
     for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, generators, progress);
     check_inserted();
   }
-  vertex_generator_.resize(static_cast<std::size_t>(mesh().vertex_count()));
+  vertex_generator_.resize(mesh().vertex_count());
 }
 
 void WorkingMesh::report_inserted(const Progress& progress) {
   if (++inserted_ % kInsertionStride != 0) return;
-  report_progress(progress, steps::kWorkingMesh,
-                  static_cast<double>(inserted_) / static_cast<double>(generator_vertex_.size()));
+  report_progress(progress, steps::kWorkingMesh, double(inserted_) / double(generator_vertex_.size()));
 }
 
 void WorkingMesh::copy_input() {
   split_ = true;
   copy_ = *input_;
-  const auto n = static_cast<std::size_t>(input_->face_count());
-  parent_.resize(n);
-  for (std::int32_t f = 0; f < input_->face_count(); ++f) parent_[FaceId(f)] = FaceId(f);
-  child_slot_.assign(n, -1);
+  parent_.reserve(input_->face_count());
+  for (const FaceId f : input_->faces()) parent_.push_back(f);
+  child_slot_.assign(parent_.size(), -1);
 }
 
 void WorkingMesh::claim(VertexId v, GeneratorId g) {
@@ -114,7 +151,7 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
   }
   parent_[f] = parent;
   if (child_slot_[f] < 0) {
-    child_slot_[f] = static_cast<std::int32_t>(child_corners_.size());
+    child_slot_[f] = std::int32_t(child_corners_.size());
     child_corners_.push_back(corners);
   } else {
     child_corners_[child_slot_[f]] = corners;
@@ -125,8 +162,8 @@ Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
   if (!is_split(f)) return bary;
   const Corners c = corners(f);
   Bary result{0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result[k] += bary[i] * c[i][k];
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) result[k] += bary[i] * c[i][k];
   }
   return result;
 }
@@ -197,7 +234,7 @@ std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const V
     if (!side.valid()) continue;
     const FaceId f = Mesh::face(side);
     const Corners c = corners(f);  // before the split
-    const auto i = static_cast<std::size_t>(Mesh::corner(side));
+    const int i = Mesh::corner(side);
     set_corners(f, parent(f), {c[i], middle, c[(i + 2) % 3]});
     set_corners(appended, parent(f), {middle, c[(i + 1) % 3], c[(i + 2) % 3]});
     changed.insert(changed.end(), {f, appended});
@@ -211,8 +248,8 @@ void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<Generator
   std::vector<FaceId> children{parent_face};
   // Earlier splits of edges may have appended children: they are found across the edges inside the parent.
   for (std::size_t i = 0; i < children.size(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId twin = copy_.twin(Mesh::halfedge(children[i], corner));
+    for (const HalfedgeId h : Mesh::halfedges(children[i])) {
+      const HalfedgeId twin = copy_.twin(h);
       if (!twin.valid() || parent(Mesh::face(twin)) != parent_face) continue;
       if (std::find(children.begin(), children.end(), Mesh::face(twin)) == children.end()) {
         children.push_back(Mesh::face(twin));
@@ -229,7 +266,7 @@ void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<Generator
 WorkingMesh::Location WorkingMesh::locate(const std::vector<FaceId>& children, const Bary& bary) const {
   Location best;
   for (const FaceId f : children) {
-    const Bary local = local_bary(corners(f), bary);
+    const Bary local = bary_by_areas(corners(f), bary, signed_area);
     const double smallest = *std::min_element(local.begin(), local.end());
     if (smallest > best.smallest) best = {f, local, smallest};
   }
@@ -247,7 +284,7 @@ bool WorkingMesh::splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) 
   const double height = a.cross(b).stableNorm() / (b - a).stableNorm();
   if (!(height <= std::max(kOnEdge * nearer, kCoordinateRounding * input_->largest_coordinate()))) return false;
   const Corners here = corners(Mesh::face(side)), there = corners(Mesh::face(twin));
-  const auto i = static_cast<std::size_t>(Mesh::corner(side)), k = static_cast<std::size_t>(Mesh::corner(twin));
+  const int i = Mesh::corner(side), k = Mesh::corner(twin);
   const Bary &from = here[i], &to = here[(i + 1) % 3], &beyond = there[(k + 2) % 3];
   return signed_area(bary, beyond, to) > 0 && signed_area(bary, from, beyond) > 0;
 }
@@ -258,8 +295,8 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, con
   for (const VertexId v : copy_.vertices(child)) {
     if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
   }
-  const int thin = static_cast<int>(std::min_element(local.begin(), local.end()) - local.begin());
-  const HalfedgeId side = Mesh::next(Mesh::halfedge(child, thin));
+  const auto thin = std::min_element(local.begin(), local.end()) - local.begin();
+  const HalfedgeId side = Mesh::next(HalfedgeId(3 * child.value() + thin));
   // A face without area has all its points on its sides in space, but not in its own coordinates.
   if (smallest < kOnEdge && splits_edge(side, p, point.bary)) {
     if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
@@ -283,11 +320,10 @@ std::pair<FaceId, FaceId> WorkingMesh::split_face(FaceId f, GeneratorId g, const
   return {second, third};
 }
 
-// Lawson's edge flips, inside parents only. The edges of the input stay, so the surface does not change.
 void WorkingMesh::make_delaunay(const std::vector<FaceId>& children) {
   std::vector<HalfedgeId> stack;
   for (const FaceId f : children) {
-    for (int corner = 0; corner < 3; ++corner) stack.push_back(Mesh::halfedge(f, corner));
+    for (const HalfedgeId h : Mesh::halfedges(f)) stack.push_back(h);
   }
   while (!stack.empty()) {
     const HalfedgeId h = stack.back();
@@ -306,7 +342,7 @@ bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
   const FaceId f = Mesh::face(h);
   if (!t.valid() || parent(f) != parent(Mesh::face(t))) return false;
   const FaceId g = Mesh::face(t), parent_face = parent(f);
-  const auto i = static_cast<std::size_t>(Mesh::corner(h)), j = static_cast<std::size_t>(Mesh::corner(t));
+  const int i = Mesh::corner(h), j = Mesh::corner(t);
   const Corners cf = corners(f), cg = corners(g);
   const Bary &a = cf[i], &b = cf[(i + 1) % 3], &c = cf[(i + 2) % 3], &d = cg[(j + 2) % 3];
   if (signed_area(d, b, c) <= 0 || signed_area(c, a, d) <= 0) return false;

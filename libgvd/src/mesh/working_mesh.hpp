@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -9,9 +9,26 @@
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
-#include "mesh/sort_generators.hpp"
 
 namespace gvd {
+
+/// A generator on an edge: at (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the edge's first one.
+struct EdgeGenerator {
+  HalfedgeId halfedge;
+  double t;  ///< in ]0, 1[
+  GeneratorId generator;
+};
+
+/// Generators by what they lie on.
+struct SortedGenerators {
+  std::vector<std::pair<VertexId, GeneratorId>> on_vertices;  ///< ascending by generator
+  std::vector<EdgeGenerator> on_edges;                        ///< ascending by (halfedge, t, generator)
+  std::map<FaceId, std::vector<GeneratorId>> in_faces;        ///< per face ascending by generator
+};
+
+/// The generators, sorted. Throws Error{precondition} where there is none or the face of one does not exist. Cost:
+/// O(n log n).
+SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 
 /// A copy of a mesh in which every generator is a vertex.
 ///
@@ -47,8 +64,8 @@ class WorkingMesh {
   /// A point in one of the children of its face.
   struct Location {
     FaceId child;
-    Bary bary{};                                                 // in the child
-    double smallest = -std::numeric_limits<double>::infinity();  // of `bary`: < 0 outside by rounding
+    Bary bary{};                   // in the child
+    double smallest = -kInfinity;  // of `bary`: < 0 outside by rounding
   };
   Location locate(const std::vector<FaceId>& children, const Bary& bary) const;
   bool splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const;

@@ -15,7 +15,6 @@
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
-#include "mesh/point_views.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

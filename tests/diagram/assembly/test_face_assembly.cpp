@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "diagram/assembly/face_assembly.hpp"
 #include "diagram/graph/face_pieces.hpp"
 #include "support/assembled_face.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "gvd/io/mesh_writer.hpp"
-#include "gvd/mesh_format.hpp"
+#include "gvd/read_soup.hpp"
 
 namespace gvd::fuzz {
 

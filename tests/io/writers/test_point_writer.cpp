@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "gvd/io/point_writer.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

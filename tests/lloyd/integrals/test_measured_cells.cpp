@@ -6,7 +6,7 @@
 
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/lloyd.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "integrals/measured_cells.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

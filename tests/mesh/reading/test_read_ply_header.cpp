@@ -25,18 +25,18 @@ TEST_CASE("PLY header: elements and properties in their order, and where the dat
   CHECK(vertex.count == 3);
   CHECK(vertex.find("z") == 2);
   CHECK(vertex.find("w") == -1);
-  CHECK(vertex.properties[2].type == PlyType::float64);
+  CHECK(vertex.properties[2].type == NumberType::float64);
   CHECK_FALSE(vertex.properties[2].count_type);
-  CHECK(parsed.elements[1].properties[0].count_type == PlyType::uint8);
+  CHECK(parsed.elements[1].properties[0].count_type == NumberType::uint8);
 }
 
 TEST_CASE("PLY header: sizes of the types, and which are integers") {
-  CHECK(size_of(PlyType::int8) == 1);
-  CHECK(size_of(PlyType::uint16) == 2);
-  CHECK(size_of(PlyType::float32) == 4);
-  CHECK(size_of(PlyType::float64) == 8);
-  CHECK(is_integer(PlyType::uint32));
-  CHECK_FALSE(is_integer(PlyType::float32));
+  CHECK(size_of(NumberType::int8) == 1);
+  CHECK(size_of(NumberType::uint16) == 2);
+  CHECK(size_of(NumberType::float32) == 4);
+  CHECK(size_of(NumberType::float64) == 8);
+  CHECK(is_integer(NumberType::uint32));
+  CHECK_FALSE(is_integer(NumberType::float32));
 }
 
 TEST_CASE("PLY header: what is missing or given twice is refused") {

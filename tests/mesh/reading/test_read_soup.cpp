@@ -4,8 +4,12 @@
 #include <locale>
 #include <random>
 
+#include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/soup_files.hpp"
-#include "support/models.hpp"
+#include "support/catch.hpp"
+#include "support/shared_data.hpp"
 
 namespace gvd::test_read_soup {
 
@@ -160,7 +164,9 @@ TEST_CASE("a file with changed bytes is read or refused") {
   }
 }
 
-TEST_CASE("larger models are read with all their faces") {
+TEST_CASE("the shared models are read with all their faces") {
+  const auto folder = shared_folder();
+  if (!folder) return;
   struct Model {
     const char* name;
     std::int32_t faces, euler_characteristic, boundary_loops;
@@ -170,9 +176,7 @@ TEST_CASE("larger models are read with all their faces") {
                              Model{"rocker_arm.obj", 20088, 0, 0, 0}, Model{"fandisk.obj", 12946, 2, 0, 0},
                              Model{"bunny_69k_boundary.obj", 69451, -3, 5, 1113}}) {
     INFO(model.name);
-    const auto path = find_model(model.name);
-    if (!path) continue;
-    const CheckedMesh checked = build_mesh(read_soup(*path));
+    const CheckedMesh checked = build_mesh(read_soup(*folder / "models" / model.name));
     const MeshSummary summary = compute_mesh_summary(checked.mesh);
     CHECK(summary.faces == model.faces);
     CHECK(summary.euler_characteristic == model.euler_characteristic);
@@ -180,6 +184,48 @@ TEST_CASE("larger models are read with all their faces") {
     CHECK(checked.defects.count(DefectKind::unused_vertices) == model.unused);
     CHECK(checked.defects.defects.size() == (model.unused > 0 ? 1U : 0U));
   }
+}
+
+TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, and not one more") {
+  const auto most = static_cast<std::uint64_t>(kMostVertices);
+  CHECK_NOTHROW(check_counts(most, most, "file"));
+  CHECK_THROWS_AS(check_counts(most + 1, 0, "file"), Error);
+  CHECK_THROWS_AS(check_counts(0, most + 1, "file"), Error);
+}
+
+TEST_CASE("mesh format: names and extensions, upper or lower case") {
+  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl}) {
+    CHECK(format_from_extension(name_of(format)) == format);
+    CHECK(format_from_extension("a.b/model." + std::string(name_of(format))) == format);
+  }
+  CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
+  CHECK_FALSE(format_from_extension("model.glb"));
+  CHECK_FALSE(format_from_extension(""));
+}
+
+TEST_CASE("mesh format: the content decides, and the extension only where the content says nothing") {
+  CHECK(detect_format(test::kObj, "a.stl") == MeshFormat::obj);
+  CHECK(detect_format(test::kPly, "a.obj") == MeshFormat::ply);
+  CHECK(detect_format(test::kOff, "a") == MeshFormat::off);
+  CHECK(detect_format(test::kStl, "a.off") == MeshFormat::stl);
+  CHECK(detect_format(test::binary_stl(), "a.off") == MeshFormat::stl);
+  CHECK(detect_format("4 4 6\n", "a.off") == MeshFormat::off);
+  for (const std::string before : {"\xEF\xBB\xBF", " ", "\t"}) {
+    CHECK(detect_format(before + test::kPly, "a.obj") == MeshFormat::ply);
+  }
+  CHECK_FALSE(detect_format("plywood\n", "a"));
+  CHECK_FALSE(detect_format("ply", "a"));
+  CHECK_FALSE(detect_format("hello\n", "a.txt"));
+  CHECK_FALSE(detect_format("hello\n", "off"));
+}
+
+TEST_CASE("mesh format: OFF keywords, and the length of a binary STL") {
+  for (const char* word : {"OFF", "COFF", "NOFF", "STCNOFF", "4OFF", "nOFF"}) CHECK(is_off_keyword(word));
+  for (const char* word : {"", "off", "OFFX", "XOFF"}) CHECK_FALSE(is_off_keyword(word));
+  CHECK(is_binary_stl(test::binary_stl()));
+  CHECK_FALSE(is_binary_stl(test::binary_stl() + "x"));
+  CHECK_FALSE(is_binary_stl(std::string(84, '\0')));
+  CHECK_FALSE(is_binary_stl(""));
 }
 
 }  // namespace gvd::test_read_soup

@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "crease_network.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "mesh/foot_on_edge.hpp"
 
 namespace gvd {
 namespace {
 
-Vec3 face_normal(const Mesh& mesh, FaceId f) {
+Vec3 stable_normal(const Mesh& mesh, FaceId f) {
   const auto& [a, b, c] = mesh.vertices(f);
   return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).stableNormalized();
 }
@@ -125,7 +125,7 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options)
       if (options.with_boundary) creases.emplace_back(i);
       continue;
     }
-    const Vec3 here = face_normal(mesh, Mesh::face(h)), there = face_normal(mesh, Mesh::face(twin));
+    const Vec3 here = stable_normal(mesh, Mesh::face(h)), there = stable_normal(mesh, Mesh::face(twin));
     const bool has_area = mesh.area(Mesh::face(h)) > 0 && mesh.area(Mesh::face(twin)) > 0;
     if (has_area && here.dot(there) < least_cosine) creases.emplace_back(i);
   }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 

@@ -9,7 +9,6 @@
 
 #include "gvd/density.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_normal.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 

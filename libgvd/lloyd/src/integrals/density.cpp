@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

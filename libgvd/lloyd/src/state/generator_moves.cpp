@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "gvd/geodesic_tracing.hpp"
+#include "gvd/surface_point.hpp"
 #include "keep_apart.hpp"
-#include "mesh/coincidence.hpp"
 
 namespace gvd {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "integrals/measured_cells.hpp"
 #include "integrals/window_integrals.hpp"
 #include "state/vertex_rests.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "optimiser/lanczos.hpp"
 
 namespace gvd {

@@ -8,7 +8,6 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/surface_normal.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 

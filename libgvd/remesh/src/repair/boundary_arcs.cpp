@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/closest_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

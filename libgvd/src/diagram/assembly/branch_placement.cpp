@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/find_root.hpp"
+#include "base/roots.hpp"
 #include "diagram/assembly/face_distances.hpp"
 
 namespace gvd {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/box_tree.hpp"
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 

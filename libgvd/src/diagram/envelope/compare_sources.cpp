@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/quadratic.hpp"
+#include "base/roots.hpp"
 
 namespace gvd {
 namespace {

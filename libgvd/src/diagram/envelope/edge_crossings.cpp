@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/find_root.hpp"
+#include "base/roots.hpp"
 
 namespace gvd {
 namespace {

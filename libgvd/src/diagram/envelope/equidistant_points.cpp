@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "base/quadratic.hpp"
+#include "base/roots.hpp"
 
 namespace gvd {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/barycentric.hpp"
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 
 namespace gvd {
 namespace {

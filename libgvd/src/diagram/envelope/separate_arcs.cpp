@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/barycentric.hpp"
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "diagram/envelope/erase_loops.hpp"
 
 namespace gvd {

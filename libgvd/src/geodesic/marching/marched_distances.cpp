@@ -8,7 +8,7 @@
 
 #include <tuple>
 
-#include "base/apex_foot.hpp"
+#include "base/plane.hpp"
 #include "geodesic/marching/unfold.hpp"
 
 namespace gvd {

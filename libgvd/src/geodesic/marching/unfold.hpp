@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/apex_foot.hpp"
 #include "base/plane.hpp"
 #include "gvd/vec.hpp"
 

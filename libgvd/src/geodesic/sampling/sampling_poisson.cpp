@@ -16,7 +16,7 @@
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 
 namespace gvd {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
 

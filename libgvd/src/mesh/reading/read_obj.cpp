@@ -1,20 +1,22 @@
-#include "mesh/reading/read_obj.hpp"
-
+// Wavefront OBJ: the statements v, vt and f, in one pass over the lines.
+//
+// A face may refer to vertices that come later in the file. Such references are kept and checked at the end, so that a
+// message names the line of the face. Indices are 1-based, or negative and counted back from the last vertex so far.
+// Invariant: every index that was stored fits 32 bits, whatever the file says.
 #include <fmt/format.h>
 
 #include <array>
 #include <limits>
 #include <utility>
 
-#include "base/printable.hpp"
-#include "gvd/counted.hpp"
-#include "mesh/reading/check_counts.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {
 
-// A face that refers to a vertex which comes later in the file. That is legal.
+/// A face that refers to a vertex which comes later in the file, as is legal.
 struct ForwardReference {
   std::int64_t polygon, index, line;
 };
@@ -69,7 +71,7 @@ class ObjParser {
   }
 
  private:
-  // A backslash at the end of a line joins the next one to it.
+  /// Joins the next line to one that ends in a backslash.
   void join_continued_lines() {
     const auto continued = [](std::string_view line) {
       while (line.ends_with('\r') || line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
@@ -87,10 +89,7 @@ class ObjParser {
     text_.replace_line(joined_);
   }
 
-  void add_vertex() {
-    const auto count = static_cast<std::int64_t>(soup_.positions.size());
-    soup_.positions.push_back(text_.position(count));
-  }
+  void add_vertex() { soup_.positions.push_back(text_.position(soup_.positions.size())); }
 
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
@@ -100,22 +99,22 @@ class ObjParser {
     soup_.close_polygon();
   }
 
-  // `v`, `v/vt`, `v//vn` or `v/vt/vn`, 1-based, or negative and counted back from the last vertex.
+  /// The 0-based vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
   std::int32_t vertex_index(std::string_view token) {
     const std::size_t slash = token.find('/');
-    const auto polygon = static_cast<std::int64_t>(soup_.polygon_count());
+    const std::int64_t polygon = soup_.polygon_count();
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
         slash == std::string_view::npos || token.find_first_not_of("0123456789+-/", slash) == std::string_view::npos;
     if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a face", quoted(token)), polygon);
-    const auto count = static_cast<std::int64_t>(soup_.positions.size());
+    const std::int64_t count = std::ssize(soup_.positions);
     const std::int64_t index = *given > 0 ? *given - 1 : count + *given;
     if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);
     if (index >= count) forward_.push_back({polygon, *given, text_.line_number()});
     return static_cast<std::int32_t>(index);
   }
 
-  /// Of the corner's texture vertex, 0-based; -1 for none.
+  /// The 0-based number of the texture vertex of a corner; -1 for none.
   std::int64_t texture_number(std::string_view token) const {
     const std::size_t slash = token.find('/');
     if (slash == std::string_view::npos) return -1;
@@ -124,7 +123,7 @@ class ObjParser {
     return given > 0 ? given - 1 : given < 0 ? std::ssize(texture_vertices_) + given : -1;
   }
 
-  /// The second number is 0 where it is missing.
+  /// Reads `vt u v`; v is 0 where it is missing.
   void add_texture_vertex() {
     const double u = text_.number("u");
     const std::string_view v = text_.token();
@@ -139,7 +138,7 @@ class ObjParser {
   }
 
   void check_forward_references() {
-    const auto count = static_cast<std::int64_t>(soup_.positions.size());
+    const std::int64_t count = std::ssize(soup_.positions);
     for (const ForwardReference& reference : forward_) {
       if (reference.index <= count) continue;
       text_.skip_line_numbers(reference.line - text_.line_number());

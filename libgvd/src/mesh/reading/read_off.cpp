@@ -1,10 +1,13 @@
-#include "mesh/reading/read_off.hpp"
-
+// Geomview's OFF in text: a keyword, the counts, then a line for each vertex and each face.
+//
+// The keyword is optional, and the counts may follow on its line. Numbers of an element may continue on the next lines,
+// but what follows them on the last line (a normal, a colour) is skipped.
+// Invariant: counts are compared with the bytes that are left before they reserve memory.
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {
@@ -17,8 +20,7 @@ class OffParser {
     read_header();
     for (std::int64_t v = 0; v < vertices_; ++v) {
       if (!text_.begin_element()) refuse_end("vertex", v, vertices_);
-      soup_.positions.push_back(
-          text_.position(v));  // the rest of the line is a normal, a colour or a texture coordinate
+      soup_.positions.push_back(text_.position(v));
       text_.end_element("vertex", v);
     }
     for (std::int64_t f = 0; f < faces_; ++f) {
@@ -31,7 +33,6 @@ class OffParser {
   }
 
  private:
-  // The keyword is optional, and the counts may follow on its line.
   void read_header() {
     if (!text_.next_content_line()) text_.refuse_end("and holds no OFF header");
     const std::string_view line = text_.line();
@@ -53,9 +54,9 @@ class OffParser {
     }
     vertices_ = read_count("the number of vertices", 6);
     faces_ = read_count("the number of faces", 2);
-    soup_.positions.reserve(static_cast<std::size_t>(vertices_));
-    soup_.corners.reserve(static_cast<std::size_t>(3 * faces_));
-    soup_.first_corner.reserve(static_cast<std::size_t>(faces_ + 1));
+    soup_.positions.reserve(vertices_);
+    soup_.corners.reserve(3 * faces_);
+    soup_.first_corner.reserve(faces_ + 1);
   }
 
   void check_keyword(std::string_view word) const {
@@ -64,14 +65,14 @@ class OffParser {
     }
   }
 
-  // The shortest lines of a vertex, "0 0 0", and of a face, "0", limit how many the rest of the file can hold. The last
-  // line may lack its line break.
+  /// Reads a count. The shortest lines of a vertex, "0 0 0", and of a face, "0", limit how many elements the rest of
+  /// the file can hold. The last line may lack its line break.
   std::int64_t read_count(std::string_view what, std::size_t shortest_line) {
     const std::int64_t count = text_.integer(what);
     if (count < 0) text_.refuse(fmt::format("{} is {}", what, count));
-    if (static_cast<std::uint64_t>(count) > (text_.remaining() + 1) / shortest_line) {
+    if (std::uint64_t(count) > (text_.remaining() + 1) / shortest_line) {
       text_.refuse(fmt::format("{} is {}, and the file has only {}", what, count,
-                               counted(static_cast<std::int64_t>(text_.remaining()), "more byte", "more bytes")));
+                               counted(text_.remaining(), "more byte", "more bytes")));
     }
     return count;
   }

@@ -1,5 +1,9 @@
-#include "mesh/reading/read_ply.hpp"
-
+// The data of a PLY file, in text and in binary: one walk over its elements, with a source of numbers for each
+// encoding.
+//
+// `read_element` goes through the properties of an element and asks its caller for each whether it takes it; all others
+// are skipped. So the soup, single properties and attributes come from one walk, and a damaged file fails alike.
+// Invariant: no count in the file reserves memory before it is compared with the number of bytes that are left.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,16 +14,16 @@
 #include <limits>
 #include <utility>
 
-#include "base/printable.hpp"
 #include "gvd/error.hpp"
-#include "mesh/reading/check_counts.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/read_ply_header.hpp"
 #include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {
 
-// Reads the numbers of a text PLY. Each element begins a line.
+/// Reads the numbers of a text PLY. Each element begins a line.
 class AsciiSource {
  public:
   AsciiSource(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -27,11 +31,11 @@ class AsciiSource {
     text_.skip_line_numbers(header.lines);
   }
 
-  // The fewest bytes that an element can have: a digit and a blank for each property.
+  /// The fewest bytes that an element can have: a digit and a blank for each property.
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
-  // The last element may lack its line break.
+  /// Bytes that are left; the last element may lack its line break.
   std::uint64_t remaining() const { return text_.remaining() + 1; }
-  // Upper bound on the entries of a list: each has a digit and a blank, on this line or later.
+  /// Upper bound on the entries of a list: each has a digit and a blank, on this line or later.
   std::uint64_t most_entries() const { return (text_.line().size() + 1 + text_.remaining()) / 2; }
   void begin_element(const PlyElement& element, std::int64_t i) {
     if (element.properties.empty() || text_.begin_element()) return;
@@ -43,8 +47,8 @@ class AsciiSource {
     const std::string_view extra = text_.token();
     if (!extra.empty()) text_.refuse(fmt::format("{} {} has {} too many", element.name, i, quoted(extra)), i);
   }
-  double read(PlyType, const PlyProperty& property) { return text_.number(property.name); }
-  void skip(PlyType, std::int64_t count, const PlyProperty& property) {
+  double read(NumberType, const PlyProperty& property) { return text_.number(property.name); }
+  void skip(NumberType, std::int64_t count, const PlyProperty& property) {
     for (std::int64_t i = 0; i < count; ++i) text_.number(property.name);
   }
   std::string location() const { return fmt::format("{}", text_.line_number()); }
@@ -53,7 +57,7 @@ class AsciiSource {
   TextReader text_;
 };
 
-// Reads the numbers of a binary PLY.
+/// Reads the numbers of a binary PLY.
 class BinarySource {
  public:
   BinarySource(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -61,41 +65,26 @@ class BinarySource {
 
   static std::uint64_t least_bytes(const PlyElement& element) {
     std::uint64_t bytes = 0;
-    for (const PlyProperty& property : element.properties)
-      bytes += size_of(property.count_type.value_or(property.type));
+    for (const auto& [name, type, count_type] : element.properties) bytes += size_of(count_type.value_or(type));
     return bytes;
   }
   std::uint64_t remaining() const { return bytes_.size() - at_; }
-  // Upper bound on the entries of a list: each has at least one byte.
+  /// Upper bound on the entries of a list: each has at least one byte.
   std::uint64_t most_entries() const { return remaining(); }
   void begin_element(const PlyElement& element, std::int64_t i) { element_ = &element, index_ = i; }
   void end_element(const PlyElement&, std::int64_t) {}
 
-  double read(PlyType type, const PlyProperty& property) {
+  double read(NumberType type, const PlyProperty& property) {
     require(size_of(type), property);
     const std::uint64_t bits = take(size_of(type));
-    switch (type) {
-      case PlyType::int8:
-        return static_cast<std::int8_t>(bits);
-      case PlyType::uint8:
-        return static_cast<std::uint8_t>(bits);
-      case PlyType::int16:
-        return static_cast<std::int16_t>(bits);
-      case PlyType::uint16:
-        return static_cast<std::uint16_t>(bits);
-      case PlyType::int32:
-        return static_cast<std::int32_t>(bits);
-      case PlyType::uint32:
-        return static_cast<std::uint32_t>(bits);
-      case PlyType::float32:
-        return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-      case PlyType::float64:
-        return std::bit_cast<double>(bits);
-    }
-    return 0;
+    if (type == NumberType::float64) return std::bit_cast<double>(bits);
+    if (type == NumberType::float32) return std::bit_cast<float>(std::uint32_t(bits));
+    const bool is_signed = type == NumberType::int8 || type == NumberType::int16 || type == NumberType::int32;
+    const std::size_t unused = 64 - 8 * size_of(type);
+    return is_signed ? double(std::int64_t(bits << unused) >> unused) : double(bits);
   }
-  void skip(PlyType type, std::int64_t count, const PlyProperty& property) {
-    const std::uint64_t bytes = size_of(type) * static_cast<std::uint64_t>(count);
+  void skip(NumberType type, std::int64_t count, const PlyProperty& property) {
+    const std::uint64_t bytes = size_of(type) * count;
     require(bytes, property);
     at_ += bytes;
   }
@@ -112,10 +101,7 @@ class BinarySource {
 
   std::uint64_t take(std::size_t size) {
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const auto byte = static_cast<unsigned char>(bytes_[at_ + (big_ ? i : size - 1 - i)]);
-      bits = bits << 8 | byte;
-    }
+    for (std::size_t i = 0; i < size; ++i) bits = bits << 8 | std::uint8_t(bytes_[at_ + (big_ ? i : size - 1 - i)]);
     at_ += size;
     return bits;
   }
@@ -128,19 +114,13 @@ class BinarySource {
   std::int64_t index_ = 0;
 };
 
-/// One for each property of an element of vertices or faces, without a name where it is not wanted.
-std::vector<MeshProperty> list_properties(const PlyElement& element) {
-  std::vector<MeshProperty> found;
-  const bool vertices = element.name == "vertex";
-  if (!vertices && element.name != "face") return found;
-  const int corners = vertices ? -1 : find_corner_list(element);
-  for (const PlyProperty& property : element.properties) {
-    const bool coordinate = vertices && (property.name == "x" || property.name == "y" || property.name == "z");
-    const bool wanted = !coordinate && std::ssize(found) != corners;
-    found.push_back({wanted ? property.name : "", property.type, vertices, {}, property.count_type, {}});
-    if (property.count_type) found.back().first_value.push_back(0);
-  }
-  return found;
+bool is_on_mesh(const PlyElement& element) { return element.name == "vertex" || element.name == "face"; }
+
+/// Whether property p of a vertex is a coordinate, or property p of a face the list of its corners.
+bool is_geometry(const PlyElement& element, int p) {
+  if (element.name == "face") return p == find_corner_list(element);
+  const std::string& name = element.properties[p].name;
+  return name == "x" || name == "y" || name == "z";
 }
 
 template <class Source>
@@ -149,35 +129,23 @@ class BodyParser {
   BodyParser(std::string_view bytes, std::string_view name, const PlyHeader& header)
       : header_(header), source_(bytes, name, header), name_(name) {}
 
-  /// The numbers of one property of the element of this name.
-  std::vector<double> parse_property(const PlyElement& wanted, std::size_t index) {
-    std::vector<double> values;
-    for (const PlyElement& element : header_.elements) {
-      check_count(element);
-      if (element.properties.empty()) continue;
-      for (std::int64_t i = 0; i < element.count; ++i) {
-        read_element(element, i, [&](int p) {
-          if (&element != &wanted || p != static_cast<int>(index)) return false;
-          values.push_back(source_.read(element.properties[index].type, element.properties[index]));
-          return true;
-        });
-      }
-    }
-    return values;
-  }
-
-  std::vector<MeshProperty> parse_properties() {
+  /// The properties of vertices and faces for which wanted(element, number) holds.
+  template <class Wanted>
+  std::vector<MeshProperty> parse_properties(const Wanted& wanted) {
     std::vector<MeshProperty> all;
     for (const PlyElement& element : header_.elements) {
       check_count(element);
       if (element.properties.empty()) continue;
-      std::vector<MeshProperty> found = list_properties(element);
+      std::vector<MeshProperty> found;  // one for each property, without a name where it is not wanted
+      for (int p = 0; p < std::ssize(element.properties); ++p) {
+        const auto& [name, type, count_type] = element.properties[p];
+        found.push_back({wanted(element, p) ? name : "", type, element.name == "vertex", {}, count_type, {}});
+        if (count_type) found.back().first_value.push_back(0);
+      }
       for (std::int64_t i = 0; i < element.count; ++i) {
         read_element(element, i, [&](int p) {
-          MeshProperty* const property = found.empty() ? nullptr : &found[p];
-          if (property == nullptr || property->name.empty()) return false;
-          read_values(*property, element.properties[p], i);
-          return true;
+          if (!found[p].name.empty()) read_values(found[p], element.properties[p], i);
+          return !found[p].name.empty();
         });
       }
       std::erase_if(found, [](const MeshProperty& property) { return property.name.empty(); });
@@ -208,7 +176,7 @@ class BodyParser {
  private:
   void check_count(const PlyElement& element) const {
     const std::uint64_t least = Source::least_bytes(element);
-    if (least == 0 || static_cast<std::uint64_t>(element.count) <= source_.remaining() / least) return;
+    if (least == 0 || std::uint64_t(element.count) <= source_.remaining() / least) return;
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: the header promises {} of element '{}', and the file has only {} more bytes", name_,
                             element.count, element.name, source_.remaining()));
@@ -224,13 +192,13 @@ class BodyParser {
     throw Error(code, fmt::format("{}:{}: {}", name_, source_.location(), message), element);
   }
 
-  // Reads element i. take(p) reads property p and returns true; where it returns false, the property is skipped.
+  /// Reads element i. take(p) reads property p and returns true; where it returns false, the property is skipped.
   template <class Take>
   void read_element(const PlyElement& element, std::int64_t i, Take take) {
     source_.begin_element(element, i);
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+    for (int p = 0; p < std::ssize(element.properties); ++p) {
       const PlyProperty& property = element.properties[p];
-      if (take(static_cast<int>(p))) continue;
+      if (take(p)) continue;
       const std::int64_t count = property.count_type ? read_count(property, i) : 1;
       source_.skip(property.type, count, property);
     }
@@ -239,19 +207,19 @@ class BodyParser {
 
   std::int64_t read_count(const PlyProperty& property, std::int64_t i) {
     const double count = source_.read(*property.count_type, property);
-    if (!(count >= 0) || count != std::floor(count) || count > static_cast<double>(source_.most_entries())) {
+    if (!(count >= 0) || count != std::floor(count) || count > double(source_.most_entries())) {
       refuse(ErrorCode::unreadable_input,
              fmt::format("the list '{}' announces {} {}, but the file has room for {}", property.name, count,
                          count == 1 ? "entry" : "entries", source_.most_entries()),
              i);
     }
-    return static_cast<std::int64_t>(count);
+    return std::int64_t(count);
   }
 
   void read_vertices(const PlyElement& element) {
-    check_counts(static_cast<std::uint64_t>(element.count), 0, name_);
+    check_counts(element.count, 0, name_);
     const std::array<int, 3> xyz = {element.find("x"), element.find("y"), element.find("z")};
-    soup_.positions.reserve(static_cast<std::size_t>(element.count));
+    soup_.positions.reserve(element.count);
     for (std::int64_t i = 0; i < element.count; ++i) {
       Vec3 position = Vec3::Zero();
       read_element(element, i, [&](int p) {
@@ -269,11 +237,11 @@ class BodyParser {
   }
 
   void read_faces(const PlyElement& element) {
-    check_counts(0, static_cast<std::uint64_t>(element.count), name_);
+    check_counts(0, element.count, name_);
     const int list = find_corner_list(element);
     const PlyProperty& property = element.properties[list];
-    soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
-    soup_.first_corner.reserve(static_cast<std::size_t>(element.count) + 1);
+    soup_.corners.reserve(3 * element.count);
+    soup_.first_corner.reserve(element.count + 1);
     for (std::int64_t i = 0; i < element.count; ++i) {
       read_element(element, i, [&](int p) {
         if (p != list) return false;
@@ -285,8 +253,8 @@ class BodyParser {
     }
   }
 
-  // Strips of triangles: each corner makes a triangle with the two before it, every second one turned round. The index
-  // -1 begins another strip. A triangle with a repeated corner only leads from one strip to the next.
+  /// Reads strips of triangles: each corner makes a triangle with the two before it, every second one turned round. The
+  /// index -1 begins another strip. A triangle with a repeated corner only leads from one strip to the next.
   void read_strips(const PlyElement& element) {
     const int list = find_corner_list(element);
     const PlyProperty& property = element.properties[list];
@@ -322,11 +290,11 @@ class BodyParser {
   }
 
   std::int32_t require_index(double index, std::int64_t face, const char* kind) {
-    if (!(index >= 0) || index >= static_cast<double>(vertices_) || index != std::floor(index)) {
+    if (!(index >= 0) || index >= double(vertices_) || index != std::floor(index)) {
       refuse(ErrorCode::unreadable_input,
              fmt::format("{} {} refers to vertex {}, and there are {}", kind, face, index, vertices_), face);
     }
-    return static_cast<std::int32_t>(index);
+    return std::int32_t(index);
   }
 
   const PlyHeader& header_;
@@ -336,7 +304,7 @@ class BodyParser {
   std::int64_t vertices_ = 0;
 };
 
-/// None where a list has numbers, but not two for each corner.
+/// The texture in a list of the faces; none where a face has numbers, but not two for each corner.
 std::optional<CornerTexture> make_texture(const MeshProperty& list, PolygonSoup soup) {
   if (list.element_count() != soup.polygon_count()) return std::nullopt;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -355,29 +323,33 @@ std::optional<CornerTexture> make_texture(const MeshProperty& list, PolygonSoup 
   return texture;
 }
 
+/// The result of read(parser) for a parser of the encoding in the header.
+template <class Read>
+auto read_body(std::string_view bytes, std::string_view name, const PlyHeader& header, const Read& read) {
+  return header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))
+                                               : read(BodyParser<BinarySource>(bytes, name, header));
+}
+
 }  // namespace
 
 std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
                                                std::string_view name) {
   const PlyHeader header = parse_ply_header(bytes, name);
   for (const PlyElement& element : header.elements) {
-    const int index = element.name == "vertex" || element.name == "face" ? element.find(property) : -1;
+    const int index = is_on_mesh(element) ? element.find(property) : -1;
     if (index < 0 || element.properties[index].count_type) continue;
-    const auto read = [&](auto parser) { return parser.parse_property(element, static_cast<std::size_t>(index)); };
-    SoupProperty found{element.name == "vertex", {}};
-    found.values = header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))
-                                                         : read(BodyParser<BinarySource>(bytes, name, header));
-    return found;
+    const auto wanted = [&](const PlyElement& other, int p) { return &other == &element && p == index; };
+    auto found = read_body(bytes, name, header, [&](auto parser) { return parser.parse_properties(wanted); });
+    return SoupProperty{found.front().of_vertices, std::move(found.front().values)};
   }
   return std::nullopt;
 }
 
 MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name) {
-  const PlyHeader header = parse_ply_header(bytes, name);
+  const auto wanted = [](const PlyElement& e, int p) { return is_on_mesh(e) && !is_geometry(e, p); };
   MeshAttributes found;
-  found.properties = header.encoding == PlyEncoding::ascii
-                         ? BodyParser<AsciiSource>(bytes, name, header).parse_properties()
-                         : BodyParser<BinarySource>(bytes, name, header).parse_properties();
+  found.properties = read_body(bytes, name, parse_ply_header(bytes, name),
+                               [&](auto parser) { return parser.parse_properties(wanted); });
   const auto list = std::find_if(found.properties.begin(), found.properties.end(), [](const MeshProperty& property) {
     return !property.of_vertices && property.count_type && property.name == "texcoord";
   });
@@ -388,9 +360,7 @@ MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view nam
 }
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
-  const PlyHeader header = parse_ply_header(bytes, name);
-  if (header.encoding == PlyEncoding::ascii) return BodyParser<AsciiSource>(bytes, name, header).parse();
-  return BodyParser<BinarySource>(bytes, name, header).parse();
+  return read_body(bytes, name, parse_ply_header(bytes, name), [](auto parser) { return parser.parse(); });
 }
 
 }  // namespace gvd

@@ -1,3 +1,8 @@
+// The header of a PLY file: its encoding, and the elements and properties that the data consist of.
+//
+// Source: G. Turk, The PLY polygon file format, 1994; also types such as int32, the list vertex_index and strips of
+// triangles, as scanners write them.
+// Invariant: data in binary follow the header at once, so its length is exact. All its lines end as the first one does.
 #include "mesh/reading/read_ply_header.hpp"
 
 #include <fmt/format.h>
@@ -7,39 +12,29 @@
 #include <set>
 #include <utility>
 
-#include "base/printable.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/read_text.hpp"
 
 namespace gvd {
 namespace {
 
-std::optional<PlyType> parse_type(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
-      {"char", PlyType::int8},
-      {"int8", PlyType::int8},
-      {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},
-      {"short", PlyType::int16},
-      {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},
-      {"uint16", PlyType::uint16},
-      {"int", PlyType::int32},
-      {"int32", PlyType::int32},
-      {"uint", PlyType::uint32},
-      {"uint32", PlyType::uint32},
-      {"float", PlyType::float32},
-      {"float32", PlyType::float32},
-      {"double", PlyType::float64},
-      {"float64", PlyType::float64},
-  }};
-  const auto it = std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& entry) { return entry.first == word; });
-  if (it == kTypes.end()) return std::nullopt;
-  return it->second;
+std::optional<NumberType> parse_type(std::string_view word) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> kNames = {{{"char", "int8"},
+                                                                      {"uchar", "uint8"},
+                                                                      {"short", "int16"},
+                                                                      {"ushort", "uint16"},
+                                                                      {"int", "int32"},
+                                                                      {"uint", "uint32"},
+                                                                      {"float", "float32"},
+                                                                      {"double", "float64"}}};
+  const auto it = std::find_if(kNames.begin(), kNames.end(),
+                               [&](const auto& names) { return names[0] == word || names[1] == word; });
+  if (it == kNames.end()) return std::nullopt;
+  return static_cast<NumberType>(it - kNames.begin());
 }
 
 class HeaderParser {
  public:
-  // Binary data begin right after the header, so its length must be exact: all its lines end as the first one does.
   HeaderParser(std::string_view bytes, std::string_view name)
       : text_(header_bytes(bytes), name, false), size_(header_bytes(bytes).size()) {}
 
@@ -70,7 +65,7 @@ class HeaderParser {
     return bytes;
   }
 
-  // True at end_header.
+  /// Parses the current line. True at end_header.
   bool parse_line() {
     const std::string_view word = text_.token();
     if (word == "end_header") return true;
@@ -88,16 +83,13 @@ class HeaderParser {
 
   void parse_format() {
     const std::string_view word = text_.token();
-    if (word == "ascii") {
-      header_.encoding = PlyEncoding::ascii;
-    } else if (word == "binary_little_endian") {
-      header_.encoding = PlyEncoding::little_endian;
-    } else if (word == "binary_big_endian") {
-      header_.encoding = PlyEncoding::big_endian;
-    } else {
+    constexpr std::array<std::string_view, 3> kEncodings = {"ascii", "binary_little_endian", "binary_big_endian"};
+    const auto it = std::find(kEncodings.begin(), kEncodings.end(), word);
+    if (it == kEncodings.end()) {
       text_.refuse(
           fmt::format("the format {} is none of ascii, binary_little_endian and binary_big_endian", quoted(word)));
     }
+    header_.encoding = static_cast<PlyEncoding>(it - kEncodings.begin());
     has_format_ = true;
   }
 
@@ -124,20 +116,15 @@ class HeaderParser {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  PlyType require_type(std::string_view word) const {
-    const std::optional<PlyType> type = parse_type(word);
+  NumberType require_type(std::string_view word) const {
+    const std::optional<NumberType> type = parse_type(word);
     if (!type) text_.refuse(fmt::format("{} is no type of a PLY property", quoted(word)));
     return *type;
   }
 
   void check_elements() const {
-    const auto find = [&](std::string_view name) {
-      return std::find_if(header_.elements.begin(), header_.elements.end(),
-                          [&](const PlyElement& element) { return element.name == name; });
-    };
-    const auto none = header_.elements.end();
-    const auto vertex = find("vertex");
-    if (vertex == none) text_.refuse("the header has no element 'vertex'");
+    const auto vertex = std::ranges::find(header_.elements, "vertex", &PlyElement::name);
+    if (vertex == header_.elements.end()) text_.refuse("the header has no element 'vertex'");
     for (const std::string_view name : {"x", "y", "z"}) {
       const int at = vertex->find(name);
       if (at < 0 || vertex->properties[at].count_type) {
@@ -165,14 +152,13 @@ class HeaderParser {
 
 }  // namespace
 
-std::size_t size_of(PlyType type) {
+std::size_t size_of(NumberType type) {
   constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
+  return kSizes[static_cast<int>(type)];
 }
 
 int PlyElement::find(std::string_view property) const {
-  const auto it = std::find_if(properties.begin(), properties.end(),
-                               [&](const PlyProperty& candidate) { return candidate.name == property; });
+  const auto it = std::ranges::find(properties, property, &PlyProperty::name);
   return it == properties.end() ? -1 : static_cast<int>(it - properties.begin());
 }
 

@@ -12,15 +12,14 @@
 namespace gvd {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
-using PlyType = NumberType;
 
 /// Size of a number in a binary file, in bytes.
-std::size_t size_of(PlyType type);
+std::size_t size_of(NumberType type);
 
 struct PlyProperty {
   std::string name;  ///< printable and short, for messages: "x" and other names that mean something stay as they are
-  PlyType type{};
-  std::optional<PlyType> count_type;  ///< of a list
+  NumberType type{};
+  std::optional<NumberType> count_type;  ///< of a list
 };
 
 struct PlyElement {

@@ -1,26 +1,57 @@
+// Mesh files: finds the format, reads the bytes, and hands them to the reader of the format.
+//
+// The content decides on the format before the name does, because files with a wrong extension are common. A binary STL
+// has no mark of its own; its length must be the one that its triangle count asks for.
+// Invariant: no count in a header reserves memory that the rest of the file could not fill.
 #include "gvd/read_soup.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "mesh/reading/check_counts.hpp"
-#include "mesh/reading/read_obj.hpp"
-#include "mesh/reading/read_off.hpp"
-#include "mesh/reading/read_ply.hpp"
-#include "mesh/reading/read_stl.hpp"
+#include "gvd/mesh_property.hpp"
+#include "gvd/text.hpp"
+#include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr std::array<std::string_view, 4> kNames = {"obj", "ply", "off", "stl"};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+/// The first word of the first line that is neither blank nor a comment, within the first megabyte.
+std::string first_word(std::string_view bytes) {
+  TextReader text(bytes.substr(0, 1 << 20), "", true);
+  return text.next_content_line() ? std::string(text.token()) : std::string();
+}
+
+/// Whether the first word of the first line is ply, as its reader demands, byte order mark and blanks included.
+bool is_ply(std::string_view bytes) {
+  constexpr std::string_view kBlanks = " \t\v\f";
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlanks), bytes.size()));
+  return bytes.size() > 3 && bytes.starts_with("ply") && std::string_view(" \t\v\f\r\n").find(bytes[3]) != bytes.npos;
+}
+
+bool is_obj_statement(std::string_view word) {
+  constexpr std::array<std::string_view, 11> kStatements = {"v", "vn",     "vt",     "vp", "f", "o",
+                                                            "g", "mtllib", "usemtl", "s",  "l"};
+  return std::find(kStatements.begin(), kStatements.end(), word) != kStatements.end();
+}
 
 [[noreturn]] void refuse(std::string_view name, std::string_view message) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
-// Reads the file at once if its size is known, and in pieces if it is a pipe.
 std::string read_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code error;
@@ -29,50 +60,62 @@ std::string read_bytes(const std::filesystem::path& path) {
   if (status.type() == std::filesystem::file_type::directory) refuse(name, "this is a directory; give a file");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(name, "the file can't be opened; check its permissions");
-  std::string bytes;
-  if (status.type() == std::filesystem::file_type::regular) {
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error) bytes.resize(static_cast<std::size_t>(size));
-  }
-  std::size_t filled = 0;
-  for (;;) {
-    constexpr std::size_t kPiece = 1 << 16;
-    if (filled == bytes.size()) bytes.resize(bytes.size() + kPiece + bytes.size() / 2);
-    file.read(bytes.data() + filled, static_cast<std::streamsize>(bytes.size() - filled));
-    filled += static_cast<std::size_t>(file.gcount());
-    if (file.bad()) refuse(name, "the file can't be read to its end");
-    if (!file) break;
-    if (file.peek() == std::ifstream::traits_type::eof()) break;
-  }
-  bytes.resize(filled);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // fails for a pipe
+  std::string bytes = read_to_end(file, error ? 0 : size);
+  if (file.bad()) refuse(name, "the file can't be read to its end");
   return bytes;
-}
-
-PolygonSoup parse_format(std::string_view bytes, MeshFormat format, std::string_view name) {
-  switch (format) {
-    case MeshFormat::obj:
-      return parse_obj(bytes, name);
-    case MeshFormat::ply:
-      return parse_ply(bytes, name);
-    case MeshFormat::off:
-      return parse_off(bytes, name);
-    case MeshFormat::stl:
-      return parse_stl(bytes, name);
-  }
-  throw Error(ErrorCode::invalid_option, "the mesh format is none of obj, ply, off and stl");
 }
 
 }  // namespace
 
+std::string_view name_of(MeshFormat format) { return kNames[static_cast<int>(format)]; }
+
+std::optional<MeshFormat> format_from_extension(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string extension = lower_case(dot == name.npos ? name : name.substr(dot + 1));
+  const auto it = std::find(kNames.begin(), kNames.end(), extension);
+  if (it == kNames.end()) return std::nullopt;
+  return static_cast<MeshFormat>(it - kNames.begin());
+}
+
+std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {
+  if (is_ply(bytes)) return MeshFormat::ply;
+  if (is_binary_stl(bytes)) return MeshFormat::stl;
+  const std::string word = first_word(bytes);
+  if (is_off_keyword(word)) return MeshFormat::off;
+  if (lower_case(word) == "solid") return MeshFormat::stl;
+  if (is_obj_statement(word)) return MeshFormat::obj;
+  const std::size_t dot = name.rfind('.');
+  return dot == name.npos ? std::nullopt : format_from_extension(name.substr(dot));
+}
+
+void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_view name) {
+  if (std::max(vertices, polygons) <= kMostVertices) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("{}: {} vertices and {} faces are more than 32-bit ids can count ({}); simplify the mesh",
+                          name, vertices, polygons, kMostVertices));
+}
+
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (bytes.empty()) refuse(name, "the file is empty");
-  PolygonSoup soup = parse_format(bytes, format, name);
+  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off, parse_stl};
+  PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
   if (soup.polygon_count() == 0) {
     refuse(name, fmt::format("the file has {} and no face; a surface is needed",
                              counted(std::ssize(soup.positions), "vertex", "vertices")));
   }
   check_counts(soup.positions.size(), soup.polygon_count(), name);
   return soup;
+}
+
+PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
+  const std::string name = path.string();
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty()) refuse(name, "the file is empty");
+  if (!format) format = detect_format(bytes, name);
+  if (!format)
+    refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
+  return parse_soup(bytes, *format, name);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property) {
@@ -93,16 +136,6 @@ MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::opti
   const std::string bytes = read_bytes(path);
   if (!format) format = detect_format(bytes, name);
   return format ? parse_mesh_attributes(bytes, *format, name) : MeshAttributes();
-}
-
-PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
-  const std::string name = path.string();
-  const std::string bytes = read_bytes(path);
-  if (bytes.empty()) refuse(name, "the file is empty");
-  if (!format) format = detect_format(bytes, name);
-  if (!format)
-    refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
-  return parse_soup(bytes, *format, name);
 }
 
 }  // namespace gvd

@@ -1,3 +1,8 @@
+// Lines, tokens and numbers of a text, with line numbers for messages.
+//
+// Numbers are read by std::from_chars, which knows no locale. It does not tell overflow from underflow; the decimal
+// exponent does. Texts with lone CR as line ends are copied once, so that all others are read in place.
+// Invariant: an element that lacks a number is refused on its own line, before the next one's numbers are taken for it.
 #include "mesh/reading/read_text.hpp"
 
 #include <fmt/format.h>
@@ -5,10 +10,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
-#include "base/printable.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {
@@ -20,8 +24,8 @@ std::string_view without_plus(std::string_view token) {
   return has_plus ? token.substr(1) : token;
 }
 
-// std::from_chars does not tell overflow from underflow. The decimal exponent of the first nonzero digit does: it is
-// above 300 for an overflow and below -300 for an underflow.
+/// 0 or infinity for a number beyond the range of a double. The decimal exponent of the first nonzero digit is above
+/// 300 for an overflow and below -300 for an underflow.
 double out_of_range_value(std::string_view token) {
   const double sign = token[0] == '-' ? -1 : 1;
   const std::size_t e = std::min(token.find_first_of("eE"), token.size());
@@ -29,18 +33,18 @@ double out_of_range_value(std::string_view token) {
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t leading = mantissa.find_first_of("123456789");
   if (leading == std::string_view::npos) return 0;
-  double exponent = static_cast<double>(point) - static_cast<double>(leading);
+  double exponent = double(point) - double(leading);
   if (e < token.size()) {
     std::string_view digits = without_plus(token.substr(e + 1));
     std::int64_t value = 0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (result.ec != std::errc()) value = digits[0] == '-' ? -1'000'000'000'000 : 1'000'000'000'000;
-    exponent += static_cast<double>(value);
+    exponent += double(value);
   }
-  return exponent < 0 ? sign * 0.0 : sign * std::numeric_limits<double>::infinity();
+  return exponent < 0 ? sign * 0.0 : sign * kInfinity;
 }
 
-// Whether there is a CR without an LF after it: then it ends a line.
+/// Whether there is a CR without an LF after it, which then ends a line.
 bool has_lone_return(std::string_view bytes) {
   for (std::size_t at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
     if (at + 1 < bytes.size() && bytes[at + 1] != '\n') return true;
@@ -68,12 +72,7 @@ std::optional<double> parse_double(std::string_view token) {
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view token) {
-  token = without_plus(token);
-  std::int64_t value = 0;
-  const char* end = token.data() + token.size();
-  const auto [stop, error] = std::from_chars(token.data(), end, value);
-  if (stop != end || token.empty() || error != std::errc()) return std::nullopt;
-  return value;
+  return parse_number<std::int64_t>(without_plus(token));
 }
 
 TextReader::TextReader(std::string_view bytes, std::string_view name, bool comments)
@@ -125,8 +124,8 @@ std::string_view TextReader::token() {
   const char* stop = begin;
   while (stop != end && !is_blank(*stop) && !(comments_ && *stop == '#')) ++stop;
   const bool at_comment = stop == begin;
-  line_ = at_comment ? std::string_view() : std::string_view(stop, static_cast<std::size_t>(end - stop));
-  return {begin, static_cast<std::size_t>(stop - begin)};
+  line_ = at_comment ? std::string_view() : std::string_view(stop, end);
+  return {begin, stop};
 }
 
 std::string_view TextReader::next_number(std::string_view what) {

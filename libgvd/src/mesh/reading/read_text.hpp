@@ -9,8 +9,8 @@
 
 namespace gvd {
 
-/// A decimal number as a double, nearest value, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf".
-/// Too small for a double is 0, too large is infinity. None where the token is anything else.
+/// The double nearest to a decimal number, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf". A number that is
+/// too small for a double is 0, one that is too large is infinity. None where the token is anything else.
 std::optional<double> parse_double(std::string_view token);
 
 /// A decimal integer with an optional sign; none where the token is anything else or beyond 64 bits.
@@ -27,11 +27,11 @@ class TextReader {
   /// Moves to the next line, or to the next line with a token. False at the end of the text.
   bool next_line();
   bool next_content_line();
-  /// Moves to the next line with a token. An element begins there, whose numbers may continue on the next lines. False
-  /// at the end of the text.
+  /// Moves to the next line with a token, where an element begins. Its numbers may continue on the next lines. False at
+  /// the end of the text.
   bool begin_element();
-  /// Refuses an element that continued on another line and does not end with that line: a number is missing, and those
-  /// of the next element were read instead. `kind` and `element` are for messages.
+  /// Refuses an element that continued on another line and does not end with that line: a number was missing, and the
+  /// next element's numbers were read instead. `kind` and `element` are for messages.
   void end_element(std::string_view kind, std::int64_t element) const;
   /// The next token of the line; empty at its end.
   std::string_view token();

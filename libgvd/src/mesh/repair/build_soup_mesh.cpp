@@ -1,26 +1,65 @@
+// A soup of polygons becomes a manifold mesh: examined, cleaned, triangulated, oriented, cut apart and assembled.
+//
+// The steps are those of repair_steps.hpp, in the order of `build_mesh` at the end. Welding comes first, because all
+// later steps know vertices by their numbers alone. Faces are oriented before edges are cut, because the inside of the
+// surface decides which faces of an edge stay together.
+// Invariant: a soup of triangles without a defect becomes the mesh with the same vertices and faces in the same order.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
-#include "gvd/counted.hpp"
-#include "gvd/soup.hpp"
-#include "mesh/repair/defect_log.hpp"
-#include "mesh/repair/examine_soup.hpp"
-#include "mesh/repair/pair_halfedges.hpp"
-#include "mesh/repair/repair_components.hpp"
-#include "mesh/repair/repair_degenerate_faces.hpp"
-#include "mesh/repair/repair_duplicate_faces.hpp"
-#include "mesh/repair/repair_nonmanifold_edges.hpp"
-#include "mesh/repair/repair_nonmanifold_vertices.hpp"
-#include "mesh/repair/repair_orientation.hpp"
-#include "mesh/repair/repair_touching_edges.hpp"
-#include "mesh/repair/repair_welding.hpp"
-#include "mesh/repair/triangulate_soup.hpp"
+#include "gvd/text.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr std::array<std::string_view, 10> kKindNames = {
+    "unwelded_vertices",        "zero_length_edges", "degenerate_faces",     "duplicate_faces", "crossing_quads",
+    "inconsistent_orientation", "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices", "dropped_components"};
+
+void examine_positions(const PolygonSoup& soup) {
+  if (soup.positions.empty()) refuse_soup("the soup has no vertices", -1);
+  Vec3 low = soup.positions.front();
+  Vec3 high = low;
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    const Vec3& p = soup.positions[v];
+    if (!p.allFinite()) refuse_soup(fmt::format("vertex {} has a coordinate that is not finite", v), v);
+    if (p.cwiseAbs().maxCoeff() > kLargestCoordinate) {
+      refuse_soup(fmt::format("vertex {} has a coordinate beyond {:g}; scale the mesh down", v, kLargestCoordinate), v);
+    }
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double extent = (high - low).maxCoeff();
+  if (extent == 0) refuse_soup("all vertices are at one position, that of vertex 0: there is no surface", 0);
+  if (extent < kSmallestExtent) {
+    refuse_soup(fmt::format("the whole mesh is smaller than {:g}; scale it up", kSmallestExtent), 0);
+  }
+}
+
+void examine_polygons(const PolygonSoup& soup) {
+  if (soup.first_corner.empty() || soup.first_corner.front() != 0 || soup.first_corner.back() != soup.corners.size()) {
+    refuse_soup("the soup's first_corner does not span its corners", -1);
+  }
+  if (soup.polygon_count() == 0) refuse_soup("the soup has no face", -1);
+  constexpr std::size_t kMost = 0x7fffffff;
+  if (soup.positions.size() > kMost || soup.polygon_count() > kMost) {
+    refuse_soup("the soup has more elements than 32-bit ids can count", -1);
+  }
+  for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
+    if (soup.first_corner[p] > soup.first_corner[p + 1] || soup.first_corner[p + 1] > soup.corners.size()) {
+      refuse_soup(fmt::format("the soup's first_corner is out of order at face {}", p), p);
+    }
+    for (std::size_t c = soup.first_corner[p]; c < soup.first_corner[p + 1]; ++c) {
+      const std::int32_t v = soup.corners[c];
+      if (v < 0 || v >= std::ssize(soup.positions)) {
+        refuse_soup(fmt::format("face {} refers to vertex {}, and there are {}", p, v, soup.positions.size()), p);
+      }
+    }
+  }
+}
 
 /// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
 /// times the rounding error of a position on the side.
@@ -34,7 +73,7 @@ std::vector<char> find_used_vertices(const WorkFaces& work) {
   return used;
 }
 
-// Vertices in no polygon of the soup. Those that lost their faces by a repair do not count.
+/// Logs the vertices in no polygon of the soup. Vertices that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
   std::vector<char> used(soup.positions.size(), 0);
   for (const std::int32_t v : soup.corners) used[v] = 1;
@@ -47,7 +86,7 @@ void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
 CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
   CheckedMesh checked;
   const std::vector<char> used = find_used_vertices(work);
-  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  const auto count = std::count(used.begin(), used.end(), 1);
   std::vector<VertexId> renumbered(work.positions.size());
   std::vector<Vec3> positions;
   positions.reserve(count);
@@ -71,32 +110,25 @@ CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
 }
 
 std::int64_t count_zero_area_faces(const Mesh& mesh) {
-  std::int64_t count = 0;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    double longest = 0;
-    for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.length(Mesh::halfedge(FaceId(f), i)));
-    count += 2 * mesh.area(FaceId(f)) <= kHeightWithoutArea * longest * longest;
-  }
-  return count;
+  return std::count_if(mesh.faces().begin(), mesh.faces().end(), [&](FaceId f) {
+    const auto& [length, twice_area] = mesh.shape(f);
+    const double longest = *std::max_element(length.begin(), length.end());
+    return twice_area <= kHeightWithoutArea * longest * longest;
+  });
 }
 
-// Boundary vertices at the position of another boundary vertex that comes from another vertex of the input.
+/// Number of boundary vertices at the position of another boundary vertex that comes from another vertex of the input.
 std::int64_t count_coincident_vertices(const CheckedMesh& checked) {
-  using Entry = std::tuple<double, double, double, std::int32_t>;
-  std::vector<Entry> entries;
-  for (std::int32_t i = 0; i < checked.mesh.vertex_count(); ++i) {
-    const VertexId v(i);
+  std::vector<PlacedVertex> placed;
+  for (const VertexId v : checked.mesh.vertices()) {
     if (!checked.mesh.is_boundary(v) || checked.input_vertex[v] < 0) continue;
     const Vec3& p = checked.mesh.position(v);
-    entries.emplace_back(p.x(), p.y(), p.z(), checked.input_vertex[v]);
+    placed.push_back({{p.x(), p.y(), p.z()}, checked.input_vertex[v]});
   }
-  std::sort(entries.begin(), entries.end());
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-  const auto same = [](const Entry& a, const Entry& b) {
-    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b) && std::get<2>(a) == std::get<2>(b);
-  };
+  std::sort(placed.begin(), placed.end());
+  placed.erase(std::unique(placed.begin(), placed.end()), placed.end());
   std::int64_t count = 0;
-  for (std::size_t i = 1; i < entries.size(); ++i) count += same(entries[i - 1], entries[i]);
+  for (std::size_t i = 1; i < placed.size(); ++i) count += placed[i - 1].first == placed[i].first;
   return count;
 }
 
@@ -120,6 +152,37 @@ void add_remarks(CheckedMesh& checked) {
 }
 
 }  // namespace
+
+std::string_view name_of(DefectKind kind) { return kKindNames[static_cast<int>(kind)]; }
+
+std::int64_t DefectReport::count(DefectKind kind) const {
+  for (const Defect& defect : defects) {
+    if (defect.kind == kind) return defect.count;
+  }
+  return 0;
+}
+
+void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
+                    const std::string& action) {
+  if (count == 0) return;
+  if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
+  const std::string message = what + ": " + action;
+  report_.defects.push_back({kind, count, first, message});
+  report_.messages.push_back(message);
+}
+
+std::vector<PlacedVertex> sort_by_position(const std::vector<Vec3>& positions) {
+  std::vector<PlacedVertex> sorted;
+  sorted.reserve(positions.size());
+  for (const Vec3& p : positions) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, sorted.size());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+void examine_soup(const PolygonSoup& soup) {
+  examine_polygons(soup);
+  examine_positions(soup);
+}
 
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   examine_soup(soup);

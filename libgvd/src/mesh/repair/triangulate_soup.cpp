@@ -1,13 +1,17 @@
-#include "mesh/repair/triangulate_soup.hpp"
-
+// The polygons of a soup become triangles, where possible along diagonals that are not edges yet.
+//
+// A second edge between two vertices of the mesh would count as the same edge, with four faces. So a diagonal that is
+// an edge already is the last choice. Quadrilaterals, the most frequent polygons, are cut along the better diagonal;
+// larger polygons by clipping ears.
+// Invariant: each triangle but the last of its polygon was cut off along the side from its third corner to its first.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <unordered_set>
 
-#include "gvd/counted.hpp"
-#include "mesh/repair/defect_log.hpp"
+#include "gvd/text.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "mesh/repair/triangulate_soup_polygon.hpp"
 
 namespace gvd {
@@ -18,11 +22,11 @@ namespace {
 constexpr double kBetterDiagonal = 1e-6;
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
+  return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
 }
 
-// The edges of all polygons, and the diagonals that were added. Only membership is asked, so that the order of the hash
-// set does not reach the output.
+/// The edges of all polygons, and the diagonals that were added. Only membership is asked, so that the order of the
+/// hash set does not reach the output.
 class KnownEdges {
  public:
   explicit KnownEdges(const WorkPolygons& polygons) {
@@ -76,9 +80,9 @@ class Triangulator {
 
   const Vec3& at(std::int32_t v) const { return positions_[v]; }
 
-  // Quality of the diagonal a-c: of the worse of its two triangles, twice the area over the sum of the squared sides. 0
-  // where a triangle is flat, the two of a simple quadrilateral face different ways, or the diagonal is an edge
-  // already.
+  /// Quality of the diagonal a-c: that of the worse of its two triangles, twice the area over the sum of the squared
+  /// sides. 0 where a triangle is flat, the two of a simple quadrilateral face different ways, or the diagonal is an
+  /// edge already.
   double diagonal_quality(const std::array<std::int32_t, 4>& quad, Quad shape) const {
     const auto [a, b, c, d] = quad;
     const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a));

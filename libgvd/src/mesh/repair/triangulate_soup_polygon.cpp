@@ -1,15 +1,66 @@
+// One polygon of a soup becomes triangles: projected along its normal, then cut by clipping ears.
+//
+// Source: Newell's formula for the normal (M. E. Newell, R. G. Newell and T. L. Sancha, A solution to the hidden surface
+// problem, 1972); ear clipping (G. H. Meisters, Polygons have ears, 1975). Nobody knows whether the polygon is simple:
+// where no ear is left, it crosses itself. Ears come by four rules, from good ones to flat ones along existing edges.
+// Invariant: only corners that are not convex at the start can lie in an ear, then or later, so only they are tested.
 #include "mesh/repair/triangulate_soup_polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <queue>
 
+#include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "base/polygon_ring.hpp"
-#include "mesh/repair/project_polygon.hpp"
 
 namespace gvd {
 namespace {
+
+/// Moves the first corner to the origin and the others into a unit box, so that no product overflows or underflows.
+std::vector<Vec3> scale(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
+  const Vec3& origin = positions[polygon[0]];
+  std::vector<Vec3> space;
+  double extent = 0;
+  for (const std::int32_t v : polygon) {
+    space.push_back(positions[v] - origin);
+    extent = std::max(extent, space.back().cwiseAbs().maxCoeff());
+  }
+  for (Vec3& p : space) p /= extent;
+  return space;
+}
+
+/// Fills `plane` and `is_on_line`. False where the polygon has no normal and does not lie on a line.
+bool project(ProjectedPolygon& polygon) {
+  const std::vector<Vec3>& space = polygon.space;
+  Vec3 normal = Vec3::Zero();
+  Vec3 far = Vec3::Zero();
+  double widest = 0;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    normal += space[i].cross(space[(i + 1) % space.size()]);
+    if (space[i].squaredNorm() > far.squaredNorm()) far = space[i];
+  }
+  for (const Vec3& p : space) widest = std::max(widest, p.cross(far).norm());
+  const bool on_line = widest <= kFlatSine * far.squaredNorm();
+  if (!on_line && normal.norm() <= kFlatSine) return false;
+  polygon.is_on_line = on_line;
+  const Vec3 z = on_line ? far.unitOrthogonal() : Vec3(normal.normalized());
+  const Vec3 x = on_line ? Vec3(far.normalized()) : z.unitOrthogonal();
+  const Vec3 y = z.cross(x);
+  for (const Vec3& p : space) polygon.plane.emplace_back(p.dot(x), on_line ? 0 : p.dot(y));
+  return true;
+}
+
+bool turns_once(const std::vector<Vec2>& corners) {
+  double sum = 0;
+  for (std::size_t i = 0, n = corners.size(); i < n; ++i) {
+    const Vec2 in = corners[i] - corners[(i + n - 1) % n];
+    const Vec2 out = corners[(i + 1) % n] - corners[i];
+    sum += std::atan2(cross(in, out), in.dot(out));
+  }
+  return std::abs(sum - 2 * std::numbers::pi) < 1;
+}
 
 class SoupEarClipper {
  public:
@@ -42,7 +93,7 @@ class SoupEarClipper {
   }
 
  private:
-  /// What an ear may be. The rules are tried in this order, and from the first one again after every cut.
+  /// A rule for ears. The rules are tried in this order, and from the first one again after every cut.
   struct Rule {
     bool flat;      // the ear may have no area
     bool existing;  // the diagonal may be an edge already
@@ -103,10 +154,10 @@ class SoupEarClipper {
     return !is_blocked(i);
   }
 
-  /// Whether a corner that is not convex lies in the ear of corner i. One at the position of a corner of the ear does
-  /// not count.
+  /// Whether a corner that is not convex lies in the ear of corner i. A corner at the position of one of the ear's own
+  /// does not count.
   bool is_blocked(std::size_t i) {
-    tests_ += static_cast<std::int64_t>(blockers_.size());
+    tests_ += std::ssize(blockers_);
     const std::size_t a = ring_.before(i), b = ring_.after(i);
     return std::any_of(blockers_.begin(), blockers_.end(), [&](std::size_t p) {
       if (!ring_.is_left(p) || p == a || p == i || p == b) return false;
@@ -157,6 +208,13 @@ class SoupEarClipper {
 };
 
 }  // namespace
+
+ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
+  ProjectedPolygon projected;
+  projected.space = scale(polygon, positions);
+  projected.turns_once = project(projected) && (projected.is_on_line || turns_once(projected.plane));
+  return projected;
+}
 
 PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions,
                                  const EdgeQuery& is_edge, std::vector<std::array<std::int32_t, 3>>& triangles) {

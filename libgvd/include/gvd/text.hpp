@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+// Numbers and quotations in messages, and the bytes and numbers of texts. Nothing here depends on the locale.
+namespace gvd {
+
+/// A number with its noun for messages: "1 face" or "3 faces".
+inline std::string counted(std::int64_t count, std::string_view singular, std::string_view plural) {
+  std::string text = std::to_string(count);
+  text += ' ';
+  text += count == 1 ? singular : plural;
+  return text;
+}
+
+/// Longest text that a message quotes in full, bytes.
+inline constexpr std::size_t kLongestQuote = 40;
+
+/// A text from a file for a message: printable ASCII, `?` for other bytes, and "..." for those after `longest`.
+inline std::string printable(std::string_view text, std::size_t longest = kLongestQuote) {
+  std::string shown(text.substr(0, longest));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  if (text.size() > longest) shown += "...";
+  return shown;
+}
+
+/// A text from a file for a message: `printable`, between single quotes.
+inline std::string quoted(std::string_view text) { return '\'' + printable(text) + '\''; }
+
+/// The number that `text` spells in full. Nothing where it spells no number, or one that T can't hold.
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+  T value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.
+/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+std::vector<double> parse_numbers(std::string_view content, const std::string& name);
+
+/// The numbers of a list in a file. Throws Error{unreadable_input} where it can't be read, or holds anything else.
+std::vector<double> read_numbers(const std::filesystem::path& path);
+
+/// All bytes of a stream from here to its end. Where reading fails, `in.bad()` holds afterwards.
+///
+/// Throws std::bad_alloc where memory ends. A copy from stream to stream would take that for the end of the input.
+/// `expected`: the number of bytes, where it is known; otherwise 0. Cost: O(bytes).
+inline std::string read_to_end(std::istream& in, std::size_t expected = 0) {
+  std::string bytes;
+  bytes.reserve(expected);
+  std::array<char, 1 << 14> block{};
+  while (in.read(block.data(), block.size()), in.gcount() > 0) {
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  return bytes;
+}
+
+}  // namespace gvd
