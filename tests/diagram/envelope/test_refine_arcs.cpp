@@ -33,7 +33,7 @@ struct RefinedArc {
     FaceArc arc;
     arc.left = kA;
     arc.right = kB;
-    ArcRefiner(distances, tolerance).refine(arc, begin, end, inner);
+    ArcRefiner(tolerance).refine(distances, arc, begin, end, inner);
   }
 
   double error(const Bary& p) const { return distances.at(kA, p) - distances.at(kB, p); }

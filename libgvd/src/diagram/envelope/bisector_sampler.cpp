@@ -1,12 +1,17 @@
+// How far a point or a segment is from the bisector of two generators, by the shortest paths of both.
+//
+// The distance from the bisector is the difference of the two distances, divided by the length of its gradient. Between
+// samples a bisector is smooth, except where a path changes from one source to another: there it has a corner. Changes
+// are found by the sources of neighbouring samples, and sampled unless the corner can't be high. Only sources visible
+// from a band along the arc's chord are looked at.
 #include "diagram/envelope/bisector_sampler.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "diagram/envelope/path_change.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr int kNewtonSteps = 4;
 
 /// Distance from the bisector allowed at a sample, as a fraction of the tolerance: samples at the quarters of a segment
 /// show three quarters of the height of a curve, and half of that of a corner at least.
@@ -40,10 +45,49 @@ PathChange highest_change(const BisectorSample& a, const BisectorSample& b, doub
 
 }  // namespace
 
-void BisectorSampler::enter(const FaceArc& arc, const SearchBand& band) {
+double BisectorSample::distance_to_bisector(const Vec2& across, double precision) const {
+  const Vec2 from_left = point - left.from, from_right = point - right.from;
+  const double offset_difference = error() - from_left.norm() + from_right.norm();
+  double s = 0;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec2 to_left = from_left + s * across, to_right = from_right + s * across;
+    const double far_left = to_left.norm(), far_right = to_right.norm();
+    const double slope = across.dot(to_left) / far_left - across.dot(to_right) / far_right;
+    const double step = (offset_difference + far_left - far_right) / slope;
+    s -= step;
+    if (!(std::abs(step) > precision)) break;
+  }
+  return s;
+}
+
+// A ray past an end of an opening separates the visible from the hidden points. In the band, the side of the ray
+// depends on the position along it. The distance from the chord changes it by at most a bound.
+void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
+                             std::vector<VisibleSource>& visible) {
+  visible.clear();
+  for (const FaceSource& s : sources) {
+    double first = -kInfinity, last = kInfinity;
+    if (!s.is_corner && !band.is_all()) {
+      const Vec2 start = band.from - s.image;
+      for (const Vec2& ray : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
+        // Points at position t may be visible where at_start + rate t + slack >= 0.
+        const double at_start = cross(start, ray), rate = cross(band.along, ray);
+        const double slack = band.width * std::abs(cross(band.across, ray));
+        const double limit = -(at_start + slack) / rate;
+        if (rate > 0) first = std::max(first, limit);
+        if (rate < 0) last = std::min(last, limit);
+      }
+    }
+    if (first <= std::min(last, band.length + band.width) && last >= -band.width) {
+      visible.push_back({&s, first, last});
+    }
+  }
+}
+
+void BisectorSampler::enter(const SourceDistances& distances, const FaceArc& arc, const SearchBand& band) {
   band_ = band;
-  collect_visible_sources(distances_.sources(arc.left), band, left_);
-  collect_visible_sources(distances_.sources(arc.right), band, right_);
+  collect_visible_sources(distances.sources(arc.left), band, left_);
+  collect_visible_sources(distances.sources(arc.right), band, right_);
 }
 
 BisectorSample BisectorSampler::sample(const Vec2& p) const {

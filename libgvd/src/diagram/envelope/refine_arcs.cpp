@@ -1,9 +1,16 @@
+// Straight arcs of a face to polylines along the bisectors of their two generators.
+//
+// A bisector consists of pieces of hyperbolas, straight where the two offsets are equal. It has a corner wherever the
+// nearest source of a generator changes. A segment that is too far from the bisector is split at a point of the
+// bisector; whether it is follows from the tangents at its ends and from a few samples. All of this happens in a narrow
+// band along the arc. Where the bisector leaves the band, the arc is refined again with all sources.
+// Source: not in the paper, whose bisectors are straight inside a face. Its refinement of crossings on edges is in
+// growth/refine_bisectors.hpp.
 #include "diagram/envelope/refine_arcs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/segment.hpp"
 
@@ -45,14 +52,16 @@ double ArcRefiner::height_by_tangents(const BisectorPoint& begin, const Bisector
                   std::abs(cross(end.tangent, chord)) / end.tangent.norm());
 }
 
-void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
-  const Vec2 from = distances_.layout().at(begin), to = distances_.layout().at(end), chord = to - from;
+void ArcRefiner::refine(const SourceDistances& distances, const FaceArc& arc, const Bary& begin, const Bary& end,
+                        std::vector<Bary>& points) {
+  layout_ = &distances.layout();
+  points_ = &points;
+  const Vec2 from = layout_->at(begin), to = layout_->at(end), chord = to - from;
   const double length = chord.norm();
   if (length <= tolerance_) return;
-  points_ = &points;
   const std::size_t before = points.size();
-  for (const double width : {kBandWidth * length, std::numeric_limits<double>::infinity()}) {
-    sampler_.enter(arc, {from, chord / length, turned_left(chord) / length, length, width});
+  for (const double width : {kBandWidth * length, kInfinity}) {
+    sampler_.enter(distances, arc, {from, chord / length, turned_left(chord) / length, length, width});
     points.resize(before);
     const BisectorSample first = sampler_.sample(from), last = sampler_.sample(to);
     if (first.is_known() && last.is_known() && refine(BisectorPoint(first), BisectorPoint(last), 0)) return;
@@ -80,7 +89,7 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
   if (!sampler_.band().contains(split->point)) return false;
   if (!is_low && height(split->point) <= kShownHeight * tolerance_ && is_near_quarters(begin, end)) return true;
   if (!refine(begin, *split, halvings + 1)) return false;
-  points_->push_back(distances_.layout().bary(split->point));
+  points_->push_back(layout_->bary(split->point));
   return refine(*split, end, halvings + 1);
 }
 
@@ -104,15 +113,15 @@ std::optional<Vec2> ArcRefiner::likely_corner(const BisectorPoint& begin, const 
   const bool is_between =
       fraction > kNearEnd && fraction < 1 - kNearEnd && (corner - begin.point - fraction * chord).norm() < chord.norm();
   if (!is_between) return std::nullopt;
-  const auto bary = distances_.layout().bary(corner);
+  const auto bary = layout_->bary(corner);
   if (*std::min_element(bary.begin(), bary.end()) < 0) return std::nullopt;
   return corner;
 }
 
 /// How far p can move along `direction` without leaving the face: from <= 0 to >= 0, in units of its length.
 std::pair<double, double> ArcRefiner::feasible_interval(const Vec2& p, const Vec2& direction) const {
-  const auto bary = distances_.layout().bary(p), rate = distances_.layout().bary_rate(direction);
-  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  const auto bary = layout_->bary(p), rate = layout_->bary_rate(direction);
+  double low = -kInfinity, high = kInfinity;
   for (std::size_t i = 0; i < 3; ++i) {
     const double b = std::max(0.0, bary[i]);
     if (rate[i] > 0) low = std::max(low, -b / rate[i]);

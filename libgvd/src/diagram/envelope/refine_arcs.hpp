@@ -5,30 +5,24 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/envelope/bisector_sample.hpp"
 #include "diagram/envelope/bisector_sampler.hpp"
 #include "diagram/envelope/source_distances.hpp"
-#include "diagram/envelope/visible_sources.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
 
-/// Refines the straight arcs of a face to polylines along the bisectors of their two generators. It adds inner points
-/// to arcs; it has nothing to do with the paper's refinement of crossings on edges (refine_bisectors.hpp).
-///
-/// A bisector consists of pieces of hyperbolas, straight where the two offsets are equal. It has a corner wherever the
-/// nearest source of a generator changes. A segment that is too far from the bisector is split at a point of the
-/// bisector. Whether it is follows from the tangents at its ends and from a few samples.
+/// Refines the straight arcs of a face to polylines along the bisectors of their two generators, by inner points. One
+/// object serves one face after the other, to save allocations.
 class ArcRefiner {
  public:
-  /// `distances` must outlive this. No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
-  ArcRefiner(const SourceDistances& distances, double tolerance)
-      : distances_(distances), tolerance_(tolerance), sampler_(distances, tolerance) {}
+  /// No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
+  explicit ArcRefiner(double tolerance) : tolerance_(tolerance), sampler_(tolerance) {}
 
   /// Appends the inner points of the arc from `begin` to `end`, in the face that the distances have entered, to
   /// `points`.
   /// Cost: O(points) samples, over the sources visible from near the arc; three where the bisector is straight.
-  void refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points);
+  void refine(const SourceDistances& distances, const FaceArc& arc, const Bary& begin, const Bary& end,
+              std::vector<Bary>& points);
 
  private:
   /// A point of the bisector, and the bisector's direction there.
@@ -45,10 +39,10 @@ class ArcRefiner {
   std::optional<BisectorPoint> find_across(BisectorSample sample, const Vec2& along) const;
   std::pair<double, double> feasible_interval(const Vec2& p, const Vec2& direction) const;
 
-  const SourceDistances& distances_;
   double tolerance_;
   BisectorSampler sampler_;
-  std::vector<Bary>* points_ = nullptr;
+  const FaceLayout* layout_ = nullptr;   // of the current face
+  std::vector<Bary>* points_ = nullptr;  // of the current arc
 };
 
 }  // namespace gvd

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "gvd/ids.hpp"
 
@@ -32,7 +32,7 @@ struct FaceArc {
 /// A branch point of the working mesh.
 struct FaceBranch {
   FaceId face;
-  std::array<double, 3> bary;
+  Bary bary;
   double distance = 0;  ///< mean distance to its generators, mesh units
 };
 
@@ -42,17 +42,16 @@ struct FaceBranch {
 struct FaceDiagram {
   std::vector<FaceArc> arcs;
   IdVector<BranchPointId, FaceBranch> branches;
-  std::vector<std::array<double, 3>> points;  ///< inner points of refined arcs, barycentric in their face
+  std::vector<Bary> points;  ///< inner points of refined arcs, barycentric in their face
 
-  std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
-    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
-                                     static_cast<std::size_t>(arc.point_count));
+  std::span<const Bary> inner_points(const FaceArc& arc) const {
+    return {points.data() + arc.first_point, points.data() + arc.first_point + arc.point_count};
   }
 
   /// Appends the diagram of other faces, all after these in order.
   void append(const FaceDiagram& other) {
     const auto first_point = static_cast<std::int32_t>(points.size());
-    const auto first_branch = static_cast<std::int32_t>(branches.size());
+    const std::int32_t first_branch = branches.count();
     for (FaceArc arc : other.arcs) {
       arc.first_point += first_point;
       for (ArcEnd* end : {&arc.begin, &arc.end}) {

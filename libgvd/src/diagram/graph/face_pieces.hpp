@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
@@ -12,7 +12,7 @@ namespace gvd {
 /// A connected part of a face without its arcs.
 struct WorkingPiece {
   GeneratorId generator;
-  std::vector<std::array<double, 3>> corners;  ///< barycentric in the working face, counter-clockwise
+  std::vector<Bary> corners;  ///< barycentric in the working face, counter-clockwise
 };
 
 /// All pieces of one face.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagram/assembly/distance_form.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "diagram/growth/growth_input.hpp"

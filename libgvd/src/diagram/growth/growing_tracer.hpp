@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/graph/traced_diagram.hpp"
+#include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/grow_gaps.hpp"
 #include "diagram/growth/growth_input.hpp"
 #include "gvd/progress.hpp"
@@ -11,10 +11,10 @@
 namespace gvd {
 
 /// What tracers share whose bisectors grow through gaps.
-class GrowingTracer {
+class GrowingTracer : public DiagramTracer {
  public:
   /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
-  void disable_growth(const std::vector<EdgeId>& edges) { plan_.forbid(edges); }
+  void disable_growth(const std::vector<EdgeId>& edges) override { plan_.forbid(edges); }
 
  protected:
   /// All references must outlive the tracer. `rules`: tried in this order.

@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "diagram/assembly/distance_form.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "geodesic/marching/auxiliary_distance.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"

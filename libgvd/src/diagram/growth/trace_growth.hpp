@@ -19,12 +19,13 @@ class GrowthTracer : public GrowingTracer {
   GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
 
   /// The rough crossings of all edges, between the labels of their ends.
-  Crossings cross_edges(const NearestLabels& labels) const;
+  Crossings cross_edges(const NearestLabels& labels) const override;
   /// Replaces the crossings of these edges, ascending, by at most one, between the labels of the edge's ends.
-  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                          Crossings& crossings) const override;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
   /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
-  void close_faces(TracedDiagram& traced) const;
+  void close_faces(TracedDiagram& traced) const override;
 
  private:
   void refine(TracedDiagram& traced) const;

@@ -1,6 +1,6 @@
 #include "diagram/paper/trace_paper.hpp"
 
-#include "diagram/graph/face_class.hpp"
+#include "diagram/graph/nearest_labels.hpp"
 #include "diagram/growth/weld_crossings.hpp"
 #include "diagram/paper/refine_segments.hpp"
 #include "diagram/paper/rough_segments.hpp"
