@@ -14,7 +14,7 @@
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
 #include "diagram/finish_diagram.hpp"
-#include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {

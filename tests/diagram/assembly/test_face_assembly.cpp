@@ -4,7 +4,7 @@
 
 #include "base/segment.hpp"
 #include "diagram/assembly/face_assembly.hpp"
-#include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"

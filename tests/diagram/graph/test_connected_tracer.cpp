@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "diagram/graph/cell_components.hpp"
 #include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/assemble_faces.hpp"
 #include "gvd/error.hpp"

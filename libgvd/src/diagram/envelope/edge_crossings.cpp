@@ -85,7 +85,7 @@ void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, 
     s.end = std::min(s.end, length);
   }
   segments_.assign(1, {length, 0, most(sources_[0], 0, length)});
-  for (std::size_t i = 1; i < sources_.size(); ++i) insert(static_cast<std::int32_t>(i));
+  for (std::int32_t i = 1; i < std::ssize(sources_); ++i) insert(i);
 }
 
 void EdgeEnvelope::append(double end, std::int32_t source) {
@@ -137,24 +137,22 @@ void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Seg
   segments_.insert(first + kept, pieces_.begin() + kept, pieces_.end());
 }
 
-/// Appends the nearer one of two sources from `begin` to `end`. Returns whether that is the new one anywhere.
+/// Appends the nearer one of two sources from `begin` to `end`: piece by piece between the positions where the two are
+/// equally far, if the nearer one may change. Returns whether the new source is the nearer one anywhere.
 bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end) {
   const EdgeSource &o = sources_[old_source], &s = sources_[source];
   const Nearer nearer = compare_sources(o, s, begin, end);
-  if (nearer == Nearer::open) return append_nearer_pieces(old_source, source, begin, end);
-  append(end, nearer == Nearer::first ? old_source : source);
-  return nearer == Nearer::second;
-}
-
-/// The same, piece by piece between the positions where the two are equally far.
-bool EdgeEnvelope::append_nearer_pieces(std::int32_t old_source, std::int32_t source, double begin, double end) {
-  const EdgeSource &o = sources_[old_source], &s = sources_[source];
+  if (nearer != Nearer::open) {
+    append(end, nearer == Nearer::first ? old_source : source);
+    return nearer == Nearer::second;
+  }
   double from = begin;
   bool is_nearer = false;
   const auto append_to = [&](double to) {
-    const std::int32_t winner = nearer(old_source, source, 0.5 * (from + to));
-    append(to, winner);
-    is_nearer |= winner == source;
+    const double middle = 0.5 * (from + to);
+    const bool wins = s.straight(middle) < o.straight(middle);
+    append(to, wins ? source : old_source);
+    is_nearer |= wins;
     from = to;
   };
   for (const double root : equidistant_positions(o, s, unit_)) {
@@ -221,14 +219,11 @@ void EdgeCrossings::find_label_intervals(const EdgeEnvelope& envelope, Generator
     while (i + 1 < segments.size() && envelope.generator(segments[i + 1]) == g) ++i;
     const double end = segments[i].end;
     const GeneratorId before = intervals_.back().generator;
-    if (g != before && end - begin >= least && !is_gap({begin, g}, end, before)) {
-      intervals_.push_back({begin, g});
-    }
+    if (g != before && end - begin >= least && !is_gap({begin, g}, end, before)) intervals_.push_back({begin, g});
     begin = end;
   }
-  if (intervals_.back().generator == last) return;
-  // The last interval is too short, or a tie: it begins where its generator is as near as the one before.
-  intervals_.push_back({length_, last});
+  // Where the last interval is too short, or a tie, it begins where its generator is as near as the one before.
+  if (intervals_.back().generator != last) intervals_.push_back({length_, last});
 }
 
 void EdgeCrossings::append_all(const EdgeEnvelope& envelope, EdgeId e, GeneratorId first, GeneratorId last,

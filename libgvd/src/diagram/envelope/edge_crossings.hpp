@@ -12,19 +12,16 @@
 #include "geodesic/field/symbolic_offset.hpp"
 
 namespace gvd {
-namespace edge_source_detail {
-
-/// The straight path from a source to a point of the edge.
-struct StraightPath {
-  double along, straight, distance;
-  StraightPath(const EdgeSource& s, double t)
-      : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {}
-  /// Derivative of the distance along the edge.
-  double slope() const { return straight > 0 ? along / straight : 0; }
-};
 
 /// A source's straight paths to the two ends of an interval.
 struct EndPaths {
+  struct StraightPath {
+    double along, straight, distance;
+    StraightPath(const EdgeSource& s, double t)
+        : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {}
+    /// Derivative of the distance along the edge.
+    double slope() const { return straight > 0 ? along / straight : 0; }
+  };
   StraightPath begin, end;
   EndPaths(const EdgeSource& s, double from, double to) : begin(s, from), end(s, to) {}
 };
@@ -40,18 +37,16 @@ inline bool is_farther_between(const EndPaths& paths, const EndPaths& others, do
   return paths.begin.distance + first * intersection > chord;
 }
 
-}  // namespace edge_source_detail
-
 /// Which of two sources of an edge is nearer on an interval, by their straight paths.
 enum class Nearer { first, second, open };
 
 /// Compares two sources on [begin, end]. `open`: the nearer one may change in the interval.
 /// Cost: O(1). Inline: in the innermost loop of the envelope a call would cost as much as the comparison.
 inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second, double begin, double end) {
-  const edge_source_detail::EndPaths a(first, begin, end), b(second, begin, end);
+  const EndPaths a(first, begin, end), b(second, begin, end);
   const double at_begin = b.begin.distance - a.begin.distance, at_end = b.end.distance - a.end.distance;
-  if (at_begin > 0 && at_end > 0 && edge_source_detail::is_farther_between(b, a, end - begin)) return Nearer::first;
-  if (at_begin < 0 && at_end < 0 && edge_source_detail::is_farther_between(a, b, end - begin)) return Nearer::second;
+  if (at_begin > 0 && at_end > 0 && is_farther_between(b, a, end - begin)) return Nearer::first;
+  if (at_begin < 0 && at_end < 0 && is_farther_between(a, b, end - begin)) return Nearer::second;
   return Nearer::open;
 }
 
@@ -64,10 +59,8 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
 /// Improves such a position by Newton's steps, inside of (begin, end).
 double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end, double position);
 
-/// The lower envelope of the sources' distances along one edge: which source is the nearest where.
-///
-/// The distance of a source is a branch of a hyperbola over its interval, and two of them are equal in at most two
-/// points. The sources of the edge's ends reach all of it, so that there is no gap.
+/// The lower envelope of the sources' distances along one edge: which source is the nearest where. The sources of the
+/// edge's ends reach all of it, so that there is no gap.
 /// Cost: O(k^2) for k sources at worst; k is seldom above 8.
 class EdgeEnvelope {
  public:
@@ -89,10 +82,6 @@ class EdgeEnvelope {
   const std::vector<EdgeSource>& sources() const { return sources_; }
 
  private:
-  std::int32_t nearer(std::int32_t a, std::int32_t b, double t) const {
-    const EdgeSource &first = sources_[a], &second = sources_[b];
-    return second.straight(t) < first.straight(t) ? b : a;
-  }
   double begin_of(std::vector<Segment>::const_iterator segment) const {
     return segment == segments_.begin() ? 0 : (segment - 1)->end;
   }
@@ -100,7 +89,6 @@ class EdgeEnvelope {
   void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last);
   void append(double end, std::int32_t source);
   bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
-  bool append_nearer_pieces(std::int32_t old_source, std::int32_t source, double begin, double end);
 
   std::vector<EdgeSource> sources_;
   std::vector<Segment> segments_;
@@ -124,8 +112,7 @@ class EdgeDistances {
   std::vector<std::pair<GeneratorId, std::size_t>> order_;
 };
 
-/// The crossings of an edge: where the lower envelope of its sources passes from one generator to another.
-///
+/// Finds the crossings of one edge after the other.
 /// Properties of the result: (1) ascending, strictly between 0 and 1, and apart from each other and from the ends;
 /// (2) a chain of generators from the label of the first end to that of the last, whatever the sources say.
 class EdgeCrossings {

@@ -11,7 +11,6 @@
 #include "base/segment.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
-#include "diagram/graph/face_pieces.hpp"
 
 namespace gvd {
 

@@ -4,14 +4,13 @@
 // g that is nearer to g (see NearestLabels). So a chain of uncrossed edges connects it to the vertex of g. That chain
 // may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex that
 // growth moved. There vertices are unanchored: members of their own, united with their neighbours one by one.
-#include "diagram/graph/cell_components.hpp"
-
 #include <algorithm>
 #include <map>
 #include <span>
 
 #include "base/union_find.hpp"
-#include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "base/union_find.hpp"
-#include "diagram/graph/cell_components.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "mesh/vertex_ring.hpp"
 

@@ -4,11 +4,11 @@
 // crossing, then along arcs with the piece on the left, turning at branch points, until an arc ends on the boundary
 // again. Every label interval has exactly one piece; a piece may have several intervals. The cell on its left tells
 // which arc goes on, because the cells round a crossing or a branch point differ.
-#include "diagram/graph/face_pieces.hpp"
-
 #include <algorithm>
 #include <compare>
 #include <utility>
+
+#include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
 namespace {
