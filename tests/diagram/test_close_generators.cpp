@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/envelope/arc_intersections.hpp"
+#include "diagram/envelope/separate_arcs.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"

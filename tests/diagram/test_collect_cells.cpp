@@ -1,14 +1,16 @@
 // From a traced diagram to cells: areas, pieces, labels of faces, neighbours.
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/collect_cells.hpp"
-#include "diagram/trace_bisectors.hpp"
-#include "gvd/mesh.hpp"
+#include "diagram/finish_diagram.hpp"
+#include "gvd/surface_area.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
 #include "support/same_diagram.hpp"
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
@@ -117,6 +119,85 @@ TEST_CASE("cells are the same on one thread and on three, to the last bit") {
   const Mesh mesh = test::make_sphere(4);
   const auto generators = test::random_generators(mesh, 500, 33);
   CHECK(test::same_diagram(collect(mesh, generators, 1), collect(mesh, generators, 3)));
+}
+
+TEST_CASE("no cell asked for: no share") { CHECK(CellShares().take().empty()); }
+
+TEST_CASE("a share begins at zero, and is the same one when it is asked for again") {
+  CellShares shares;
+  CHECK(shares[GeneratorId(7)].euler_characteristic == 0);
+  CHECK(shares[GeneratorId(7)].area == 0);
+  shares[GeneratorId(7)].area += 2;
+  shares[GeneratorId(3)].area += 1;
+  shares[GeneratorId(7)].area += 2;
+  const std::vector<CellShare> all = shares.take();
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].generator == GeneratorId(7));
+  CHECK(all[0].area == 4);
+  CHECK(all[1].generator == GeneratorId(3));
+  CHECK(all[1].area == 1);
+}
+
+TEST_CASE("many cells, in any order, sum up as in an ordered map, and come out in the order of insertion") {
+  test::Random random(5);
+  for (const int cells : {1, 2, 16, 17, 1000}) {
+    CAPTURE(cells);
+    CellShares shares;
+    std::map<GeneratorId, int> expected;
+    std::vector<GeneratorId> order;
+    for (int i = 0; i < 5000; ++i) {
+      const GeneratorId g(1000003 * random.below(cells));  // far apart
+      if (++expected[g] == 1) order.push_back(g);
+      ++shares[g].euler_characteristic;
+    }
+    const std::vector<CellShare> all = shares.take();
+    REQUIRE(all.size() == order.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      REQUIRE(all[i].generator == order[i]);
+      REQUIRE(all[i].euler_characteristic == expected[order[i]]);
+    }
+  }
+}
+
+std::vector<std::int32_t> count_loops(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  const WorkingMesh working(mesh, generators);
+  const FastMarchingResult marched = march(working, Front::circle, {});
+  return count_boundary_loops(working, test::trace_growth(working, marched.table, Front::circle)).raw();
+}
+
+std::vector<std::int32_t> count_loops_at(const Mesh& mesh, const std::vector<int>& generators) {
+  return count_loops(mesh, test::at_vertices(mesh, generators));
+}
+
+using Counts = std::vector<std::int32_t>;
+
+TEST_CASE("one generator: the loops are those of the mesh's boundary") {
+  CHECK(count_loops_at(test::make_triangle(), {0}) == Counts{1});
+  CHECK(count_loops_at(test::make_pillow(), {0}) == Counts{0});
+  CHECK(count_loops_at(test::make_sphere(2), {0}) == Counts{0});
+  CHECK(count_loops_at(test::make_grid(3, 3), {5}) == Counts{1});
+  CHECK(count_loops_at(test::make_ring(24, 6), {10}) == Counts{2});
+  CHECK(count_loops_at(test::make_half_sphere(2), {0}) == Counts{1});
+}
+
+TEST_CASE("a component without a generator counts for no cell") {
+  CHECK(count_loops_at(test::make_two_components(), {0}) == Counts{0});
+}
+
+TEST_CASE("a closed bisector is a loop of both of its cells") {
+  CHECK(count_loops_at(test::make_sphere(3), {0, 3}) == Counts{1, 1});
+  CHECK(count_loops_at(test::make_torus(24, 12), {0, 12 * 12}) == Counts{2, 2});
+}
+
+TEST_CASE("where bisectors end on the mesh's boundary, they form one loop with its pieces") {
+  CHECK(count_loops_at(test::make_grid(6, 6), {0, 48}) == Counts{1, 1});
+  CHECK(count_loops_at(test::make_ring(24, 6), {3, 12 * 7 + 3}) == Counts{1, 1});
+}
+
+TEST_CASE("branch points join the bisectors round a cell to one loop") {
+  CHECK(count_loops_at(test::make_tetrahedron(), {0, 1, 2, 3}) == Counts{1, 1, 1, 1});
+  const Mesh mesh = test::make_sphere(3);
+  for (const std::int32_t loops : count_loops(mesh, test::random_generators(mesh, 40, 3))) CHECK(loops >= 1);
 }
 
 }  // namespace gvd::test_collect_cells

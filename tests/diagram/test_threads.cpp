@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "diagram/connected_tracer.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "geodesic/windows/field/window_distances.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
@@ -116,9 +116,9 @@ TEST_CASE("of several faces that fail, the first one is named") {
       const Progress silent;
       const ParallelChunks parallel(threads, silent);
       const FailingField failing(distances, FaceId(working.mesh().face_count() / 2));
-      const EnvelopeTracer tracer(working, failing, 1e-3, parallel);
+      EnvelopeTracer tracer(working, failing, 1e-3, parallel);
       try {
-        trace_connected(working, take_labels(working, field.distance, field.label, parallel), steps_of(tracer), silent);
+        trace_connected(working, take_labels(working, field.distance, field.label, parallel), tracer, silent);
       } catch (const Error& error) {
         return error.element();
       }

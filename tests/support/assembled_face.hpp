@@ -7,7 +7,7 @@
 #include "base/barycentric.hpp"
 #include "diagram/assembly/face_assembly.hpp"
 #include "diagram/assembly/form_distances.hpp"
-#include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "support/random.hpp"
 
 namespace gvd::test {

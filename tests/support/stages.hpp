@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/connected_tracer.hpp"
+#include "diagram/graph/connected_tracer.hpp"
 #include "diagram/graph/nearest_labels.hpp"
 #include "diagram/growth/gap_tracer.hpp"
 #include "geodesic/marching/fast_marching.hpp"
@@ -35,7 +35,7 @@ struct Stages {
 inline TracedDiagram trace_growth(const WorkingMesh& working, const GeneratorTable& table, Front front) {
   const Progress silent;
   GrowthTracer tracer(working, table, front, silent);
-  return trace_connected(working, compute_nearest_labels(working, table), steps_of(tracer), silent);
+  return trace_connected(working, compute_nearest_labels(working, table), tracer, silent);
 }
 
 /// The vertices with these ids as generators.

@@ -1,14 +1,20 @@
-#include "diagram/collect_cells.hpp"
-
+// The cells of a traced diagram: labels of faces, pieces, areas, Euler characteristics, boundary loops and neighbours.
+//
+// Several threads take chunks of faces. Each sums up the shares of the cells in its chunk (CellShares), and the shares
+// are added in the order of the chunks, so that every sum has the same bits for any number of threads.
+// A cell's Euler characteristic is counted over its open interior: along its closed boundary curves vertices and edges
+// cancel. So neither bisectors nor the mesh's boundary are counted. The boundary loops are counted on their own, by
+// union-find over the sides of arcs; tests compare the two.
 #include <algorithm>
-#include <cstdint>
+#include <array>
 #include <iterator>
+#include <map>
 #include <span>
 
 #include "base/barycentric.hpp"
-#include "diagram/cell_shares.hpp"
-#include "diagram/graph/boundary_loops.hpp"
-#include "diagram/graph/face_pieces.hpp"
+#include "base/union_find.hpp"
+#include "diagram/finish_diagram.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -16,6 +22,86 @@ namespace {
 
 /// Faces in a chunk. Some are cut into pieces, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
+
+constexpr std::int32_t kNoPiece = -1;
+
+/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: every set
+/// is a loop.
+class LoopCounter {
+ public:
+  LoopCounter(const WorkingMesh& working, const TracedDiagram& traced)
+      : mesh_(working.mesh()),
+        traced_(traced),
+        loops_(working.generator_vertices().size(), 0),
+        sets_(0),
+        at_crossing_(traced.crossings.size(), {kNoPiece, kNoPiece}),
+        at_branch_(traced.faces.branches.size()) {}
+
+  IdVector<GeneratorId, std::int32_t> count() {
+    for (const FaceArc& arc : traced_.faces.arcs) {
+      add_side(arc, arc.left);
+      add_side(arc, arc.right);
+    }
+    for (const EdgeId e : mesh_.edges()) {
+      if (mesh_.is_boundary(e)) add_boundary_edge(e);
+    }
+    for (int i = 0; i < std::ssize(label_); ++i) {
+      if (label_[i].valid() && sets_.find(i) == i) ++loops_[label_[i]];
+    }
+    return std::move(loops_);
+  }
+
+ private:
+  std::int32_t add(GeneratorId g) {
+    label_.push_back(g);
+    return sets_.add();
+  }
+
+  // The cells at a crossing or at a branch point differ, so the end and the cell of a side determine what follows it.
+  void add_side(const FaceArc& arc, GeneratorId g) {
+    const std::int32_t side = add(g);
+    for (const ArcEnd& end : {arc.begin, arc.end}) {
+      if (end.crossing.valid()) {
+        unite_at(end.crossing, g, side);
+      } else {
+        unite(at_branch_[end.branch].try_emplace(g, kNoPiece).first->second, side);
+      }
+    }
+  }
+
+  void add_boundary_edge(EdgeId e) {
+    const HalfedgeId h = mesh_.halfedge(e);
+    GeneratorId g = traced_.labels.label[mesh_.from(h)];
+    std::int32_t interval = add(g);
+    unite(at_vertex_.try_emplace(mesh_.from(h), kNoPiece).first->second, interval);
+    for (std::int32_t k = 0; k < traced_.crossings.count(e); ++k) {
+      const CrossingId id(traced_.crossings.first(e).value() + k);
+      unite_at(id, g, interval);
+      g = traced_.crossings[id].after;
+      interval = add(g);
+      unite_at(id, g, interval);
+    }
+    unite(at_vertex_.try_emplace(mesh_.to(h), kNoPiece).first->second, interval);
+  }
+
+  void unite_at(CrossingId id, GeneratorId g, std::int32_t member) {
+    unite(at_crossing_[id][traced_.crossings[id].before == g ? 0 : 1], member);
+  }
+
+  void unite(std::int32_t& first, std::int32_t member) {
+    if (first == kNoPiece) first = member;
+    sets_.unite(first, member);
+  }
+
+  const Mesh& mesh_;
+  const TracedDiagram& traced_;
+  IdVector<GeneratorId, std::int32_t> loops_;
+  UnionFind sets_;
+  std::vector<GeneratorId> label_;
+  IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing_;
+  IdVector<BranchPointId, std::map<GeneratorId, std::int32_t>> at_branch_;
+  std::map<VertexId, std::int32_t> at_vertex_;
+};
 
 /// Labels the faces of a chunk, and cuts those with arcs into pieces.
 class FaceCollector {
@@ -25,9 +111,10 @@ class FaceCollector {
 
   void collect(const Chunk& faces) {
     const std::vector<FaceArc>& arcs = traced_.faces.arcs;
-    const FaceId first(faces.begin), last(static_cast<std::int64_t>(faces.end));
-    auto arc = std::partition_point(arcs.begin(), arcs.end(), [&](const FaceArc& a) { return a.face < first; });
-    for (FaceId f = first; f < last; f = FaceId(f.value() + 1)) {
+    auto arc =
+        std::partition_point(arcs.begin(), arcs.end(), [&](const FaceArc& a) { return a.face < FaceId(faces.begin); });
+    for (std::size_t i = faces.begin; i < faces.end; ++i) {
+      const FaceId f(i);
       const auto begin = arc;
       while (arc != arcs.end() && arc->face == f) ++arc;
       if (begin == arc) {
@@ -92,28 +179,22 @@ class CellCollector {
       : working_(working), mesh_(working.mesh()), traced_(traced), parallel_(parallel), diagram_(diagram) {}
 
   void collect() {
-    const auto n = working_.generator_vertices().size();
-    diagram_.cells.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const GeneratorId g(i);
-      diagram_.cells[g].generator = g;
-    }
-    diagram_.face_label.resize(static_cast<std::size_t>(working_.input().face_count()));
+    diagram_.cells.resize(working_.generator_vertices().size());
+    diagram_.face_label.resize(working_.input().face_count());
     count_vertices();
     count_edges();
     collect_faces();
     sort_pieces();
     find_neighbours();
     const auto loops = count_boundary_loops(working_, traced_);
-    for (Cell& c : diagram_.cells) {
-      c.components = traced_.cell_components[c.generator];
-      c.boundary_loops = loops[c.generator];
+    for (const GeneratorId g : diagram_.cells.ids()) {
+      diagram_.cells[g].generator = g;
+      diagram_.cells[g].components = traced_.cell_components[g];
+      diagram_.cells[g].boundary_loops = loops[g];
     }
   }
 
  private:
-  // A cell's Euler characteristic is counted over its open interior: along its closed boundary curves vertices and
-  // edges cancel. So neither bisectors nor the mesh's boundary are counted.
   void count_vertices() {
     count(mesh_.vertex_count(), 1, [&](std::size_t i) {
       const VertexId v(i);
@@ -134,29 +215,30 @@ class CellCollector {
   /// Adds `sign` to the Euler characteristic of label_of(i)'s cell for every i below `items`.
   template <class LabelOf>
   void count(std::int32_t items, std::int32_t sign, const LabelOf& label_of) {
-    const auto chunks = cut_into_chunks(static_cast<std::size_t>(items), kScanChunk);
-    for (const auto& shares : parallel_.map(chunks, steps::kVerticesAndEdges, [&](const Chunk& chunk) {
-           CellShares list;
-           for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-             const GeneratorId g = label_of(i);
-             if (g.valid()) list[g].euler_characteristic += sign;
-           }
-           return list.take();
-         })) {
+    const auto count_chunk = [&](const Chunk& chunk) {
+      CellShares shares;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const GeneratorId g = label_of(i);
+        if (g.valid()) shares[g].euler_characteristic += sign;
+      }
+      return shares.take();
+    };
+    for (const auto& shares :
+         parallel_.map(cut_into_chunks(items, kScanChunk), steps::kVerticesAndEdges, count_chunk)) {
       add(shares);
     }
   }
 
   void collect_faces() {
-    const auto chunks = cut_into_chunks(static_cast<std::size_t>(mesh_.face_count()), kChunkFaces);
-    for (FaceCollector::Result& result : parallel_.map(chunks, steps::kPieces, [&](const Chunk& chunk) {
-           FaceCollector faces(working_, traced_, diagram_.face_label);
-           faces.collect(chunk);
-           return faces.take_result();
-         })) {
+    const auto collect_chunk = [&](const Chunk& chunk) {
+      FaceCollector faces(working_, traced_, diagram_.face_label);
+      faces.collect(chunk);
+      return faces.take_result();
+    };
+    const auto chunks = cut_into_chunks(mesh_.face_count(), kChunkFaces);
+    for (FaceCollector::Result& result : parallel_.map(chunks, steps::kPieces, collect_chunk)) {
       add(result.shares);
-      diagram_.pieces.insert(diagram_.pieces.end(), std::make_move_iterator(result.pieces.begin()),
-                             std::make_move_iterator(result.pieces.end()));
+      std::move(result.pieces.begin(), result.pieces.end(), std::back_inserter(diagram_.pieces));
     }
   }
 
@@ -195,6 +277,10 @@ class CellCollector {
 };
 
 }  // namespace
+
+IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced) {
+  return LoopCounter(working, traced).count();
+}
 
 void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                    Diagram& diagram) {

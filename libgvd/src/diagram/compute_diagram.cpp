@@ -1,22 +1,28 @@
+// The whole pipeline: a working mesh, in which every generator is a vertex; distances by the solver; bisectors by the
+// tracer, in rounds that connect every cell; and the cells.
+//
+// Any solver works with any tracer. The envelope tracer reads a `DistanceField`, the tracers of the paper read the
+// generator tables of the faces: each solver provides both. What follows the tracer is the same for all methods.
+// Source: section 4 of the paper, whose steps `Method::paper` keeps one by one.
+// A run throws before it begins, or says in its report what it could not do.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
-#include "diagram/collect_cells.hpp"
-#include "diagram/connected_tracer.hpp"
-#include "diagram/count_face_classes.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
-#include "diagram/growth/gap_tracer.hpp"
-#include "diagram/growth/trace_paper.hpp"
-#include "diagram/trace_bisectors.hpp"
+#include "diagram/finish_diagram.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "diagram/growth/trace_growth.hpp"
+#include "diagram/paper/trace_paper.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/marching/marched_distances.hpp"
-#include "geodesic/symbolic_offset.hpp"
+#include "geodesic/windows/field/make_generator_table.hpp"
+#include "geodesic/windows/field/window_distances.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
@@ -30,11 +36,9 @@ namespace {
 void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const SymbolicOffset& offset,
                         Diagram& diagram) {
   const NearestLabels& nearest = traced.before_relabelling ? *traced.before_relabelling : traced.labels;
-  const auto n = static_cast<std::size_t>(working.input().vertex_count());
-  diagram.vertex_label.resize(n);
-  diagram.vertex_distance.resize(n);
-  for (std::int32_t i = 0; i < working.input().vertex_count(); ++i) {
-    const VertexId v(i);
+  diagram.vertex_label.resize(working.input().vertex_count());
+  diagram.vertex_distance.resize(working.input().vertex_count());
+  for (const VertexId v : working.input().vertices()) {
     diagram.vertex_label[v] = traced.labels.label[v];
     diagram.vertex_distance[v] = std::max(0.0, nearest.distance[v] - offset.of(nearest.label[v]));
   }
@@ -49,10 +53,10 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
   NearestLabels labels = compute_nearest_labels(working, table);
   if (options.method.tracer == Tracer::paper) {
     PaperTracer tracer(working, table, options.front, options.progress);
-    return trace_connected(working, std::move(labels), steps_of(tracer), options.progress);
+    return trace_connected(working, std::move(labels), tracer, options.progress);
   }
   GrowthTracer tracer(working, table, options.front, options.progress);
-  return trace_connected(working, std::move(labels), steps_of(tracer), options.progress);
+  return trace_connected(working, std::move(labels), tracer, options.progress);
 }
 
 /// What solver and tracer leave to the steps that all methods share.
@@ -70,9 +74,9 @@ Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, 
     return {trace_tables(working, marched.table, options), marched.offset};
   }
   const MarchedDistances distances(working.mesh(), marched.table);
-  const EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
+  EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
   NearestLabels labels = compute_nearest_labels(working, marched.table);
-  return {trace_connected(working, std::move(labels), steps_of(tracer), options.progress), marched.offset};
+  return {trace_connected(working, std::move(labels), tracer, options.progress), marched.offset};
 }
 
 WindowField propagate(const WorkingMesh& working, const DiagramOptions& options, bool departures) {
@@ -93,9 +97,21 @@ Traced trace_windows(const WorkingMesh& working, const WindowField& field, const
     return {trace_tables(working, table, options), {}};
   }
   const WindowDistances distances(mesh, field);
-  const EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
+  EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
   NearestLabels labels = take_labels(working, field.distance, field.label, parallel);
-  return {trace_connected(working, std::move(labels), steps_of(tracer), options.progress), {}};
+  return {trace_connected(working, std::move(labels), tracer, options.progress), {}};
+}
+
+/// How many faces have each class: n1, n2 and n3 of section 4.4 of the paper.
+FaceClassCounts count_face_classes(const Mesh& mesh, const IdVector<VertexId, GeneratorId>& label) {
+  FaceClassCounts counts;
+  for (const FaceId f : mesh.faces()) {
+    const FaceClass found = classify(mesh, label, f);
+    counts.trivial += found == FaceClass::trivial;
+    counts.ordinary += found == FaceClass::ordinary;
+    counts.branching += found == FaceClass::branching;
+  }
+  return counts;
 }
 
 void take_counts(const TracerCounts& counts, DiagramReport& report) {

@@ -17,8 +17,8 @@ using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, 
 void check_diagram_options(const DiagramOptions& options);
 
 /// `compute_diagram` with the windows as the solver. `read` is called once, at the end; it may be empty, and then
-/// windows far from bisectors are not kept. Rounding differs, because windows
-/// come in another order, and so may the points within the chord tolerance.
+/// windows far from bisectors are not kept. Rounding differs between the two cases, because windows come in another
+/// order, and so may the points within the chord tolerance.
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                  const DiagramOptions& options, const WindowReader& read);
 

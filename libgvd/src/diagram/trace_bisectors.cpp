@@ -1,7 +1,13 @@
-#include "diagram/trace_bisectors.hpp"
-
+// The last stop of an arc: from arcs inside faces to bisectors from branch point to branch point.
+//
+// Every crossing ends one arc in each of its faces, and every branch point ends the arcs of its ring. So a bisector is
+// a chain: it begins at a branch point or on the mesh's boundary, and goes on at each crossing with the other arc
+// there. Arcs that remain belong to closed bisectors. The chains are found first, by one thread; several threads then
+// compute their points, in the faces of the input mesh, and the lengths are added in the order of the bisectors.
 #include <algorithm>
+#include <array>
 
+#include "diagram/finish_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -45,9 +51,8 @@ class BisectorTracer {
   void link_arcs() {
     crossing_arcs_.assign(traced_.crossings.size(), {kNoMember, kNoMember});
     branch_arcs_.resize(traced_.faces.branches.size());
-    for (std::size_t a = 0; a < arcs_.size(); ++a) {
-      for (const ArcEnd& end : {arcs_[a].begin, arcs_[a].end}) {
-        const auto arc = static_cast<std::int32_t>(a);
+    for (std::int32_t arc = 0; arc < std::ssize(arcs_); ++arc) {
+      for (const ArcEnd& end : {arcs_[arc].begin, arcs_[arc].end}) {
         if (end.crossing.valid()) {
           auto& slots = crossing_arcs_[end.crossing];
           slots[slots[0] == kNoMember ? 0 : 1] = arc;
@@ -56,7 +61,7 @@ class BisectorTracer {
         }
       }
     }
-    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) order_ring(BranchPointId(b));
+    for (const BranchPointId b : branch_arcs_.ids()) order_ring(b);
   }
 
   GeneratorId left_when_leaving(std::int32_t arc, const ArcEnd& from) const {
@@ -71,17 +76,17 @@ class BisectorTracer {
   /// Sorts the arcs at a branch point counter-clockwise: the cell on the left of one is on the right of the next.
   void order_ring(BranchPointId b) {
     auto& ring = branch_arcs_[b];
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-      const GeneratorId left = left_when_leaving(ring[i], at(b));
-      const auto next = std::find_if(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, ring.end(),
-                                     [&](std::int32_t arc) { return right_when_leaving(arc, at(b)) == left; });
-      if (next != ring.end()) std::iter_swap(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, next);
+    if (ring.empty()) return;
+    for (auto next = ring.begin() + 1; next != ring.end(); ++next) {
+      const GeneratorId left = left_when_leaving(*(next - 1), at(b));
+      const auto found =
+          std::find_if(next, ring.end(), [&](std::int32_t arc) { return right_when_leaving(arc, at(b)) == left; });
+      if (found != ring.end()) std::iter_swap(next, found);
     }
   }
 
   void add_branch_points() {
-    for (std::size_t i = 0; i < traced_.faces.branches.size(); ++i) {
-      const BranchPointId b(i);
+    for (const BranchPointId b : traced_.faces.branches.ids()) {
       const FaceBranch& branch = traced_.faces.branches[b];
       BranchPoint out;
       out.point = input_point(branch.face, branch.bary);
@@ -98,21 +103,21 @@ class BisectorTracer {
 
   SurfacePoint point(const ArcEnd& end) const {
     if (end.branch.valid()) return diagram_.branch_points[end.branch].point;
-    return crossing_point(working_, traced_.crossings[end.crossing]);
+    const Crossing& crossing = traced_.crossings[end.crossing];
+    const SurfacePoint p = edge_point(working_.mesh().halfedge(crossing.edge), crossing.t);
+    return input_point(p.face, p.bary);
   }
 
   void find_chains() {
-    for (std::size_t b = 0; b < branch_arcs_.size(); ++b) {
-      const BranchPointId branch(b);
+    for (const BranchPointId branch : branch_arcs_.ids()) {
       for (const std::int32_t arc : branch_arcs_[branch]) follow(arc, at(branch), false);
     }
-    for (std::size_t c = 0; c < traced_.crossings.size(); ++c) {
-      const CrossingId crossing(static_cast<std::int64_t>(c));
+    for (const CrossingId crossing : crossing_arcs_.ids()) {
       const auto [arc, other] = crossing_arcs_[crossing];
       if (arc != kNoMember && other == kNoMember) follow(arc, at(crossing), false);
     }
     // The remaining arcs have no end: their bisectors are closed.
-    for (std::size_t a = 0; a < arcs_.size(); ++a) follow(static_cast<std::int32_t>(a), arcs_[a].begin, true);
+    for (std::int32_t arc = 0; arc < std::ssize(arcs_); ++arc) follow(arc, arcs_[arc].begin, true);
   }
 
   /// Adds the bisector that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at the mesh's
@@ -156,11 +161,8 @@ class BisectorTracer {
     }
     double length = 0;
     const std::size_t n = bisector.points.size();
-    for (std::size_t k = 0; k + (bisector.closed ? 0 : 1) < n; ++k) {
-      length +=
-          (position(working_.input(), bisector.points[(k + 1) % n]) - position(working_.input(), bisector.points[k]))
-              .norm();
-    }
+    const auto vertex = [&](std::size_t k) { return position(working_.input(), bisector.points[k % n]); };
+    for (std::size_t k = 0; k + (bisector.closed ? 0 : 1) < n; ++k) length += (vertex(k + 1) - vertex(k)).norm();
     return length;
   }
 
@@ -182,11 +184,6 @@ class BisectorTracer {
 };
 
 }  // namespace
-
-SurfacePoint crossing_point(const WorkingMesh& working, const Crossing& crossing) {
-  const SurfacePoint p = edge_point(working.mesh().halfedge(crossing.edge), crossing.t);
-  return make_surface_point(working.parent(p.face), working.parent_bary(p.face, p.bary));
-}
 
 void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                      Diagram& diagram) {

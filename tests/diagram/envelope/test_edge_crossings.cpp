@@ -1,13 +1,245 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "diagram/envelope/edge_crossings.hpp"
-#include "diagram/envelope/edge_envelope.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 namespace gvd::test_edge_crossings {
+
+EdgeSource source(double x, double depth, double offset) { return {0, 1, x, depth, offset, GeneratorId(0)}; }
+
+/// Random sources of an edge of length 1, some of them on it or without an offset.
+EdgeSource random_source(test::Random& random) {
+  return source(random.real(-1, 2), random.below(4) == 0 ? 0 : random.real(0, 1),
+                random.below(3) == 0 ? 0 : random.real(0, 1));
+}
+
+TEST_CASE("a source compared with itself stays open, and has no position") {
+  const EdgeSource s = source(0.5, 0.2, 0.1);
+  CHECK(compare_sources(s, s, 0, 1) == Nearer::open);
+  for (const double t : equidistant_positions(s, s, 1)) CHECK(t == -1);
+}
+
+TEST_CASE("two sources of one image with different offsets are never decided wrongly") {
+  // The roots of the squares may be inside of the edge, though the nearer source never changes.
+  CHECK(compare_sources(source(0.5, 0.2, 0), source(0.5, 0.2, 0.3), 0, 1) != Nearer::second);
+  CHECK(compare_sources(source(0.5, 0.2, 0.3), source(0.5, 0.2, 0), 0, 1) != Nearer::first);
+  CHECK(compare_sources(source(0.5, 0.2, 0), source(0.5, 0.2, 3), 0, 1) == Nearer::first);
+  CHECK(compare_sources(source(0.5, 0.2, 3), source(0.5, 0.2, 0), 0, 1) == Nearer::second);
+}
+
+TEST_CASE("a source that is farther at both ends but may dip in between stays open") {
+  CHECK(compare_sources(source(0.5, 1, 0), source(0.5, 0.1, 0.8), 0, 1) == Nearer::open);
+  CHECK(compare_sources(source(0.5, 1, 0), source(0.5, 0.1, 1.5), 0, 1) == Nearer::first);
+}
+
+TEST_CASE("equal offsets: the position is that of the perpendicular bisector") {
+  const auto positions = equidistant_positions(source(0, 0.1, 0.7), source(1, 0.1, 0.7), 1);
+  CHECK(std::count(positions.begin(), positions.end(), 0.5) == 1);
+  CHECK(std::count(positions.begin(), positions.end(), -1) == 1);
+}
+
+TEST_CASE("what is decided holds at every sampled point, on any interval") {
+  test::Random random(1);
+  int decided = 0;
+  for (int round = 0; round < 5000; ++round) {
+    const EdgeSource a = random_source(random), b = random_source(random);
+    const double begin = random.real(0, 0.9), end = random.real(begin, 1);
+    const Nearer nearer = compare_sources(a, b, begin, end);
+    if (nearer == Nearer::open) continue;
+    ++decided;
+    for (int k = 0; k <= 50; ++k) {
+      const double t = begin + (end - begin) * k / 50;
+      const double difference = b.straight(t) - a.straight(t);
+      INFO("round " << round << " at " << t);
+      REQUIRE((nearer == Nearer::first ? difference : -difference) >= -1e-14);
+    }
+  }
+  CHECK(decided > 2500);
+}
+
+TEST_CASE("positions include every change of the nearer source, at any scale of the edge") {
+  test::Random random(2);
+  int changes = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const double scale = std::ldexp(1.0, random.below(200) - 100);
+    EdgeSource a = random_source(random), b = random_source(random);
+    for (EdgeSource* s : {&a, &b}) s->x *= scale, s->depth *= scale, s->offset *= scale, s->end *= scale;
+    const auto positions = equidistant_positions(a, b, 1 / scale);
+    if (positions[1] != -1) REQUIRE_FALSE(positions[0] > positions[1]);
+    constexpr int kSamples = 200;
+    for (int k = 0; k < kSamples; ++k) {
+      const double t = scale * k / kSamples, next = scale * (k + 1) / kSamples;
+      const double first = b.straight(t) - a.straight(t), last = b.straight(next) - a.straight(next);
+      if (std::min(std::abs(first), std::abs(last)) < 1e-9 * scale || (first < 0) == (last < 0)) continue;
+      ++changes;
+      INFO("round " << round << " at " << t / scale);
+      REQUIRE(std::any_of(positions.begin(), positions.end(),
+                          [&](double p) { return p >= t - 1e-6 * scale && p <= next + 1e-6 * scale; }));
+    }
+  }
+  CHECK(changes > 500);
+}
+
+TEST_CASE("two images nearly in one place, far from the start of the edge, are told apart") {
+  // With offsets that hardly differ the two roots nearly coincide: the discriminant keeps half of the digits. Counted
+  // from the start of the edge, these do not reach down to the distance of the images.
+  for (const double apart : {1e-6, 1e-9, 1e-11}) {
+    const EdgeSource a = source(1 - 0.1 * apart, apart, 6e-14), b = source(1, 0, 3e-14);
+    const auto positions = equidistant_positions(a, b, 1);
+    INFO(apart << " apart: " << positions[0] << " and " << positions[1]);
+    CHECK(std::any_of(positions.begin(), positions.end(),
+                      [&](double t) { return std::abs(a.straight(t) - b.straight(t)) <= 1e-4 * apart; }));
+  }
+}
+
+TEST_CASE("two images that tie at the start of the edge, but for a tiny offset, change just behind it") {
+  // On a bipyramid of needles with a generator in each face. The position lies 4e-9 from the start, by the slopes
+  // there.
+  const EdgeSource a = source(0.89477948613550307, 0.003487944182557612, 2.1474927273429897e-13);
+  const EdgeSource b = source(0.89476740056005333, 0.0058132141316566705, 1.6106195455072423e-13);
+  const auto positions = equidistant_positions(a, b, 1);
+  INFO(positions[0] << " and " << positions[1]);
+  CHECK(positions[0] < -3e-9);
+  CHECK(positions[1] > 3e-9);
+  CHECK(positions[1] < 5e-9);
+}
+
+TEST_CASE("Newton's steps improve a position, and stay in the interval") {
+  const EdgeSource a = source(0.1, 0.2, 0), b = source(0.8, 0.3, 0.1);
+  const auto positions = equidistant_positions(a, b, 1);
+  const double exact = *std::find_if(positions.begin(), positions.end(), [](double t) { return t > 0 && t < 1; });
+  const double refined = refine_equidistant(a, b, 0, 1, exact + 1e-4);
+  CHECK(std::abs(a.straight(refined) - b.straight(refined)) < 1e-15);
+  const double bounded = refine_equidistant(a, b, exact + 1e-5, 1, exact + 1e-4);
+  CHECK(bounded > exact + 1e-5);
+}
+
+struct Interval {
+  double begin, end;
+};
+
+EdgeSource source(int generator, const Interval& interval, double x, double depth, double offset) {
+  return {interval.begin, interval.end, x, depth, offset, GeneratorId(generator)};
+}
+
+/// Length of the straight path of the source that an envelope says is the nearest at t.
+double straight_at(const EdgeEnvelope& envelope, const std::vector<EdgeSource>& sources, double t) {
+  for (const EdgeEnvelope::Segment& s : envelope.segments()) {
+    if (t <= s.end) return sources[s.source].straight(t);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+TEST_CASE("two equal sources: the first one is the nearest everywhere") {
+  EdgeEnvelope envelope;
+  envelope.build({source(4, {0, 2}, 1, 1, 0), source(2, {0, 2}, 1, 1, 0)}, 2, {});
+  REQUIRE(envelope.segments().size() == 1);
+  CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(4));
+  CHECK(envelope.segments()[0].end == 2);
+}
+
+TEST_CASE("with symbolic offsets, the lower generator wins a tie in any order of the sources") {
+  for (const int first : {2, 4}) {
+    EdgeEnvelope envelope;
+    envelope.build({source(first, {0, 2}, 1, 1, 0), source(6 - first, {0, 2}, 1, 1, 0)}, 2, {1e-12});
+    REQUIRE(envelope.segments().size() == 1);
+    CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(2));
+    const std::vector<EdgeSource>& kept = envelope.sources();
+    const double lower = kept[0].generator < kept[1].generator ? kept[0].straight(1) : kept[1].straight(1);
+    const double higher = kept[0].generator < kept[1].generator ? kept[1].straight(1) : kept[0].straight(1);
+    CHECK(higher - lower == Approx(2e-12).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a source with an empty interval, or one outside of the edge, has no segment") {
+  EdgeEnvelope envelope;
+  envelope.build({source(0, {0, 1}, 0.5, 5, 0), source(1, {0.5, 0.5}, 0.5, 0, 0), source(2, {1.2, 1.5}, 1.3, 0, 0),
+                  source(3, {-1, 0}, 0, 0, 0)},
+                 1, {});
+  REQUIRE(envelope.segments().size() == 1);
+  CHECK(envelope.generator(envelope.segments()[0]) == GeneratorId(0));
+}
+
+TEST_CASE("a source that is nearer inside its interval cuts a segment in three") {
+  EdgeEnvelope envelope;
+  envelope.build({source(0, {0, 1}, 0.5, 2, 0), source(1, {0.4, 0.6}, 0.5, 1, 0)}, 1, {});
+  REQUIRE(envelope.segments().size() == 3);
+  CHECK(envelope.segments()[0].end == 0.4);
+  CHECK(envelope.segments()[1].end == 0.6);
+  CHECK(envelope.segments()[2].end == 1);
+  CHECK(envelope.generator(envelope.segments()[1]) == GeneratorId(1));
+}
+
+TEST_CASE("segments ascend to the edge's end, and none of the sources is nearer than theirs, at any scale") {
+  test::Random random(4);
+  for (int round = 0; round < 1000; ++round) {
+    const double length = std::pow(10, random.real(-6, 6));
+    std::vector<EdgeSource> sources{source(0, {0, length}, 0, 0, random.real(0, 1) * length),
+                                    source(1, {0, length}, length, 0, random.real(0, 1) * length)};
+    for (int g = random.below(8); g > 0; --g) {
+      const double begin = random.real(0, length), end = random.real(begin, length);
+      sources.push_back(source(g + 1, {begin, end}, random.real(-1, 2) * length, random.real(0, 1) * length,
+                               random.below(2) * random.real(0, 0.5) * length));
+    }
+    EdgeEnvelope envelope;
+    envelope.build(sources, length, {});
+    double last = 0;
+    for (const EdgeEnvelope::Segment& s : envelope.segments()) {
+      REQUIRE(s.end > last);
+      last = s.end;
+    }
+    REQUIRE(last == length);
+    for (int k = 0; k < 60; ++k) {
+      const double t = length * (k + 0.5) / 60;
+      double least = std::numeric_limits<double>::infinity();
+      for (const EdgeSource& s : sources) {
+        if (t >= s.begin && t <= s.end) least = std::min(least, s.straight(t));
+      }
+      INFO("round " << round);
+      REQUIRE(straight_at(envelope, sources, t) <= least + 1e-12 * length);
+    }
+  }
+}
+
+TEST_CASE("a generator without a source is infinitely far along an edge") {
+  EdgeDistances distances;
+  distances.build({{0, 1, 0, 0, 0, GeneratorId(0)}, {0, 1, 1, 0, 0, GeneratorId(2)}});
+  CHECK(std::isinf(distances.at(GeneratorId(1), 0.5)));
+  CHECK(std::isinf(distances.at(GeneratorId(3), 0.5)));
+  CHECK(distances.at(GeneratorId(0), 0.25) == 0.25);
+  CHECK(distances.at(GeneratorId(2), 0.25) == 0.75);
+}
+
+TEST_CASE("the distances along an edge are the least over the sources of a generator, in any order") {
+  test::Random random(11);
+  for (int round = 0; round < 500; ++round) {
+    std::vector<EdgeSource> sources;
+    for (int k = random.below(30); k >= 0; --k) {
+      const double begin = random.real(0, 1), end = random.real(begin, 1);
+      const double offset = random.below(2) * random.real(0, 0.5);
+      sources.push_back({begin, end, random.real(-1, 2), random.real(0, 1), offset, GeneratorId(random.below(4))});
+    }
+    EdgeDistances distances;
+    distances.build(sources);
+    for (int g = 0; g < 4; ++g) {
+      const double t = random.real(0, 1);
+      double least = std::numeric_limits<double>::infinity();
+      for (const EdgeSource& s : sources) {
+        if (s.generator == GeneratorId(g)) least = std::min(least, s.distance(t));
+      }
+      INFO("round " << round);
+      if (std::isinf(least)) {
+        REQUIRE(std::isinf(distances.at(GeneratorId(g), t)));
+      } else {
+        REQUIRE(distances.at(GeneratorId(g), t) == Approx(least).epsilon(1e-15));
+      }
+    }
+  }
+}
 
 const GeneratorId kA(0), kB(1), kC(2);
 

@@ -1,8 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/barycentric.hpp"
 #include "diagram/envelope/separate_arcs.hpp"
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
+#include "support/random.hpp"
 
 namespace gvd::test_separate_arcs {
+
+using Pairs = std::vector<ArcIntersections::Pair>;
+
+/// The segments of polylines, one arc each.
+std::vector<ArcSegment> segments_of(const std::vector<std::vector<Vec2>>& arcs) {
+  std::vector<ArcSegment> segments;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    for (std::size_t k = 1; k < arcs[i].size(); ++k)
+      segments.push_back({{arcs[i][k - 1], arcs[i][k]}, static_cast<std::int32_t>(i)});
+  }
+  return segments;
+}
+
+Pairs intersections_of(const std::vector<std::vector<Vec2>>& arcs) {
+  ArcIntersections intersections;
+  return intersections.find(segments_of(arcs));
+}
+
+TEST_CASE("no arc, one segment and two consecutive segments have no intersection") {
+  CHECK(intersections_of({}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 1}}}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 1}, {0.5, 0.2}}}).empty());
+}
+
+TEST_CASE("arcs that cross intersect, also one with itself; arcs with a common end do not") {
+  CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}).empty());
+  CHECK(intersections_of({{{0, 0}, {1, 0}, {1, 1}, {0.5, -1}}}) == Pairs{{0, 0}});
+}
+
+TEST_CASE("an arc that ends on another one, or overlaps it, intersects it") {
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.5, 1}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{0.3, 0}, {0.6, 0}}}) == Pairs{{0, 1}});
+  CHECK(intersections_of({{{0, 0}, {1, 0}}, {{1.5, 0}, {2, 0}}}).empty());
+}
+
+TEST_CASE("an intersection that rounding leaves open is found; one beyond rounding is not") {
+  const double third = 1.0 / 3;
+  const auto touching = [&](double above) {
+    return intersections_of({{{0, 0}, {1, third}}, {{0.3, 0.3 * third + above}, {0.2, 1}}});
+  };
+  CHECK(touching(1e-17) == Pairs{{0, 1}});
+  CHECK(touching(1e-15).empty());
+}
+
+TEST_CASE("random arcs of many lengths and sizes: the result is that of all pairs of segments") {
+  test::Random random(3);
+  ArcIntersections intersections;
+  for (int round = 0; round < 400; ++round) {
+    std::vector<std::vector<Vec2>> arcs(static_cast<std::size_t>(1 + random.below(5)));
+    for (auto& arc : arcs) {
+      const double size = std::pow(10, random.real(-6, 0));
+      Vec2 p(random.real(0, 1), random.real(0, 1));
+      for (int k = random.below(30); k >= 0; --k, p += size * Vec2(random.real(-1, 1), random.real(-1, 1)))
+        arc.push_back(p);
+    }
+    const auto segments = segments_of(arcs);
+    Pairs expected;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (may_intersect(segments[i].line, segments[j].line))
+          expected.push_back(std::minmax({segments[i].arc, segments[j].arc}));
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    INFO("round " << round);
+    REQUIRE(intersections.find(segments) == expected);
+  }
+}
+
+using Polyline = std::vector<Bary>;
+
+Bary at(double x, double y) { return {1 - x - y, x, y}; }
+
+bool intersects_itself(const Polyline& polyline) {
+  std::vector<ArcSegment> segments;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    segments.push_back({{affine_point(polyline[i - 1]), affine_point(polyline[i])}, 0});
+  }
+  ArcIntersections intersections;
+  return !intersections.find(segments).empty();
+}
+
+TEST_CASE("a polyline without a loop does not change") {
+  Polyline polyline{at(0, 0), at(0.2, 0.1), at(0.3, 0.4), at(0.1, 0.6)};
+  const Polyline before = polyline;
+  CHECK_FALSE(erase_loops(polyline));
+  CHECK(polyline == before);
+}
+
+TEST_CASE("a loop is erased up to the intersection that closes it") {
+  Polyline polyline{at(0, 0), at(0.4, 0), at(0.4, 0.2), at(0.2, 0.2), at(0.2, -0.2), at(0.5, -0.3)};
+  CHECK(erase_loops(polyline));
+  REQUIRE(polyline.size() == 4);
+  CHECK(polyline[1][1] == Approx(0.2));
+  CHECK(polyline[1][2] == Approx(0).margin(1e-15));
+  CHECK(polyline.back() == at(0.5, -0.3));
+}
+
+TEST_CASE("points that alternate between the two sides of a sharp corner: the result is simple and keeps its ends") {
+  test::Random random(2);
+  for (int round = 0; round < 300; ++round) {
+    Polyline polyline;
+    for (int i = 0; i <= 10; ++i) polyline.push_back(at(0.05 * i, 0.1));
+    for (int i = random.below(30); i >= 0; --i) {
+      const double x = random.real(0.3, 0.6);
+      polyline.push_back(at(x, random.below(2) == 0 ? 0.1 + 0.01 * (x - 0.3) : 0.2 - 0.2 * (x - 0.3)));
+    }
+    for (int i = 10; i >= 0; --i) polyline.push_back(at(0.05 * i, 0.2));
+    const Polyline before = polyline;
+    INFO("round " << round);
+    const bool had_loops = intersects_itself(before);
+    REQUIRE(erase_loops(polyline) == had_loops);
+    REQUIRE_FALSE(intersects_itself(polyline));
+    REQUIRE(polyline.front() == before.front());
+    REQUIRE(polyline.back() == before.back());
+  }
+}
+
+TEST_CASE("a polyline of more than 1000 points does not change") {
+  Polyline polyline;
+  for (int i = 0; i < 2000; ++i) polyline.push_back(at(0.1 + 0.1 * (i % 3), 0.1 + 0.1 * (i % 2)));
+  CHECK_FALSE(erase_loops(polyline));
+  CHECK(polyline.size() == 2000);
+}
 
 /// A face with crossings at these boundary positions, and arcs between them through inner points in affine coordinates.
 struct HandMadeFace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "diagram/graph/cell_components.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "diagram/growth/assemble_faces.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/edge_between.hpp"
@@ -48,7 +48,7 @@ struct HandMade {
   CellComponents components() {
     traced.faces = {};
     assemble_faces({stages.working, stages.table(), traced.labels, Front::circle}, traced.crossings, {}, traced.faces);
-    return CellComponents(stages.working, traced);
+    return find_cell_components(stages.working, traced);
   }
 };
 
@@ -80,32 +80,32 @@ TEST_CASE("traced diagrams have no island, on every family") {
     const WorkingMesh working(mesh, test::random_generators(mesh, 60, 14));
     const FastMarchingResult marched = march(working, Front::circle, {});
     const TracedDiagram traced = test::trace_growth(working, marched.table, Front::circle);
-    CellComponents components(working, traced);
-    REQUIRE(components.island_edges().empty());
-    REQUIRE(components.island_vertices().empty());
-    for (const std::int32_t count : components.count_components()) REQUIRE(count == 1);
+    const CellComponents components = find_cell_components(working, traced);
+    REQUIRE(components.island_edges.empty());
+    REQUIRE(components.island_vertices.empty());
+    for (const std::int32_t count : components.count) REQUIRE(count == 1);
   }
 }
 
 TEST_CASE("a disconnected interval is an island of its cell, and the edges of its faces are named") {
   HandMade made;
   {
-    CellComponents components = made.components();
-    CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 1});
-    CHECK(components.island_edges().empty());
+    const CellComponents components = made.components();
+    CHECK(components.count.raw() == std::vector<std::int32_t>{1, 1});
+    CHECK(components.island_edges.empty());
   }
   const EdgeId e = made.edge(1, 2);  // on the boundary, near generator 0
   const EdgeId f = made.edge(1, 8);  // inside
   for (const EdgeId poked : {e, f}) {
     HandMade fresh;
     fresh.poke(poked, GeneratorId(0), GeneratorId(1));
-    CellComponents components = fresh.components();
-    CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 2});
-    const auto islands = components.island_edges();
+    const CellComponents components = fresh.components();
+    CHECK(components.count.raw() == std::vector<std::int32_t>{1, 2});
+    const auto islands = components.island_edges;
     CHECK(std::is_sorted(islands.begin(), islands.end()));
     CHECK(std::binary_search(islands.begin(), islands.end(), poked));
     CHECK(islands.size() == (poked == e ? 3 : 5));
-    CHECK(components.island_vertices().empty());
+    CHECK(components.island_vertices.empty());
   }
 }
 
@@ -122,9 +122,9 @@ TEST_CASE("a vertex of another cell in the middle of a cell is an island") {
   }
   std::stable_sort(items.begin(), items.end(), [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
   made.traced.crossings = Crossings(made.mesh.edge_count(), items);
-  CellComponents components = made.components();
-  CHECK(components.count_components().raw() == std::vector<std::int32_t>{1, 2});
-  CHECK(components.island_vertices() == std::vector<VertexId>{v});
+  const CellComponents components = made.components();
+  CHECK(components.count.raw() == std::vector<std::int32_t>{1, 2});
+  CHECK(components.island_vertices == std::vector<VertexId>{v});
 }
 
 TEST_CASE("loops of bisectors and of the mesh's boundary agree with the Euler characteristics") {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include "diagram/graph/face_pieces.hpp"
+#include "diagram/graph/face_diagram.hpp"
 #include "support/assembled_face.hpp"
 #include "support/catch.hpp"
 

@@ -1,10 +1,21 @@
+// Polygons in a face, the label intervals round them, and where several intervals belong to one piece of a cell.
+//
+// All tests are in barycentric coordinates, which an affine map takes to the plane: they keep convexity and the order
+// of points, for a needle as for a regular triangle. A shortest path stays in its cell. So the interval through which
+// it enters the face, and the interval that it reaches, belong to one piece; what is on either side of a piece that
+// crosses the polygon can be assembled alone.
 #include "diagram/assembly/face_polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace gvd {
 namespace {
+
+/// A path that enters this near to a crossing, as a fraction of the edge, may belong to the cell on either side of it.
+constexpr double kNearCrossing = 1e-9;
 
 /// Whether a, b, c are counter-clockwise, with c up to `inversion` on the wrong side.
 bool turns_left(const Bary& a, const Bary& b, const Bary& c, double inversion) {
@@ -21,7 +32,7 @@ Bary midpoint(const FacePolygon& polygon, std::size_t i) {
 Bary centre(const FacePolygon& polygon) {
   Bary sum{0, 0, 0};
   for (const PolygonCorner& c : polygon) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += c.bary[k] / static_cast<double>(polygon.size());
+    for (int k = 0; k < 3; ++k) sum[k] += c.bary[k] / static_cast<double>(polygon.size());
   }
   return sum;
 }
@@ -41,5 +52,83 @@ bool is_inside(const FacePolygon& polygon, const Bary& p, double inversion) {
 }
 
 double bary_distance(const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); }
+
+void LabelIntervals::unite_by_paths() {
+  for (int i = 0; i < std::ssize(boundary_); ++i) {
+    const auto entry = distances_.entry(boundary_[i].next, middle_of_interval(i));
+    if (!entry) return;
+    const int entered = interval_at(*entry);
+    if (boundary_[entered].next == boundary_[i].next) unite(entered, i);
+  }
+}
+
+/// The interval that contains a position on the boundary, counted as corner + t.
+int LabelIntervals::interval_at(double position) const {
+  const auto after = std::upper_bound(boundary_.begin(), boundary_.end(), position,
+                                      [](double p, const BoundaryCrossing& c) { return p < c.corner + c.t; });
+  const auto first = after == boundary_.begin() ? boundary_.end() : after;
+  return static_cast<int>(first - boundary_.begin()) - 1;
+}
+
+/// The point halfway along interval i on the boundary.
+Bary LabelIntervals::middle_of_interval(int i) const {
+  const double begin = position(i), end = position((i + 1) % static_cast<int>(boundary_.size()));
+  const double half = 0.5 * (begin + end + (end > begin ? 0 : 3));
+  const double middle = half < 3 ? half : half - 3;
+  const int corner = std::min(static_cast<int>(middle), 2);
+  Bary bary{0, 0, 0};
+  bary[corner] = 1 - (middle - corner);
+  bary[(corner + 1) % 3] = middle - corner;
+  return bary;
+}
+
+bool LabelIntervals::path_enters_through(int interval, const Bary& p) {
+  const auto entry = distances_.entry(boundary_[interval].next, p);
+  if (!entry) return false;
+  const int n = static_cast<int>(boundary_.size()), entered = interval_at(*entry);
+  if (are_one_piece(entered, interval)) return true;
+  // Over crossings that are as near as rounding, in both directions.
+  for (int i = entered; is_near_crossing(*entry, i); i = (i + n - 1) % n) {
+    if (are_one_piece((i + n - 1) % n, interval)) return true;
+    if (i == (entered + 1) % n) break;
+  }
+  for (int i = (entered + 1) % n; is_near_crossing(*entry, i); i = (i + 1) % n) {
+    if (are_one_piece(i, interval)) return true;
+    if (i == entered) break;
+  }
+  return false;
+}
+
+bool LabelIntervals::is_near_crossing(double position, int i) const {
+  const double distance = std::abs(position - this->position(i));
+  return std::min(distance, 3 - distance) <= std::max(kNearCrossing, distances_.crossing_error(boundary_[i]));
+}
+
+// Pieces do not cross. So the smaller polygons are nested, and one pass over the corners cuts each off when its second
+// interval comes, the inner ones first.
+std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, LabelIntervals& intervals) {
+  std::vector<FacePolygon> polygons;
+  FacePolygon rest;
+  std::map<int, std::vector<std::size_t>> found;  // piece -> indices of its intervals in `rest`, ascending
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t last = rest.size();
+    auto& own = found[intervals.piece(polygon[k].interval)];
+    // Some of them have been cut off from `rest` with a smaller polygon.
+    while (!own.empty() &&
+           (own.back() >= last || !intervals.are_one_piece(rest[own.back()].interval, polygon[k].interval)))
+      own.pop_back();
+    rest.push_back(polygon[k]);
+    const bool closes_round = !own.empty() && own.back() == 0 && k + 1 == polygon.size();
+    if (own.empty() || own.back() + 1 == last || closes_round) {
+      own.push_back(last);
+      continue;
+    }
+    const auto begin = rest.begin() + own.back() + 1;
+    polygons.emplace_back(begin, rest.end());
+    rest.erase(begin, rest.end());
+  }
+  if (!polygons.empty()) polygons.push_back(std::move(rest));
+  return polygons;
+}
 
 }  // namespace gvd

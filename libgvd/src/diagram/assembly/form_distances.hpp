@@ -1,12 +1,36 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
-#include "diagram/assembly/distance_form.hpp"
+#include "base/barycentric.hpp"
 #include "diagram/assembly/face_distances.hpp"
+#include "gvd/front.hpp"
+#include "gvd/ids.hpp"
 
 namespace gvd {
+
+/// A generator's distance over a triangle, in a form whose difference between two generators is linear in barycentric
+/// coordinates. So bisectors are straight, and a branch point solves a 2 x 2 system.
+///
+/// With planar fronts the form is the distance, interpolated linearly from the corners. With circle fronts it is the
+/// squared distance. For a point source in the triangle's plane d(p)^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. The last
+/// sum is the same for every generator.
+/// Source: not in the paper, whose rough bisectors join the midpoints of edges (section 4.2).
+struct DistanceForm {
+  GeneratorId generator;
+  std::array<double, 3> corner;  ///< the form's values at the triangle's corners, by form_value
+
+  double at(const Bary& bary) const { return interpolate(bary, corner[0], corner[1], corner[2]); }
+};
+
+/// The form's value for a distance in mesh units. The sign of a negative value is kept.
+inline double form_value(Front front, double distance) {
+  return front == Front::circle ? distance * std::abs(distance) : distance;
+}
 
 /// The distances of distance forms: they give good guesses and confirm nothing.
 class FormDistances final : public FaceDistances {
@@ -14,14 +38,13 @@ class FormDistances final : public FaceDistances {
   /// `forms`: ascending by generator, each once. They must outlive this.
   explicit FormDistances(const std::vector<DistanceForm>& forms) : forms_(forms) {}
 
-  bool can_confirm() const override { return false; }
   double at(GeneratorId g, const Bary& p) const override { return form(g).at(p); }
 
   /// The solution of a 2 x 2 system, whatever the start. Nothing where the bisectors are parallel.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary&) const override {
     const auto &fa = form(a).corner, &fb = form(b).corner, &fc = form(c).corner;
     Bary u{}, v{};
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
       u[k] = fa[k] - fb[k];
       v[k] = fa[k] - fc[k];
     }
@@ -32,11 +55,6 @@ class FormDistances final : public FaceDistances {
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return std::nullopt;
     return p;
   }
-
-  std::vector<Bary> equidistant_points(GeneratorId, GeneratorId, GeneratorId) const override { return {}; }
-  std::optional<double> entry(GeneratorId, const Bary&) const override { return std::nullopt; }
-  double crossing_error(const BoundaryCrossing&) const override { return 0; }
-  bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override { return false; }
 
  private:
   const DistanceForm& form(GeneratorId g) const {

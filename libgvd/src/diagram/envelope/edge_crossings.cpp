@@ -1,12 +1,29 @@
+// The crossings of one edge: where the lower envelope of its sources' distances passes from one generator to another.
+//
+// The distance of a source is a branch of a hyperbola over its interval, and two of them are equal in at most two
+// points. Sources are inserted one by one; most are settled without a square root, because convexity bounds them. The
+// envelope takes straight paths; the crossings are then found by the shortest paths of the two generators alone, so
+// that rounding at the end of a window moves nothing. Whatever the sources say, the result is a chain of labels from
+// one end of the edge to the other.
+// Source: not in the paper, which interpolates distances along edges (section 4.2).
 #include "diagram/envelope/edge_crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "base/roots.hpp"
+#include "base/find_root.hpp"
+#include "base/quadratic.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr int kPolishSteps = 4;
+
+/// The largest distance of a source on an interval, by its straight paths: a convex function has it at an end.
+double most(const EdgeSource& source, double begin, double end) {
+  return std::max(source.straight(begin), source.straight(end));
+}
 
 /// Distance between crossings and the ends of their edge, as a fraction of it: above the snapping of surface points.
 constexpr double kEndGap = 2e-12;
@@ -20,6 +37,156 @@ constexpr double kShortestExactInterval = 5 * kEndGap;
 constexpr double kEqual = 1e-14;
 
 }  // namespace
+
+std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit) {
+  // The roots of sqrt(B) = sqrt(A) + c, with B - A - c^2 = slope t + rest, squared twice. Roots of the squares alone do
+  // no harm: the same source is nearer on both sides of them. Positions count from the foot of the first image: where
+  // both images are much nearer to each other than to the start of the edge, its squares would hide where they differ.
+  const double c = (first.offset - second.offset) * unit, apart = (second.x - first.x) * unit;
+  const double first_depth = first.depth * unit, second_depth = second.depth * unit;
+  const double slope = -2 * apart;
+  const double rest = apart * apart + (second_depth - first_depth) * (second_depth + first_depth) - c * c;
+  if (c == 0) return {slope != 0 ? first.x - rest / slope / unit : -1, -1};
+  // With different feet, positions count from where slope t + rest is 0. There is one root on either side, and nothing
+  // cancels, even if they are very near: two sources that tie at an end of the edge, but for their symbolic offsets.
+  const bool has_centre = std::abs(slope) > 2 * std::abs(c);
+  const double centre = has_centre ? -rest / slope : 0, far = centre * centre + first_depth * first_depth;
+  const double square = (slope - 2 * c) * (slope + 2 * c), half = has_centre ? -4 * c * c * centre : slope * rest;
+  const double constant = has_centre ? -4 * c * c * far : (rest - 2 * c * first_depth) * (rest + 2 * c * first_depth);
+  auto roots = quadratic_roots(square, half, constant);
+  for (double& root : roots) root = std::isfinite(root) ? first.x + (centre + root) / unit : -1;
+  if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
+  return roots;
+}
+
+double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end,
+                          double position) {
+  double t = position, error = first.straight(t) - second.straight(t);
+  for (int step = 0; step < kPolishSteps && error != 0; ++step) {
+    const double slope =
+        (t - first.x) / (first.straight(t) - first.offset) - (t - second.x) / (second.straight(t) - second.offset);
+    const double next = t - error / slope;
+    if (!(next > begin && next < end)) break;
+    const double after = first.straight(next) - second.straight(next);
+    if (!(std::abs(after) < std::abs(error))) break;
+    t = next;
+    error = after;
+  }
+  return t;
+}
+
+void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset) {
+  sources_ = sources;
+  length_ = length;
+  unit_ = std::ldexp(1.0, -std::ilogb(length));
+  for (EdgeSource& s : sources_) {
+    s.offset += offset.of(s.generator);
+    s.begin = std::max(s.begin, 0.0);
+    s.end = std::min(s.end, length);
+  }
+  segments_.assign(1, {length, 0, most(sources_[0], 0, length)});
+  for (std::int32_t i = 1; i < std::ssize(sources_); ++i) insert(i);
+}
+
+void EdgeEnvelope::append(double end, std::int32_t source) {
+  if (!pieces_.empty() && pieces_.back().source == source) {
+    pieces_.back().end = end;
+  } else {
+    pieces_.push_back({end, source, 0});
+  }
+}
+
+/// Gives `source` the parts of its interval on which it is nearer than all before.
+void EdgeEnvelope::insert(std::int32_t source) {
+  const EdgeSource& s = sources_[source];
+  if (!(s.begin < s.end)) return;
+  const auto first =
+      std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& old) { return old.end <= s.begin; });
+  // Most sources are farther than this anywhere, so that one square root settles them.
+  const double least = s.straight(std::clamp(s.x, s.begin, s.end));
+  auto next = first;
+  while (next->most <= least && next->end < s.end) ++next;
+  if (next->most <= least) return;
+  pieces_.clear();
+  if (s.begin > begin_of(first)) pieces_.push_back({s.begin, first->source, 0});
+  bool is_nearer = false;
+  double low = s.begin;
+  for (next = first; low < s.end; ++next) {
+    const double high = std::min(next->end, s.end);
+    if (next->most <= least) {
+      append(high, next->source);
+    } else {
+      is_nearer |= append_nearer(next->source, source, low, high);
+    }
+    if (high < next->end) append(next->end, next->source);
+    low = high;
+  }
+  if (is_nearer) replace(first, next);
+}
+
+/// Puts the pieces in place of some segments.
+void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last) {
+  double begin = begin_of(first);
+  for (Segment& piece : pieces_) {
+    piece.most = most(sources_[piece.source], begin, piece.end);
+    begin = piece.end;
+  }
+  const auto kept = std::min(last - first, static_cast<std::ptrdiff_t>(pieces_.size()));
+  std::copy(pieces_.begin(), pieces_.begin() + kept, first);
+  if (last - first > kept) segments_.erase(first + kept, last);
+  segments_.insert(first + kept, pieces_.begin() + kept, pieces_.end());
+}
+
+/// Appends the nearer one of two sources from `begin` to `end`: piece by piece between the positions where the two are
+/// equally far, if the nearer one may change. Returns whether the new source is the nearer one anywhere.
+bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end) {
+  const EdgeSource &o = sources_[old_source], &s = sources_[source];
+  const Nearer nearer = compare_sources(o, s, begin, end);
+  if (nearer != Nearer::open) {
+    append(end, nearer == Nearer::first ? old_source : source);
+    return nearer == Nearer::second;
+  }
+  double from = begin;
+  bool is_nearer = false;
+  const auto append_to = [&](double to) {
+    const double middle = 0.5 * (from + to);
+    const bool wins = s.straight(middle) < o.straight(middle);
+    append(to, wins ? source : old_source);
+    is_nearer |= wins;
+    from = to;
+  };
+  for (const double root : equidistant_positions(o, s, unit_)) {
+    if (!(root > from && root < end)) continue;
+    // Between two sources of one generator the position has no effect on crossings.
+    const double t = o.generator == s.generator ? root : refine_equidistant(o, s, from, end, root);
+    if (t > from && t < end) append_to(t);
+  }
+  append_to(end);
+  return is_nearer;
+}
+
+void EdgeDistances::build(const std::vector<EdgeSource>& sources) {
+  // Pairs of numbers are sorted several times faster than sources.
+  order_.clear();
+  for (const EdgeSource& s : sources) order_.emplace_back(s.generator, order_.size());
+  std::sort(order_.begin(), order_.end());
+  sources_.clear();
+  for (const auto& [generator, i] : order_) sources_.push_back(sources[i]);
+}
+
+double EdgeDistances::at(GeneratorId g, double t) const {
+  auto source =
+      std::partition_point(sources_.begin(), sources_.end(), [g](const EdgeSource& s) { return s.generator < g; });
+  double least = kInfinity;
+  for (; source != sources_.end() && source->generator == g; ++source) {
+    // No path of a source is shorter than the straight one. This test costs no square root.
+    const double rest = least - source->offset, along = t - source->x;
+    if (rest > 0 && along * along + source->depth * source->depth < rest * rest) {
+      least = std::min(least, source->distance(t));
+    }
+  }
+  return least;
+}
 
 /// Whether an interval after one of `before` is only a gap between two windows of `before`: they end at rays past a
 /// vertex, and rays unfolded over hundreds of thin faces are rounded. The interval is real if its generator is nearer
@@ -52,14 +219,11 @@ void EdgeCrossings::find_label_intervals(const EdgeEnvelope& envelope, Generator
     while (i + 1 < segments.size() && envelope.generator(segments[i + 1]) == g) ++i;
     const double end = segments[i].end;
     const GeneratorId before = intervals_.back().generator;
-    if (g != before && end - begin >= least && !is_gap({begin, g}, end, before)) {
-      intervals_.push_back({begin, g});
-    }
+    if (g != before && end - begin >= least && !is_gap({begin, g}, end, before)) intervals_.push_back({begin, g});
     begin = end;
   }
-  if (intervals_.back().generator == last) return;
-  // The last interval is too short, or a tie: it begins where its generator is as near as the one before.
-  intervals_.push_back({length_, last});
+  // Where the last interval is too short, or a tie, it begins where its generator is as near as the one before.
+  if (intervals_.back().generator != last) intervals_.push_back({length_, last});
 }
 
 void EdgeCrossings::append_all(const EdgeEnvelope& envelope, EdgeId e, GeneratorId first, GeneratorId last,

@@ -1,15 +1,118 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "diagram/envelope/edge_distances.hpp"
-#include "diagram/envelope/edge_envelope.hpp"
 #include "diagram/graph/crossings.hpp"
+#include "geodesic/field/distance_field.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 
 namespace gvd {
 
-/// The crossings of an edge: where the lower envelope of its sources passes from one generator to another.
-///
+/// A source's straight paths to the two ends of an interval.
+struct EndPaths {
+  struct StraightPath {
+    double along, straight, distance;
+    StraightPath(const EdgeSource& s, double t)
+        : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {}
+    /// Derivative of the distance along the edge.
+    double slope() const { return straight > 0 ? along / straight : 0; }
+  };
+  StraightPath begin, end;
+  EndPaths(const EdgeSource& s, double from, double to) : begin(s, from), end(s, to) {}
+};
+
+/// Whether a source that is farther than another one at both ends of an interval is farther everywhere in it. Both
+/// distances are convex: the one lies above its tangents at the ends, the other one below its chord. So the answer is
+/// yes if the tangents intersect above the chord.
+inline bool is_farther_between(const EndPaths& paths, const EndPaths& others, double width) {
+  const double first = paths.begin.slope(), last = paths.end.slope();
+  if (!(last > first)) return true;
+  const double intersection = (paths.begin.distance - paths.end.distance + last * width) / (last - first);
+  const double chord = others.begin.distance + (others.end.distance - others.begin.distance) * (intersection / width);
+  return paths.begin.distance + first * intersection > chord;
+}
+
+/// Which of two sources of an edge is nearer on an interval, by their straight paths.
+enum class Nearer { first, second, open };
+
+/// Compares two sources on [begin, end]. `open`: the nearer one may change in the interval.
+/// Cost: O(1). Inline: in the innermost loop of the envelope a call would cost as much as the comparison.
+inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second, double begin, double end) {
+  const EndPaths a(first, begin, end), b(second, begin, end);
+  const double at_begin = b.begin.distance - a.begin.distance, at_end = b.end.distance - a.end.distance;
+  if (at_begin > 0 && at_end > 0 && is_farther_between(b, a, end - begin)) return Nearer::first;
+  if (at_begin < 0 && at_end < 0 && is_farther_between(a, b, end - begin)) return Nearer::second;
+  return Nearer::open;
+}
+
+/// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 in place
+/// of one that does not exist. They include all such positions, to half of the digits where the two distances touch.
+/// Some are none.
+/// `unit`: a power of two that brings the edge's length near 1, so that sixth powers of it stay in range.
+std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit);
+
+/// Improves such a position by Newton's steps, inside of (begin, end).
+double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end, double position);
+
+/// The lower envelope of the sources' distances along one edge: which source is the nearest where. The sources of the
+/// edge's ends reach all of it, so that there is no gap.
+/// Cost: O(k^2) for k sources at worst; k is seldom above 8.
+class EdgeEnvelope {
+ public:
+  /// An interval of the edge on which one source is the nearest. It begins where the one before ends.
+  struct Segment {
+    double end;           ///< mesh units
+    std::int32_t source;  ///< index
+    double most = 0;      ///< the largest distance of the source on the interval
+  };
+
+  /// `sources` as DistanceField::collect gives them, at least two; `length` of the edge in mesh units, > 0.
+  void build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset);
+
+  double length() const { return length_; }
+  /// Ascending, up to `length`. Neighbours have different sources, but often the same generator.
+  const std::vector<Segment>& segments() const { return segments_; }
+  GeneratorId generator(const Segment& s) const { return sources_[s.source].generator; }
+  /// All sources, with their symbolic offsets and within the edge.
+  const std::vector<EdgeSource>& sources() const { return sources_; }
+
+ private:
+  double begin_of(std::vector<Segment>::const_iterator segment) const {
+    return segment == segments_.begin() ? 0 : (segment - 1)->end;
+  }
+  void insert(std::int32_t source);
+  void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last);
+  void append(double end, std::int32_t source);
+  bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
+
+  std::vector<EdgeSource> sources_;
+  std::vector<Segment> segments_;
+  std::vector<Segment> pieces_;  // that replace some segments when a source is inserted
+  double length_ = 0;
+  double unit_ = 1;  // as equidistant_positions wants it
+};
+
+/// The distances of the generators along one edge: for each, the shortest path over all its sources.
+class EdgeDistances {
+ public:
+  /// Takes over the sources of an edge. Cost: O(k log k) for k sources.
+  void build(const std::vector<EdgeSource>& sources);
+
+  /// Length of the shortest path of generator g to t; infinite where it has no source.
+  /// Cost: O(log k + sources of g), most of them without a square root.
+  double at(GeneratorId g, double t) const;
+
+ private:
+  std::vector<EdgeSource> sources_;  // ascending by generator
+  std::vector<std::pair<GeneratorId, std::size_t>> order_;
+};
+
+/// Finds the crossings of one edge after the other.
 /// Properties of the result: (1) ascending, strictly between 0 and 1, and apart from each other and from the ends;
 /// (2) a chain of generators from the label of the first end to that of the last, whatever the sources say.
 class EdgeCrossings {

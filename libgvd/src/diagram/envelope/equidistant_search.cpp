@@ -1,10 +1,18 @@
+// The points of a face that are equally far from three generators: candidates for branch points.
+//
+// A search along the distances themselves stagnates at their ridges, where the shortest path changes from one source to
+// another. To solve every triple of sources is cubic, and beside needles a generator has hundreds of sources. So the
+// face is halved again and again. Distances change by at most the way between two points. Hence a cell drops the
+// sources that are hidden from it, or farther than another one everywhere in it. The whole cell is dropped where the
+// three distances can't be equal. Where few sources are left, their triples are solved.
 #include "diagram/envelope/equidistant_search.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "base/plane.hpp"
-#include "diagram/envelope/equidistant_points.hpp"
+#include "base/quadratic.hpp"
 #include "diagram/envelope/source_distances.hpp"
 
 namespace gvd {
@@ -36,7 +44,46 @@ bool may_see(const FaceSource& s, const Vec2& middle, double radius) {
   return cross(ray, left) >= -slack * left.norm() && cross(ray, right) <= slack * right.norm();
 }
 
+/// A point p with its distance d to a generator, relative to the image of a first source and its offset: a point of the
+/// cone |p| = d.
+using OnCone = Vec3;
+
+/// The points whose distance to a second image differs from d by the difference of the offsets. They form a plane,
+/// because |p|^2 = d^2 minus |p - image|^2 = (d - offset)^2 is linear.
+struct Plane {
+  Vec3 normal;
+  double level;
+  Plane(const Vec2& image, double offset)
+      : normal(image.x(), image.y(), -offset), level(0.5 * (image.squaredNorm() - offset * offset)) {}
+};
+
+/// Appends the points of the cone that lie on both planes. `tip`: the cone's tip in the face.
+void append_common_points(const Plane& first, const Plane& second, const Vec2& tip, std::vector<Vec2>& points) {
+  const Vec3 normals = first.normal.cross(second.normal);
+  const double size = normals.norm();
+  if (!(size > 0)) return;
+  const Vec3 along = normals / size;
+  const OnCone start = (first.level * second.normal - second.level * first.normal).cross(along) / size;
+  const auto product = [](const Vec3& u, const Vec3& v) { return u.x() * v.x() + u.y() * v.y() - u.z() * v.z(); };
+  // The common line of the planes is start + t along; it intersects |p|^2 = d^2 in the roots.
+  for (const double t : quadratic_roots(product(along, along), product(start, along), product(start, start))) {
+    if (std::isfinite(t)) points.push_back(tip + (start + t * along).head<2>());
+  }
+}
+
 }  // namespace
+
+void append_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                               std::span<const FaceSource> c, std::vector<Vec2>& points) {
+  for (const FaceSource& first : a) {
+    for (const FaceSource& second : b) {
+      const Plane plane(second.image - first.image, second.offset - first.offset);
+      for (const FaceSource& third : c) {
+        append_common_points(plane, Plane(third.image - first.image, third.offset - first.offset), first.image, points);
+      }
+    }
+  }
+}
 
 /// A disc that contains a cell, and the shortest paths of the three generators to its centre.
 struct EquidistantSearch::Disc {

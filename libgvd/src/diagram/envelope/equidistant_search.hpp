@@ -10,13 +10,8 @@
 
 namespace gvd {
 
-/// Searches the points of a face that are equally far from three generators.
-///
-/// A search along the distances themselves stagnates at their ridges, where the shortest path changes from one source
-/// to another. To solve every triple of sources is cubic, and beside needles a generator has hundreds of sources. So
-/// the face is halved again and again. Distances change by at most the way between two points. Hence a cell drops the
-/// sources that are hidden from it, or farther than another one everywhere in it. The whole cell is dropped where the
-/// three distances can't be equal. Where few sources are left, their triples are solved.
+/// Searches the points of a face that are equally far from three generators. One object serves many faces, to save
+/// allocations.
 class EquidistantSearch {
  public:
   /// All candidates in the face, to rounding, or to half of the digits where two rays touch: the branch points of the
@@ -44,5 +39,11 @@ class EquidistantSearch {
   std::vector<Vec2> found_, solved_;
   int cells_ = 0;
 };
+
+/// Appends the points equally far from a source of each of three generators, along straight lines from the images: two
+/// at most for each triple. They are exact to rounding, or to half of the digits where two rays touch.
+/// Cost: O(product of the numbers of sources).
+void append_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
+                               std::span<const FaceSource> c, std::vector<Vec2>& points);
 
 }  // namespace gvd

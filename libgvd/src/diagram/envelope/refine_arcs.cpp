@@ -1,14 +1,29 @@
+// Straight arcs of a face to polylines along the bisectors of their two generators.
+//
+// A bisector consists of pieces of hyperbolas, straight where the two offsets are equal. It has a corner wherever the
+// nearest source of a generator changes. A segment that is too far from the bisector is split at a point of the
+// bisector; whether it is follows from the tangents at its ends and from a few samples. The distance of a sample is the
+// difference of the two shortest paths, divided by its gradient. All of this happens in a narrow band along the arc,
+// with the sources visible from there. Where the bisector leaves the band, the arc is refined again with all sources.
+// Source: not in the paper, whose bisectors are straight inside a face. Its refinement of crossings on edges is in
+// growth/refine_bisectors.hpp.
 #include "diagram/envelope/refine_arcs.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-
-#include "base/plane.hpp"
 
 namespace gvd {
 namespace {
+
+constexpr int kNewtonSteps = 4;
+
+/// Distance from the bisector allowed at a sample, as a fraction of the tolerance: samples at the quarters of a segment
+/// show three quarters of the height of a curve, and half of that of a corner at least.
+constexpr double kShown = 0.5;
+
+/// Corners that are lower than this fraction of the tolerance are not looked for. A curve that passes the samples is at
+/// most 2 / 3 of the tolerance high, so the sum stays below the tolerance.
+constexpr double kHiddenCorner = 0.1;
 
 /// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
 /// a curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
@@ -35,7 +50,111 @@ constexpr double kIndistinguishable = 1e-13;
 /// bisectors leave it and are traced again with all sources.
 constexpr double kBandWidth = 0.05;
 
+/// Most steps of the search for the corner at which a path changes.
+constexpr int kMostChangeSteps = 8;
+
+/// The change of a path between two samples, if it may have a corner higher than `hidden`, mesh units. It has none
+/// where its two sources are openings for one image: its distance is that of one straight path.
+PathChange change_between(const PlaneSegment& segment, const SourceDistances::Nearest& a,
+                          const SourceDistances::Nearest& b, double hidden) {
+  if (a.source == b.source) return {};
+  const double apart = (a.source->image - b.source->image).norm() + std::abs(a.source->offset - b.source->offset);
+  return apart > hidden ? PathChange(segment, a, b) : PathChange();
+}
+
 }  // namespace
+
+double BisectorSample::distance_to_bisector(const Vec2& across, double precision) const {
+  const Vec2 from_left = point - left.path.from, from_right = point - right.path.from;
+  const double offset_difference = error() - from_left.norm() + from_right.norm();
+  double s = 0;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec2 to_left = from_left + s * across, to_right = from_right + s * across;
+    const double far_left = to_left.norm(), far_right = to_right.norm();
+    const double slope = across.dot(to_left) / far_left - across.dot(to_right) / far_right;
+    const double step = (offset_difference + far_left - far_right) / slope;
+    s -= step;
+    if (!(std::abs(step) > precision)) break;
+  }
+  return s;
+}
+
+// A ray past an end of an opening separates the visible from the hidden points. In the band, the side of the ray
+// depends on the position along it. The distance from the chord changes it by at most a bound.
+void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
+                             std::vector<VisibleSource>& visible) {
+  visible.clear();
+  for (const FaceSource& s : sources) {
+    double first = -kInfinity, last = kInfinity;
+    if (!s.is_corner && !band.is_all()) {
+      const Vec2 start = band.from - s.image;
+      for (const Vec2& ray : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
+        // Points at position t may be visible where at_start + rate t + slack >= 0.
+        const double at_start = cross(start, ray), rate = cross(band.along, ray);
+        const double slack = band.width * std::abs(cross(band.across, ray));
+        const double limit = -(at_start + slack) / rate;
+        if (rate > 0) first = std::max(first, limit);
+        if (rate < 0) last = std::min(last, limit);
+      }
+    }
+    if (first <= std::min(last, band.length + band.width) && last >= -band.width) {
+      visible.push_back({&s, first, last});
+    }
+  }
+}
+
+double PathChange::position() const {
+  const double sum = before_.excess + after_.excess;
+  const double share = sum > 0 ? before_.excess / sum : 0.5;
+  return before_.position + share * (after_.position - before_.position);
+}
+
+double PathChange::find(double least) {
+  for (int step = 0; step < kMostChangeSteps && height() > least; ++step) {
+    const double t = position();
+    const Vec2 p = segment_.from + t * (segment_.to - segment_.from);
+    const double excess = second_->distance(p) - first_->distance(p);
+    (excess > 0 ? before_ : after_) = {t, std::abs(excess)};
+  }
+  return position();
+}
+
+BisectorSample ArcRefiner::sample(const Vec2& p) const {
+  const double position = band_.position(p);
+  return {p, nearest_visible(left_, position, p), nearest_visible(right_, position, p)};
+}
+
+/// Whether the bisector is within half of the tolerance of a sample: its distance is the error divided by the gradient.
+bool ArcRefiner::is_near(const BisectorSample& sample) const {
+  return sample.is_known() &&
+         std::abs(sample.error()) <= 8 * sample.rounding() + kShown * tolerance_ * sample.gradient().norm();
+}
+
+/// The same for the segment between two samples that are near enough. The bisector has a corner where a path changes
+/// from one source to another. So the segment is sampled where paths change, unless the corner can't be high.
+/// Cost: a few paths for each change, and samples where the corner may be high.
+bool ArcRefiner::is_near_between(const BisectorSample& a, const BisectorSample& b, int splits) const {
+  if (a.left.source == b.left.source && a.right.source == b.right.source) return true;
+  if (splits == 0 || (b.point - a.point).squaredNorm() <= tolerance_ * tolerance_) return true;
+  // Two changes, of the left and of the right path, may add up.
+  const double hidden = 0.5 * kHiddenCorner * tolerance_ * std::min(a.gradient().norm(), b.gradient().norm());
+  const PathChange left = change_between({a.point, b.point}, a.left, b.left, hidden);
+  const PathChange right = change_between({a.point, b.point}, a.right, b.right, hidden);
+  PathChange change = left.height() > right.height() ? left : right;
+  if (change.height() <= hidden) return true;
+  const BisectorSample between = sample(a.point + change.find(hidden) * (b.point - a.point));
+  return is_near(between) && is_near_between(a, between, splits - 1) && is_near_between(between, b, splits - 1);
+}
+
+bool ArcRefiner::is_near_quarters(const BisectorSample& begin, const BisectorSample& end) const {
+  BisectorSample last = begin;
+  for (const double fraction : kSegmentSamples) {
+    const BisectorSample next = sample(begin.point + fraction * (end.point - begin.point));
+    if (!is_near(next) || !is_near_between(last, next)) return false;
+    last = next;
+  }
+  return is_near_between(last, end);
+}
 
 /// Distance from the chord to the lines along the tangents at its ends. A bisector with one corner stays within it,
 /// even where an end is a corner too, whose tangent says nothing about what follows.
@@ -45,16 +164,20 @@ double ArcRefiner::height_by_tangents(const BisectorPoint& begin, const Bisector
                   std::abs(cross(end.tangent, chord)) / end.tangent.norm());
 }
 
-void ArcRefiner::refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points) {
-  const Vec2 from = distances_.layout().at(begin), to = distances_.layout().at(end), chord = to - from;
+void ArcRefiner::refine(const SourceDistances& distances, const FaceArc& arc, const Bary& begin, const Bary& end,
+                        std::vector<Bary>& points) {
+  layout_ = &distances.layout();
+  points_ = &points;
+  const Vec2 from = layout_->at(begin), to = layout_->at(end), chord = to - from;
   const double length = chord.norm();
   if (length <= tolerance_) return;
-  points_ = &points;
   const std::size_t before = points.size();
-  for (const double width : {kBandWidth * length, std::numeric_limits<double>::infinity()}) {
-    sampler_.enter(arc, {from, chord / length, turned_left(chord) / length, length, width});
+  for (const double width : {kBandWidth * length, kInfinity}) {
+    band_ = {from, chord / length, turned_left(chord) / length, length, width};
+    collect_visible_sources(distances.sources(arc.left), band_, left_);
+    collect_visible_sources(distances.sources(arc.right), band_, right_);
     points.resize(before);
-    const BisectorSample first = sampler_.sample(from), last = sampler_.sample(to);
+    const BisectorSample first = sample(from), last = sample(to);
     if (first.is_known() && last.is_known() && refine(BisectorPoint(first), BisectorPoint(last), 0)) return;
   }
 }
@@ -69,29 +192,20 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
   const Vec2 guess = is_flat ? middle : likely_corner(begin, end).value_or(middle);
   const auto height = [&](const Vec2& p) { return std::abs(cross(p - begin.point, chord)) / length; };
   const bool is_low = !is_flat && height(guess) <= tolerance_;
-  if (is_low && is_near_quarters(begin, end)) return true;
-  const BisectorSample at_guess = sampler_.sample(guess);
-  if (is_flat && sampler_.is_near(at_guess) && sampler_.is_near_between(begin.sample, at_guess) &&
-      sampler_.is_near_between(at_guess, end.sample)) {
+  if (is_low && is_near_quarters(begin.sample, end.sample)) return true;
+  const BisectorSample at_guess = sample(guess);
+  if (is_flat && is_near(at_guess) && is_near_between(begin.sample, at_guess) &&
+      is_near_between(at_guess, end.sample)) {
     return true;
   }
   const auto split = find_across(at_guess, chord / length);
-  if (!split) return sampler_.band().is_all();
-  if (!sampler_.band().contains(split->point)) return false;
-  if (!is_low && height(split->point) <= kShownHeight * tolerance_ && is_near_quarters(begin, end)) return true;
+  if (!split) return band_.is_all();
+  if (!band_.contains(split->point)) return false;
+  if (!is_low && height(split->point) <= kShownHeight * tolerance_ && is_near_quarters(begin.sample, end.sample))
+    return true;
   if (!refine(begin, *split, halvings + 1)) return false;
-  points_->push_back(distances_.layout().bary(split->point));
+  points_->push_back(layout_->bary(split->point));
   return refine(*split, end, halvings + 1);
-}
-
-bool ArcRefiner::is_near_quarters(const BisectorPoint& begin, const BisectorPoint& end) const {
-  BisectorSample last = begin.sample;
-  for (const double fraction : kSegmentSamples) {
-    const BisectorSample next = sampler_.sample(begin.point + fraction * (end.point - begin.point));
-    if (!sampler_.is_near(next) || !sampler_.is_near_between(last, next)) return false;
-    last = next;
-  }
-  return sampler_.is_near_between(last, end.sample);
 }
 
 /// The corner of a bisector that is straight on both sides of it: the intersection of the tangents at the two ends.
@@ -104,16 +218,16 @@ std::optional<Vec2> ArcRefiner::likely_corner(const BisectorPoint& begin, const 
   const bool is_between =
       fraction > kNearEnd && fraction < 1 - kNearEnd && (corner - begin.point - fraction * chord).norm() < chord.norm();
   if (!is_between) return std::nullopt;
-  const auto bary = distances_.layout().bary(corner);
+  const auto bary = layout_->bary(corner);
   if (*std::min_element(bary.begin(), bary.end()) < 0) return std::nullopt;
   return corner;
 }
 
 /// How far p can move along `direction` without leaving the face: from <= 0 to >= 0, in units of its length.
 std::pair<double, double> ArcRefiner::feasible_interval(const Vec2& p, const Vec2& direction) const {
-  const auto bary = distances_.layout().bary(p), rate = distances_.layout().bary_rate(direction);
-  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
+  const auto bary = layout_->bary(p), rate = layout_->bary_rate(direction);
+  double low = -kInfinity, high = kInfinity;
+  for (int i = 0; i < 3; ++i) {
     const double b = std::max(0.0, bary[i]);
     if (rate[i] > 0) low = std::max(low, -b / rate[i]);
     if (rate[i] < 0) high = std::min(high, -b / rate[i]);
@@ -140,14 +254,14 @@ std::optional<ArcRefiner::BisectorPoint> ArcRefiner::find_across(BisectorSample 
     double next = s + at.distance_to_bisector(across, 0.1 * kOnBisector * tolerance_);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == s) {
-      if (error > kIndistinguishable * at.left.distance) return std::nullopt;
+      if (error > kIndistinguishable * at.left.path.distance) return std::nullopt;
       return BisectorPoint(at);
     }
-    BisectorSample ahead = sampler_.sample(start + next * across);
+    BisectorSample ahead = sample(start + next * across);
     const bool is_nearer = std::abs(ahead.error()) <= 0.5 * error || (ahead.error() > 0) != is_low;
     if (!(knows_low && knows_high) && !is_nearer) {
       next = is_low ? std::min(s + error, 0.5 * (s + high)) : std::max(s - error, 0.5 * (s + low));
-      ahead = sampler_.sample(start + next * across);
+      ahead = sample(start + next * across);
     }
     s = next;
     at = ahead;

@@ -1,34 +1,129 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/envelope/bisector_sample.hpp"
-#include "diagram/envelope/bisector_sampler.hpp"
+#include "base/plane.hpp"
+#include "base/segment.hpp"
 #include "diagram/envelope/source_distances.hpp"
-#include "diagram/envelope/visible_sources.hpp"
 #include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
 
-/// Refines the straight arcs of a face to polylines along the bisectors of their two generators. It adds inner points
-/// to arcs; it has nothing to do with the paper's refinement of crossings on edges (refine_bisectors.hpp).
+/// The shortest paths of two generators to a point, compared: how far the point is from their bisector. Mesh units.
+struct BisectorSample {
+  /// Rounding of a difference of two distances, as a fraction of them.
+  static constexpr double kDifferenceRounding = 1e-15;
+
+  Vec2 point;
+  SourceDistances::Nearest left, right;
+
+  /// Whether both generators have a path.
+  bool is_known() const { return std::isfinite(left.path.distance) && std::isfinite(right.path.distance); }
+  /// The difference of the distances: 0 on the bisector, < 0 on its left.
+  double error() const { return left.path.distance - right.path.distance; }
+  /// The part of the error that may be rounding.
+  double rounding() const { return kDifferenceRounding * left.path.distance; }
+  /// The gradient of the error.
+  Vec2 gradient() const { return direction(point, left.path.from) - direction(point, right.path.from); }
+  /// Direction of the bisector, with the left generator's cell on its left; not a unit vector.
+  Vec2 tangent() const { return turned_left(gradient()); }
+  /// How far along `across`, a unit vector, the two straight paths are equally long, by Newton's method to `precision`.
+  /// Their images stay the same on the way, so that this may leave the bisector at a corner.
+  double distance_to_bisector(const Vec2& across, double precision) const;
+};
+
+/// A band along a chord, in which a bisector is searched: all points within `width` of it, and up to `width` beyond its
+/// two ends. Mesh units.
+struct SearchBand {
+  Vec2 from;           ///< beginning of the chord
+  Vec2 along, across;  ///< unit vectors, the second one to the left of the first
+  double length;       ///< of the chord
+  double width;        ///< infinite for a band that is the whole plane
+
+  double position(const Vec2& p) const { return (p - from).dot(along); }
+  bool contains(const Vec2& p) const {
+    const double at = position(p);
+    return std::abs((p - from).dot(across)) <= width && at >= -width && at <= length + width;
+  }
+  bool is_all() const { return std::isinf(width); }
+};
+
+/// A source with the interval of positions along a band in which it may see a point of the band.
+struct VisibleSource {
+  const FaceSource* source;
+  double first, last;  ///< mesh units along the chord
+};
+
+/// Replaces `visible` by the sources that may see a point of the band. Cost: O(sources).
+void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
+                             std::vector<VisibleSource>& visible);
+
+/// The shortest path to p, at a position along the band, over the sources that may see it; infinite where none does.
+inline SourceDistances::Nearest nearest_visible(const std::vector<VisibleSource>& visible, double position,
+                                                const Vec2& p) {
+  SourceDistances::Nearest best{nullptr, {kInfinity, p}};
+  for (const VisibleSource& s : visible) {
+    if ((position < s.first) | (position > s.last)) continue;
+    if (take_nearer(*s.source, p, best.path)) best.source = s.source;
+  }
+  return best;
+}
+
+/// The change of one generator's shortest path along a segment, from one source to another. There the distance has a
+/// corner: it is the lesser one of two distances.
 ///
-/// A bisector consists of pieces of hyperbolas, straight where the two offsets are equal. It has a corner wherever the
-/// nearest source of a generator changes. A segment that is too far from the bisector is split at a point of the
-/// bisector. Whether it is follows from the tangents at its ends and from a few samples.
+/// Both distances count as linear between two positions. Then they are equal where their differences divide the way.
+class PathChange {
+ public:
+  /// No change.
+  PathChange() = default;
+  /// From the shortest path to the segment's start to that to its end. Their sources must outlive this.
+  PathChange(const PlaneSegment& segment, const SourceDistances::Nearest& first, const SourceDistances::Nearest& second)
+      : first_(first.source),
+        second_(second.source),
+        segment_(segment),
+        before_{0, second_->distance(segment.from) - first.path.distance},
+        after_{1, first_->distance(segment.to) - second.path.distance} {}
+
+  /// How far the distance at the corner lies above the line through its values at the two ends, mesh units.
+  double height() const {
+    const double sum = before_.excess + after_.excess;
+    return sum > 0 ? before_.excess * (after_.excess / sum) : 0;
+  }
+
+  /// The position of the corner, as a fraction of the segment: so near that no corner higher than `least` is left on
+  /// either side of it, or after eight steps. Call it while `height` > 0. Cost: two paths a step.
+  double find(double least);
+
+ private:
+  /// By how much the farther one of the two sources is farther at a position.
+  struct Excess {
+    double position = 0, excess = 0;
+  };
+  double position() const;
+
+  const FaceSource *first_ = nullptr, *second_ = nullptr;
+  PlaneSegment segment_{};
+  Excess before_, after_;
+};
+
+/// Refines the straight arcs of a face to polylines along the bisectors of their two generators, by inner points. One
+/// object serves one face after the other, to save allocations.
 class ArcRefiner {
  public:
-  /// `distances` must outlive this. No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
-  ArcRefiner(const SourceDistances& distances, double tolerance)
-      : distances_(distances), tolerance_(tolerance), sampler_(distances, tolerance) {}
+  /// No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
+  explicit ArcRefiner(double tolerance) : tolerance_(tolerance) {}
 
   /// Appends the inner points of the arc from `begin` to `end`, in the face that the distances have entered, to
   /// `points`.
   /// Cost: O(points) samples, over the sources visible from near the arc; three where the bisector is straight.
-  void refine(const FaceArc& arc, const Bary& begin, const Bary& end, std::vector<Bary>& points);
+  void refine(const SourceDistances& distances, const FaceArc& arc, const Bary& begin, const Bary& end,
+              std::vector<Bary>& points);
 
  private:
   /// A point of the bisector, and the bisector's direction there.
@@ -38,16 +133,24 @@ class ArcRefiner {
     explicit BisectorPoint(const BisectorSample& at) : sample(at), point(at.point), tangent(at.tangent()) {}
   };
 
+  BisectorSample sample(const Vec2& p) const;
+  bool is_near(const BisectorSample& sample) const;
+  bool is_near_between(const BisectorSample& a, const BisectorSample& b, int splits = kMostSplits) const;
+  bool is_near_quarters(const BisectorSample& begin, const BisectorSample& end) const;
+
   bool refine(const BisectorPoint& begin, const BisectorPoint& end, int halvings);
   static double height_by_tangents(const BisectorPoint& begin, const BisectorPoint& end);
-  bool is_near_quarters(const BisectorPoint& begin, const BisectorPoint& end) const;
   std::optional<Vec2> likely_corner(const BisectorPoint& begin, const BisectorPoint& end) const;
   std::optional<BisectorPoint> find_across(BisectorSample sample, const Vec2& along) const;
   std::pair<double, double> feasible_interval(const Vec2& p, const Vec2& direction) const;
 
-  const SourceDistances& distances_;
+  /// A segment is split at most so often in search of changes: a thousandth of it is left.
+  static constexpr int kMostSplits = 10;
+
   double tolerance_;
-  BisectorSampler sampler_;
+  const FaceLayout* layout_ = nullptr;       // of the current face
+  SearchBand band_{};                        // along the current arc
+  std::vector<VisibleSource> left_, right_;  // of its generators, from the band
   std::vector<Bary>* points_ = nullptr;
 };
 

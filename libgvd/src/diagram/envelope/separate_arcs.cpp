@@ -1,14 +1,48 @@
+// Keeps the arcs of a face from intersecting after their refinement.
+//
+// Straight arcs of an assembly don't intersect; refined ones may, where rounding decides. Intersecting segments are
+// found by a tree of bounding boxes, never missed (may_intersect). Then one arc after the other becomes simpler: the
+// one with the most intersections loses its loops, or all of its inner points. In the end all arcs would be straight,
+// so this ends, and a face's arcs are disjoint whatever the distances are.
 #include "diagram/envelope/separate_arcs.hpp"
-
-#include <algorithm>
-#include <utility>
-
-#include "base/barycentric.hpp"
-#include "base/plane.hpp"
-#include "diagram/envelope/erase_loops.hpp"
 
 namespace gvd {
 namespace {
+
+/// Most points of a polyline for which O(n^2) is cheap. A longer one is the work of rounding, with a loop at every
+/// other point.
+constexpr std::size_t kMostPoints = 1000;
+
+PlaneSegment segment(const Bary& from, const Bary& to) { return {affine_point(from), affine_point(to)}; }
+
+/// The intersection of two segments; the second one's beginning where they are collinear.
+Bary intersection_point(const Bary& from, const Bary& to, const Bary& begin, const Bary& end) {
+  const PlaneSegment s = segment(from, to), o = segment(begin, end);
+  const double t = intersect_lines(s.from, s.to - s.from, o.from, o.to - o.from).t;
+  return t > 0 && t < 1 ? mix(begin, end, t) : begin;
+}
+
+/// Erases the loops found in one pass along the polyline. False where there are none.
+bool erase_once(std::vector<Bary>& polyline) {
+  const std::size_t n = polyline.size();
+  std::vector<Bary> kept{polyline.front()};
+  for (std::size_t i = 1; i < n; ++i) {
+    const Bary from = kept.back(), to = polyline[i];
+    std::size_t last = n;  // beginning of the last segment that intersects the one to point i
+    for (std::size_t j = i + 1; j + 1 < n; ++j) {
+      if (may_intersect(segment(from, to), segment(polyline[j], polyline[j + 1]))) last = j;
+    }
+    if (last == n) {
+      kept.push_back(to);
+    } else {
+      kept.push_back(intersection_point(from, to, polyline[last], polyline[last + 1]));
+      i = last;  // continue with the end of that segment
+    }
+  }
+  const bool erased = kept.size() < n;
+  polyline = std::move(kept);
+  return erased;
+}
 
 /// Largest negative area of a piece, and largest overlap of straight arcs, that counts as rounding: as a fraction of
 /// the face's area, or in twice the area of barycentric coordinates.
@@ -45,6 +79,28 @@ void simplify(OpenFace& face, FaceArc& arc) {
 }
 
 }  // namespace
+
+const std::vector<ArcIntersections::Pair>& ArcIntersections::find(const std::vector<ArcSegment>& segments) {
+  found_.clear();
+  if (segments.empty()) return found_;
+  boxes_.build(segments.size(),
+               [&](std::size_t i) { return bounding_box(segments[i].line.from, segments[i].line.to); });
+  boxes_.visit_overlaps([&](std::size_t i, std::size_t j) {
+    const ArcSegment &s = segments[i], &o = segments[j];
+    if (may_intersect(s.line, o.line)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
+  });
+  std::sort(found_.begin(), found_.end());
+  found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+  return found_;
+}
+
+bool erase_loops(std::vector<Bary>& polyline) {
+  if (polyline.size() > kMostPoints || !erase_once(polyline)) return false;
+  while (erase_once(polyline)) {
+    // Rounded intersections may form new loops. Every pass leaves fewer points, so this ends.
+  }
+  return true;
+}
 
 bool ArcSeparator::separate(OpenFace& face) {
   bool changed = false;

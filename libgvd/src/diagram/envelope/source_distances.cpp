@@ -1,8 +1,13 @@
+// The shortest paths to points of one face, over the sources that a solver has in it.
+//
+// A source's path is straight where its image sees the point through its opening, and bends round an end of the opening
+// elsewhere: always a path of the surface, so that the least over all sources is the distance itself. Equidistant
+// points come from Newton's method on the differences of three distances, damped, because the shortest path may change
+// from one source to another on the way. A result counts only where the three distances agree to rounding.
 #include "diagram/envelope/source_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace gvd {
@@ -61,8 +66,6 @@ struct ThreePaths {
 void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, *layout_, found_);
-  others_.clear();
-  has_offsets_ = false;
   order_.clear();
   for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
   std::sort(order_.begin(), order_.end());
@@ -78,25 +81,21 @@ void SourceDistances::bring_nearest_forward() {
   for (std::size_t i = 0, first = 0; i < sources_.size(); ++i) {
     if (i == 0 || sources_[i].generator != sources_[first].generator) {
       first = i;
-      best.distance = std::numeric_limits<double>::infinity();
+      best.distance = kInfinity;
     }
     if (take_nearer(sources_[i], centre, best)) std::swap(sources_[i], sources_[first]);
   }
 }
 
-void SourceDistances::set_symbolic_offsets(bool use) {
-  if (use == has_offsets_) return;
-  if (others_.empty()) {
-    others_ = sources_;
-    for (FaceSource& source : others_) {
-      const double offset = offset_.of(source.generator);
-      source.offset += offset;
-      source.distance_begin += offset;
-      source.distance_end += offset;
-    }
+void SourceDistances::enter_with_offsets(const SourceDistances& others, const SymbolicOffset& offset) {
+  layout_ = others.layout_;
+  sources_ = others.sources_;
+  for (FaceSource& source : sources_) {
+    const double longer = offset.of(source.generator);
+    source.offset += longer;
+    source.distance_begin += longer;
+    source.distance_end += longer;
   }
-  std::swap(sources_, others_);
-  has_offsets_ = use;
 }
 
 std::span<const FaceSource> SourceDistances::sources(GeneratorId g) const {
@@ -108,7 +107,7 @@ std::span<const FaceSource> SourceDistances::sources(GeneratorId g) const {
 }
 
 SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> sources, const Vec2& p) {
-  Nearest best{nullptr, {std::numeric_limits<double>::infinity(), p}};
+  Nearest best{nullptr, {kInfinity, p}};
   for (const FaceSource& source : sources) {
     if (take_nearer(source, p, best.path)) best.source = &source;
   }
@@ -116,7 +115,6 @@ SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> so
 }
 
 std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) const {
-  if (!can_confirm_) return std::nullopt;
   const Vec2 p = layout_->at(bary);
   const Nearest best = nearest(sources(g), p);
   if (best.source == nullptr) return std::nullopt;
@@ -167,13 +165,12 @@ double SourceDistances::crossing_error(const BoundaryCrossing& crossing) const {
   const auto before = nearest(crossing.previous, p), after = nearest(crossing.next, p);
   const double rate =
       std::abs((direction(p, before.from) - direction(p, after.from)).dot(layout_->side(crossing.corner)));
-  const auto corner = static_cast<std::size_t>(crossing.corner);
-  const double length = (layout_->corner[(corner + 1) % 3] - layout_->corner[corner]).norm();
+  const double length = (layout_->corner[(crossing.corner + 1) % 3] - layout_->corner[crossing.corner]).norm();
   return kCrossingError * before.distance / (rate * length);
 }
 
 bool SourceDistances::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& bary) const {
-  if (!can_confirm_ || *std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
+  if (*std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
   const Vec2 p = layout_->at(bary);
   const auto path_a = nearest(a, p), path_b = nearest(b, p), path_c = nearest(c, p);
   for (const FaceSource& s : sources_) {

@@ -31,15 +31,18 @@ inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Pat
   return true;
 }
 
-/// The distances inside one face from a solver's sources: as accurate as the solver. Not for several threads at once.
+/// The distances inside one face from a solver's sources: as accurate as the solver. One object serves one face after
+/// the other, to save allocations; not for several threads at once.
 class SourceDistances final : public FaceDistances {
  public:
-  /// `field` must outlive this. `offset`: as on the edges.
-  explicit SourceDistances(const DistanceField& field, const SymbolicOffset& offset = {})
-      : field_(field), offset_(offset) {}
+  /// `field` must outlive this.
+  explicit SourceDistances(const DistanceField& field) : field_(field) {}
 
-  /// Collects the sources of face f, without symbolic offsets. The other members are about this face.
+  /// Collects the sources of face f. The other members are about this face.
   void enter(const Mesh& mesh, FaceId f);
+  /// Enters the face of other distances, and makes all of them longer by the symbolic offset of their generator. So
+  /// every tie inside the face is decided as at the crossings on its edges.
+  void enter_with_offsets(const SourceDistances& others, const SymbolicOffset& offset);
 
   const FaceLayout& layout() const { return *layout_; }
   /// The sources of generator g; the first one is the nearest to the face's centre. Cost: O(log k + sources of g).
@@ -56,12 +59,7 @@ class SourceDistances final : public FaceDistances {
   /// The distance from p to the nearest of all generators.
   double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).path.distance; }
 
-  /// Adds the symbolic offsets to all distances, or takes them away again, bit by bit. With them, every tie inside the
-  /// face is decided as at the crossings on its edges.
-  void set_symbolic_offsets(bool use);
-  /// False makes the assembly treat every branch point as a guess.
-  void set_can_confirm(bool can_confirm) { can_confirm_ = can_confirm; }
-  bool can_confirm() const override { return can_confirm_; }
+  bool can_confirm() const override { return true; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
 
   /// The distance itself, mesh units.
@@ -78,11 +76,8 @@ class SourceDistances final : public FaceDistances {
   void bring_nearest_forward();
 
   const DistanceField& field_;
-  SymbolicOffset offset_;
-  bool can_confirm_ = true, has_offsets_ = false;
   std::optional<FaceLayout> layout_;
   std::vector<FaceSource> sources_;  // by generator
-  std::vector<FaceSource> others_;   // with symbolic offsets where sources_ is without, and vice versa; or empty
   std::vector<FaceSource> found_;
   std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
   mutable EquidistantSearch search_;                         // keeps its memory from face to face

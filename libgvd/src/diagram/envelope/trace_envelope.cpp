@@ -1,11 +1,23 @@
+// The diagram of a distance field by lower envelopes: all edges are crossed, then all crossed faces are closed.
+//
+// A face joins its crossings by straight arcs, refines them along the bisectors, and separates what intersects. A
+// refined arc that intersects itself loses its loops; of refined arcs that intersect each other, some stay straight.
+// Where even straight arcs intersect, because rounded distances contradict each other, the face is assembled again by
+// convex steps alone. So a face closes whatever the distances are.
+//
+// Chunks of edges and of faces share nothing but the input, and their results are joined in order (ParallelChunks).
+// Source: not in the paper; docs/developer/exact.md describes the method.
 #include "diagram/envelope/trace_envelope.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "diagram/assembly/face_assembly.hpp"
 #include "diagram/envelope/edge_crossings.hpp"
-#include "diagram/envelope/edge_envelope.hpp"
-#include "diagram/envelope/exact_face_assembler.hpp"
+#include "diagram/envelope/refine_arcs.hpp"
+#include "diagram/envelope/separate_arcs.hpp"
+#include "diagram/envelope/source_distances.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -15,40 +27,134 @@ namespace {
 /// millisecond, long enough to occupy a thread and short enough to cancel after.
 constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 
-/// Finds the crossings of one edge after the other.
-class EdgeCrosser {
- public:
-  EdgeCrosser(const Mesh& mesh, const NearestLabels& labels, const DistanceField& field, const SymbolicOffset& offset)
-      : mesh_(mesh), labels_(labels), field_(field), offset_(offset) {}
+/// Samples of a segment in a face whose error is measured.
+constexpr int kErrorSamples = 16;
 
-  /// Appends the crossings of e; with `at_most_once` only one, between different labels of its ends.
-  void cross(EdgeId e, bool at_most_once) {
-    const HalfedgeId h = mesh_.halfedge(e);
-    const GeneratorId first = labels_.label[mesh_.from(h)], last = labels_.label[mesh_.to(h)];
-    if (at_most_once && first == last) return;
-    field_.collect(e, sources_);
-    envelope_.build(sources_, mesh_.length(e), offset_);
-    if (at_most_once) {
-      crossings_.append_single(envelope_, e, first, last, result_);
-    } else {
-      crossings_.append_all(envelope_, e, first, last, result_);
+/// Assembles faces one after the other.
+class FaceAssembler {
+ public:
+  explicit FaceAssembler(const EnvelopeFaces& input)
+      : input_(input), plain_(input.field), with_offsets_(input.field), refiner_(input.tolerance) {}
+
+  /// Appends face f to the result.
+  ///
+  /// Ties between branch points are decided as on the edges, by the symbolic offsets. The refinement has them, too:
+  /// between generators that nearly coincide they turn bisectors, and arcs that ended without them would intersect.
+  void assemble(FaceId f) {
+    OpenFace face(result_.diagram, boundary_);
+    boundary_crossings(input_.mesh, input_.crossings, f, boundary_);
+    plain_.enter(input_.mesh, f);
+    const bool may_branch = boundary_.size() > 2;
+    if (may_branch) with_offsets_.enter_with_offsets(plain_, input_.offset);
+    const SourceDistances& deciding = may_branch ? with_offsets_ : plain_;
+    assemble_face(f, boundary_, deciding, result_.diagram);
+    for (FaceArc& arc : face.arcs()) refine(deciding, face, arc);
+    bool straightened = separator_.separate(face);
+    if (may_branch && separator_.is_inverted(face)) {
+      face.clear();
+      assemble_face(f, boundary_, GuessingDistances(deciding), result_.diagram);
+      straightened = true;
     }
+    if (straightened) {
+      ++result_.straightened;
+      result_.straightened_error = std::max(result_.straightened_error, largest_error(face));
+    }
+    measure_branches(face);
+  }
+
+  AssembledFaces take_result() { return std::move(result_); }
+
+ private:
+  /// Refines an arc. A bisector can follow a side, by a tie, or lie beyond it by rounding. Then the search in the face
+  /// ends on the side, and not on the bisector: points that are not inside the face are dropped.
+  void refine(const SourceDistances& distances, const OpenFace& face, FaceArc& arc) {
+    std::vector<Bary>& points = result_.diagram.points;
+    arc.first_point = static_cast<std::int32_t>(points.size());
+    refiner_.refine(distances, arc, face.position(arc.begin), face.position(arc.end), points);
+    const auto is_outside = [](const Bary& p) { return !(*std::min_element(p.begin(), p.end()) >= kInsideFace); };
+    points.erase(std::remove_if(points.begin() + arc.first_point, points.end(), is_outside), points.end());
+    arc.point_count = static_cast<std::int32_t>(points.size()) - arc.first_point;
+  }
+
+  /// Sets the distance of the branch points to the generators round them: the shortest of the paths that the face
+  /// knows. All of them are equally long, with one exception. The face may only know a longer path, or none, from a
+  /// generator that nearly coincides with another one, or nearly lies on a side.
+  void measure_branches(const OpenFace& face) {
+    for (BranchPointId id = face.first_branch(); id < face.end_branch(); id = BranchPointId(id.value() + 1)) {
+      FaceBranch& branch = result_.diagram.branches[id];
+      const ArcEnd here = at(id);
+      double least = kInfinity;
+      for (const FaceArc& arc : face.arcs()) {
+        if (arc.begin != here && arc.end != here) continue;
+        least = std::min(least, plain_.at(arc.begin == here ? arc.left : arc.right, branch.bary));
+      }
+      branch.distance = std::isfinite(least) ? least : plain_.nearest_of_all(branch.bary);
+    }
+  }
+
+  /// The largest difference of the distances to an arc's two generators, at samples of all arcs of the face.
+  double largest_error(const OpenFace& face) const {
+    double largest = 0;
+    for (const FaceArc& arc : face.arcs()) {
+      Bary from = face.position(arc.begin);
+      const auto follow = [&](const Bary& to) {
+        for (int k = 1; k <= kErrorSamples; ++k) {
+          const Bary p = mix(from, to, static_cast<double>(k) / kErrorSamples);
+          const double error = std::abs(plain_.at(arc.left, p) - plain_.at(arc.right, p));
+          if (std::isfinite(error)) largest = std::max(largest, error);
+        }
+        from = to;
+      };
+      for (const Bary& p : face.inner_points(arc)) follow(p);
+      follow(face.position(arc.end));
+    }
+    return largest;
+  }
+
+  const EnvelopeFaces& input_;
+  SourceDistances plain_, with_offsets_;  // in the current face; those with offsets only where it has a branch point
+  ArcRefiner refiner_;
+  ArcSeparator separator_;
+  std::vector<BoundaryCrossing> boundary_;
+  AssembledFaces result_;
+};
+
+}  // namespace
+
+/// Finds the crossings of one edge after the other.
+class EnvelopeTracer::EdgeCrosser {
+ public:
+  EdgeCrosser(const EnvelopeTracer& tracer, const NearestLabels& labels) : tracer_(tracer), labels_(labels) {}
+
+  /// Appends all crossings of e.
+  void cross(EdgeId e) {
+    build_envelope(e);
+    crossings_.append_all(envelope_, e, first(e), last(e), result_);
+  }
+  /// Appends one crossing of e, where the labels of its ends differ.
+  void cross_once(EdgeId e) {
+    if (first(e) == last(e)) return;
+    build_envelope(e);
+    crossings_.append_single(envelope_, e, first(e), last(e), result_);
   }
 
   std::vector<Crossing> take_result() { return std::move(result_); }
 
  private:
-  const Mesh& mesh_;
+  GeneratorId first(EdgeId e) const { return labels_.label[tracer_.mesh_.from(tracer_.mesh_.halfedge(e))]; }
+  GeneratorId last(EdgeId e) const { return labels_.label[tracer_.mesh_.to(tracer_.mesh_.halfedge(e))]; }
+  void build_envelope(EdgeId e) {
+    tracer_.field_.collect(e, sources_);
+    envelope_.build(sources_, tracer_.mesh_.length(e), tracer_.offset_);
+  }
+
+  const EnvelopeTracer& tracer_;
   const NearestLabels& labels_;
-  const DistanceField& field_;
-  SymbolicOffset offset_;
   EdgeEnvelope envelope_;  // of the current edge
   EdgeCrossings crossings_;
   std::vector<EdgeSource> sources_;
   std::vector<Crossing> result_;
 };
-
-}  // namespace
 
 EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
                                const ParallelChunks& parallel)
@@ -59,20 +165,20 @@ EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& 
       offset_(SymbolicOffset::of_envelope(mesh_.bbox_diagonal(), working.generator_vertices().size())) {}
 
 Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
-  return Crossings(mesh_.edge_count(), cross(field_.contested_edges(parallel_), labels, Limit::none));
+  const std::vector<EdgeId> edges = field_.contested_edges(parallel_);
+  return Crossings(mesh_.edge_count(), cross(edges, labels, steps::kCrossings, &EdgeCrosser::cross));
 }
 
 void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                         Crossings& crossings) const {
-  crossings.replace(edges, cross(edges, labels, Limit::one_crossing));
+  crossings.replace(edges, cross(edges, labels, steps::kCrossingsAgain, &EdgeCrosser::cross_once));
 }
 
 std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
-                                            Limit limit) const {
-  const StepPart step = limit == Limit::none ? steps::kCrossings : steps::kCrossingsAgain;
+                                            const StepPart& step, CrossEdge cross_edge) const {
   return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-    EdgeCrosser crosser(mesh_, labels, field_, offset_);
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) crosser.cross(edges[i], limit == Limit::one_crossing);
+    EdgeCrosser crosser(*this, labels);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) (crosser.*cross_edge)(edges[i]);
     return crosser.take_result();
   });
 }
@@ -81,14 +187,10 @@ void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
   report_progress(parallel_.progress(), steps::kFaces, 0);
   const auto counts = count_by_face(mesh_, traced.crossings);
   const std::vector<FaceId> faces = crossed_faces(counts);
-  const auto work = [&](std::size_t i) {
-    const auto count = static_cast<std::size_t>(counts[faces[i]]);
-    return count * count;
-  };
+  const auto work = [&](std::size_t i) { return std::size_t(counts[faces[i]]) * std::size_t(counts[faces[i]]); };
+  const EnvelopeFaces input{mesh_, traced.crossings, field_, offset_, tolerance_};
   const auto close = [&](const Chunk& chunk) {
-    ExactFaceAssembler assembler(mesh_, traced.crossings, field_, offset_, tolerance_);
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) assembler.assemble(faces[i]);
-    return assembler.take_result();
+    return assemble_envelope(input, std::span(faces).subspan(chunk.begin, chunk.end - chunk.begin));
   };
   const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
   for (const AssembledFaces& assembled : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
@@ -97,6 +199,12 @@ void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
     traced.counts.straightened_error = std::max(traced.counts.straightened_error, assembled.straightened_error);
   }
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
+}
+
+AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {
+  FaceAssembler assembler(input);
+  for (const FaceId f : faces) assembler.assemble(f);
+  return assembler.take_result();
 }
 
 }  // namespace gvd

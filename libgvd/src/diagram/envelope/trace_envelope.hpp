@@ -1,37 +1,39 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "diagram/graph/traced_diagram.hpp"
-#include "geodesic/distance_field.hpp"
-#include "geodesic/symbolic_offset.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "geodesic/field/distance_field.hpp"
+#include "geodesic/field/symbolic_offset.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
 
-/// The steps that trace the diagram of a distance field, as exactly as the field is. Crossings are the corners of the
-/// lower envelope of the distances on each edge, stored once for both faces. Every face is assembled from its
-/// crossings, and its arcs are refined until they are within a tolerance of the bisectors.
+/// Traces the diagram of a distance field, as exactly as the field is. Crossings are the corners of the lower envelope
+/// of the distances on each edge, stored once for both faces. Every face is assembled from its crossings, and its arcs
+/// are refined until they are within a tolerance of the bisectors.
 ///
-/// Several threads cross edges and close faces; the distance field must allow that. `trace_connected` runs the steps.
-/// Reports the steps "bisectors" and "faces". Cost: O(n + k) for k points of the bisectors.
-class EnvelopeTracer {
+/// Several threads cross edges and close faces; the distance field must allow that. Reports the steps "bisectors" and
+/// "faces"; counts straightened faces. Cost: O(n + k) for k points of the bisectors.
+class EnvelopeTracer final : public DiagramTracer {
  public:
   /// `tolerance`: mesh units. All arguments must outlive the tracer.
   EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
                  const ParallelChunks& parallel);
 
-  /// The crossings of all edges, between the labels of their ends.
-  Crossings cross_edges(const NearestLabels& labels) const;
-  /// Replaces the crossings of these edges, ascending, by at most one, between the labels of the edge's ends.
-  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
-  /// Fills in the arcs and branch points of all faces, ascending by face; counts straightened faces.
-  void close_faces(TracedDiagram& traced) const;
+  Crossings cross_edges(const NearestLabels& labels) const override;
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                          Crossings& crossings) const override;
+  void close_faces(TracedDiagram& traced) const override;
 
  private:
-  enum class Limit { none, one_crossing };
-  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels, Limit limit) const;
+  class EdgeCrosser;
+  using CrossEdge = void (EdgeCrosser::*)(EdgeId);
+  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels, const StepPart& step,
+                              CrossEdge cross_edge) const;
 
   const Mesh& mesh_;
   const DistanceField& field_;
@@ -39,5 +41,26 @@ class EnvelopeTracer {
   double tolerance_;
   SymbolicOffset offset_;
 };
+
+/// All that the faces of an envelope are assembled from.
+struct EnvelopeFaces {
+  const Mesh& mesh;
+  const Crossings& crossings;
+  const DistanceField& field;
+  SymbolicOffset offset;  ///< of the crossings
+  double tolerance;       ///< mesh units, > 0
+};
+
+/// The arcs and branch points of a number of faces.
+struct AssembledFaces {
+  FaceDiagram diagram;
+  std::int64_t straightened = 0;  ///< faces with an arc that lost points because it intersected itself or another one
+  double straightened_error = 0;  ///< largest difference of the two distances along an arc of these faces, mesh units
+};
+
+/// Assembles some faces, which ascend: joins their crossings by the distances in them, refines the arcs to within the
+/// tolerance of the bisectors, and measures the branch points. Arcs never intersect.
+/// Cost: O(points of the bisectors), and that of the assembly in faces with many crossings.
+AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces);
 
 }  // namespace gvd

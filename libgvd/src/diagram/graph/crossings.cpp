@@ -1,3 +1,8 @@
+// The crossings of all edges as one sorted list, with the index of each edge's first crossing.
+//
+// A crossing is stored once, on its edge; both faces read it from there (BoundaryCrossing turns it round where the face
+// runs through the edge backwards). So two faces can't disagree about a bisector, whatever the distances are. A tracer
+// that crosses some edges again replaces their crossings all at once; ids of crossings change by this.
 #include "diagram/graph/crossings.hpp"
 
 #include <algorithm>
@@ -11,11 +16,11 @@ void Crossings::replace(const std::vector<EdgeId>& edges, const std::vector<Cros
                [&](const Crossing& c) { return !std::binary_search(edges.begin(), edges.end(), c.edge); });
   std::merge(kept.begin(), kept.end(), replacements.begin(), replacements.end(), std::back_inserter(all),
              [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
-  *this = Crossings(static_cast<std::int32_t>(first_.size()), std::move(all));
+  *this = Crossings(first_.count(), std::move(all));
 }
 
 IdVector<FaceId, std::int32_t> count_by_face(const Mesh& mesh, const Crossings& crossings) {
-  IdVector<FaceId, std::int32_t> counts(static_cast<std::size_t>(mesh.face_count()), 0);
+  IdVector<FaceId, std::int32_t> counts(mesh.face_count(), 0);
   for (const Crossing& c : crossings.items()) {
     const HalfedgeId h = mesh.halfedge(c.edge), twin = mesh.twin(h);
     ++counts[Mesh::face(h)];
@@ -26,10 +31,8 @@ IdVector<FaceId, std::int32_t> count_by_face(const Mesh& mesh, const Crossings& 
 
 std::vector<FaceId> crossed_faces(const IdVector<FaceId, std::int32_t>& counts) {
   std::vector<FaceId> faces;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const FaceId f(i);
-    if (counts[f] > 0) faces.push_back(f);
-  }
+  std::copy_if(counts.ids().begin(), counts.ids().end(), std::back_inserter(faces),
+               [&](FaceId f) { return counts[f] > 0; });
   return faces;
 }
 

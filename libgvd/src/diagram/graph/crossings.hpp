@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 
@@ -32,9 +31,8 @@ class Crossings {
  public:
   Crossings() = default;
   /// `items` must be ascending by (edge, t).
-  Crossings(std::int32_t edge_count, std::vector<Crossing> items)
-      : items_(std::move(items)), first_(static_cast<std::size_t>(edge_count), -1) {
-    for (std::size_t i = items_.size(); i-- > 0;) first_[items_.raw()[i].edge] = static_cast<std::int32_t>(i);
+  Crossings(std::int32_t edge_count, std::vector<Crossing> items) : items_(std::move(items)), first_(edge_count, -1) {
+    for (std::int32_t i = items_.count(); i-- > 0;) first_[items_.raw()[i].edge] = i;
   }
 
   std::size_t size() const { return items_.size(); }
@@ -46,10 +44,10 @@ class Crossings {
   /// Ids of the crossings on edge e, ascending in t: first .. first + count.
   CrossingId first(EdgeId e) const { return CrossingId(first_[e]); }
   std::int32_t count(EdgeId e) const {
-    std::int32_t n = 0;
     if (first_[e] < 0) return 0;
-    for (std::size_t i = static_cast<std::size_t>(first_[e]); i < items_.size() && items_.raw()[i].edge == e; ++i) ++n;
-    return n;
+    std::int32_t i = first_[e];
+    while (i < items_.count() && items()[i].edge == e) ++i;
+    return i - first_[e];
   }
 
   /// Replaces the crossings of these edges, ascending, by others on the same edges, ascending by (edge, t).
@@ -69,8 +67,8 @@ struct BoundaryCrossing {
   GeneratorId next;      ///< the cell after it
 
   /// Barycentric coordinates in the face.
-  std::array<double, 3> bary() const {
-    std::array<double, 3> result{0, 0, 0};
+  Bary bary() const {
+    Bary result{0, 0, 0};
     result[corner] = 1 - t;
     result[(corner + 1) % 3] = t;
     return result;
@@ -90,11 +88,8 @@ inline void boundary_crossings(const Mesh& mesh, const Crossings& crossings, Fac
     for (std::int32_t k = 0; k < count; ++k) {
       const CrossingId id(crossings.first(e).value() + (along ? k : count - 1 - k));
       const Crossing& c = crossings[id];
-      if (along) {
-        result.push_back({id, corner, c.t, c.before, c.after});
-      } else {
-        result.push_back({id, corner, 1 - c.t, c.after, c.before});
-      }
+      result.push_back(along ? BoundaryCrossing{id, corner, c.t, c.before, c.after}
+                             : BoundaryCrossing{id, corner, 1 - c.t, c.after, c.before});
     }
   }
 }

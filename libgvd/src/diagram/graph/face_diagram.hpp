@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "gvd/ids.hpp"
 
@@ -32,7 +32,7 @@ struct FaceArc {
 /// A branch point of the working mesh.
 struct FaceBranch {
   FaceId face;
-  std::array<double, 3> bary;
+  Bary bary;
   double distance = 0;  ///< mean distance to its generators, mesh units
 };
 
@@ -42,17 +42,16 @@ struct FaceBranch {
 struct FaceDiagram {
   std::vector<FaceArc> arcs;
   IdVector<BranchPointId, FaceBranch> branches;
-  std::vector<std::array<double, 3>> points;  ///< inner points of refined arcs, barycentric in their face
+  std::vector<Bary> points;  ///< inner points of refined arcs, barycentric in their face
 
-  std::span<const std::array<double, 3>> inner_points(const FaceArc& arc) const {
-    return std::span(points).subspan(static_cast<std::size_t>(arc.first_point),
-                                     static_cast<std::size_t>(arc.point_count));
+  std::span<const Bary> inner_points(const FaceArc& arc) const {
+    return {points.data() + arc.first_point, points.data() + arc.first_point + arc.point_count};
   }
 
   /// Appends the diagram of other faces, all after these in order.
   void append(const FaceDiagram& other) {
     const auto first_point = static_cast<std::int32_t>(points.size());
-    const auto first_branch = static_cast<std::int32_t>(branches.size());
+    const std::int32_t first_branch = branches.count();
     for (FaceArc arc : other.arcs) {
       arc.first_point += first_point;
       for (ArcEnd* end : {&arc.begin, &arc.end}) {
@@ -64,5 +63,24 @@ struct FaceDiagram {
     points.insert(points.end(), other.points.begin(), other.points.end());
   }
 };
+
+/// A connected part of a face without its arcs.
+struct WorkingPiece {
+  GeneratorId generator;
+  std::vector<Bary> corners;  ///< barycentric in the working face, counter-clockwise
+};
+
+/// All pieces of one face.
+struct WorkingPieces {
+  std::vector<WorkingPiece> pieces;
+  /// For each label interval of the face's boundary the piece along it; interval i follows boundary crossing i.
+  std::vector<int> piece_of_interval;
+};
+
+/// The pieces of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
+/// `result` is overwritten; a loop over faces passes the same one again to save allocations.
+/// Cost: O(k log k) for k crossings and arcs, and the number of their points.
+void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
+                  const FaceDiagram& diagram, WorkingPieces& result);
 
 }  // namespace gvd

@@ -1,10 +1,14 @@
-#include "diagram/graph/face_pieces.hpp"
-
+// The pieces of one face between its arcs, as polygons.
+//
+// A walk round a piece alternates between the face's boundary and its arcs: along a label interval to the next
+// crossing, then along arcs with the piece on the left, turning at branch points, until an arc ends on the boundary
+// again. Every label interval has exactly one piece; a piece may have several intervals. The cell on its left tells
+// which arc goes on, because the cells round a crossing or a branch point differ.
 #include <algorithm>
 #include <compare>
 #include <utility>
 
-#include "base/barycentric.hpp"
+#include "diagram/graph/face_diagram.hpp"
 
 namespace gvd {
 namespace {

@@ -1,3 +1,9 @@
+// The nearest generator of every vertex, and new labels where cells have to be connected.
+//
+// Distances grow along a shortest path, so that most vertices have a neighbour of the same label that is nearer to the
+// generator: such a neighbour supports them. A chain of supported vertices along edges ends at the generator's vertex,
+// which is why only unsupported vertices need a look when the components of cells are found. New labels come from
+// labelled neighbours by Dijkstra's algorithm along the edges, so that every relabelled vertex is supported.
 #include "diagram/graph/nearest_labels.hpp"
 
 #include <algorithm>
@@ -51,7 +57,7 @@ class Labeller {
       cleared.push_back(v);
       for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
     };
-    for (std::int32_t i = 0; i < mesh_.vertex_count(); ++i) examine(VertexId(i));
+    for (const VertexId v : mesh_.vertices()) examine(v);
     while (!suspects.empty()) {
       const VertexId v = suspects.back();
       suspects.pop_back();
@@ -89,11 +95,9 @@ class Labeller {
 
 void take_nearest(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& result) {
   const Mesh& mesh = working.mesh();
-  const auto n = static_cast<std::size_t>(mesh.vertex_count());
-  result.label.resize(n);
-  result.distance.assign(n, kInfinity);
-  for (std::int32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const VertexId v(i);
+  result.label.resize(mesh.vertex_count());
+  result.distance.assign(mesh.vertex_count(), kInfinity);
+  for (const VertexId v : mesh.vertices()) {
     table.for_each(v, [&](const VertexDistance& d) {
       if (std::tuple(d.distance, d.generator) < std::tuple(result.distance[v], result.label[v]) ||
           !result.label[v].valid()) {
@@ -103,8 +107,7 @@ void take_nearest(const WorkingMesh& working, const GeneratorTable& table, Neare
     });
   }
   // A generator owns its vertex even if its symbolic offset is larger than the distance to the next generator.
-  for (std::size_t i = 0; i < working.generator_vertices().size(); ++i) {
-    const GeneratorId g(i);
+  for (const GeneratorId g : working.generator_vertices().ids()) {
     const VertexId v = working.vertex(g);
     result.label[v] = g;
     result.distance[v] = table.distance(table.find(v, g)).distance;
@@ -113,13 +116,20 @@ void take_nearest(const WorkingMesh& working, const GeneratorTable& table, Neare
 
 }  // namespace
 
+FaceClass classify(const Mesh& mesh, const IdVector<VertexId, GeneratorId>& label, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  if (!label[a].valid() || !label[b].valid() || !label[c].valid()) return FaceClass::unreached;
+  const int equal = (label[a] == label[b]) + (label[b] == label[c]) + (label[c] == label[a]);
+  if (equal == 3) return FaceClass::trivial;
+  return equal == 1 ? FaceClass::ordinary : FaceClass::branching;
+}
+
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table) {
   const Mesh& mesh = working.mesh();
   NearestLabels labels;
   take_nearest(working, table, labels);
   const Labeller labeller(working, labels);
-  const Chunk all{0, static_cast<std::size_t>(mesh.vertex_count())};
-  labels.unsupported = labeller.find_unsupported(all, [&](VertexId v) {
+  labels.unsupported = labeller.find_unsupported({0, labels.label.size()}, [&](VertexId v) {
     // In most cases one of the two corners that the distance was computed from has the same label.
     const HalfedgeId via = table.distance(v.value()).via;
     return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
@@ -156,7 +166,7 @@ std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labe
   const std::vector<VertexId> cleared = labeller.clear_unsupported();
   labeller.label_from_neighbours(cleared);
   labels.unsupported.clear();
-  return static_cast<std::int64_t>(cleared.size());
+  return std::ssize(cleared);
 }
 
 }  // namespace gvd

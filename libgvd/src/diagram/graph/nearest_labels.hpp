@@ -18,6 +18,17 @@ struct NearestLabels {
   std::vector<VertexId> unsupported;
 };
 
+/// The paper's classes of faces, by the nearest generators of their corners (section 3, figure 2).
+enum class FaceClass {
+  unreached,  ///< a corner that no generator reaches
+  trivial,    ///< one generator
+  ordinary,   ///< two
+  branching,  ///< three
+};
+
+/// The class of a face, by the labels of its vertices. Cost: O(1).
+FaceClass classify(const Mesh& mesh, const IdVector<VertexId, GeneratorId>& label, FaceId f);
+
 /// The label of a vertex is its nearest generator by (distance, generator id); that of a generator's vertex is the
 /// generator itself. Cost: O(n).
 NearestLabels compute_nearest_labels(const WorkingMesh& working, const GeneratorTable& table);

@@ -5,29 +5,31 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "diagram/connected_tracer.hpp"
-#include "diagram/graph/cell_components.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "diagram/growth/assemble_faces.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 #include "support/edge_between.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/stages.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_connected_tracer {
 
 using Edges = std::vector<EdgeId>;
 
 /// Crosses every edge between two labels in its middle, and assembles all faces. Notes what it is asked for.
-struct MiddleTracer {
+struct MiddleTracer final : DiagramTracer {
+  explicit MiddleTracer(const test::Stages& of) : stages(of) {}
+
   const test::Stages& stages;
   std::function<void(Crossings&)> poke{};      ///< changes the first crossings
   std::function<void(TracedDiagram&)> grow{};  ///< changes the diagram before its faces are assembled
-  std::vector<Edges> crossed_again{}, disabled{};
-  int rounds = 0;
+  mutable std::vector<Edges> crossed_again{}, disabled{};
+  mutable int rounds = 0;
 
-  Crossings cross_edges(const NearestLabels& labels) {
+  Crossings cross_edges(const NearestLabels& labels) const override {
     Edges all;
     for (int e = 0; e < stages.mesh().edge_count(); ++e) all.emplace_back(e);
     Crossings crossings(stages.mesh().edge_count(), middles(all, labels));
@@ -35,19 +37,19 @@ struct MiddleTracer {
     return crossings;
   }
 
-  void cross_at_most_once(const Edges& edges, const NearestLabels& labels, Crossings& crossings) {
+  void cross_at_most_once(const Edges& edges, const NearestLabels& labels, Crossings& crossings) const override {
     crossed_again.push_back(edges);
     crossings.replace(edges, middles(edges, labels));
   }
 
-  void close_faces(TracedDiagram& traced) {
+  void close_faces(TracedDiagram& traced) const override {
     ++rounds;
     if (grow) grow(traced);
     const GrowthInput input{stages.working, stages.table(), traced.labels, stages.front};
     assemble_faces(input, traced.crossings, {}, traced.faces);
   }
 
-  void disable_growth(const Edges& edges) { disabled.push_back(edges); }
+  void disable_growth(const Edges& edges) override { disabled.push_back(edges); }
 
  private:
   std::vector<Crossing> middles(const Edges& edges, const NearestLabels& labels) const {
@@ -69,7 +71,7 @@ struct TwoCells {
   const VertexId inner{8};
 
   TracedDiagram trace(const NearestLabels& labels) {
-    return trace_connected(stages.working, labels, steps_of(tracer), Progress());
+    return trace_connected(stages.working, labels, tracer, Progress());
   }
   TracedDiagram trace() { return trace(stages.labels); }
 
@@ -108,7 +110,7 @@ TEST_CASE("one generator: one round, and nothing to connect") {
   const Mesh mesh = test::make_grid(3, 3);
   const test::Stages stages(mesh, test::at_vertices(mesh, {5}), Front::circle);
   MiddleTracer tracer{stages};
-  const TracedDiagram traced = trace_connected(stages.working, stages.labels, steps_of(tracer), Progress());
+  const TracedDiagram traced = trace_connected(stages.working, stages.labels, tracer, Progress());
   CHECK(traced.crossings.size() == 0);
   CHECK(traced.faces.arcs.empty());
   CHECK(traced.cell_components.raw() == ones(1));
@@ -215,7 +217,7 @@ TEST_CASE("tracing begins with the step \"bisectors\", where it can be cancelled
     return false;
   };
   try {
-    trace_connected(cells.stages.working, cells.stages.labels, steps_of(cells.tracer), cancel);
+    trace_connected(cells.stages.working, cells.stages.labels, cells.tracer, cancel);
     FAIL("was not cancelled");
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::interrupted);
@@ -224,15 +226,92 @@ TEST_CASE("tracing begins with the step \"bisectors\", where it can be cancelled
 }
 
 TEST_CASE("a tracer without growth has nothing to disable") {
-  struct WithoutGrowth {
-    Crossings cross_edges(const NearestLabels&) const { return {}; }
-    void cross_at_most_once(const Edges&, const NearestLabels&, Crossings&) const {}
-    void close_faces(TracedDiagram&) const {}
+  struct WithoutGrowth final : DiagramTracer {
+    Crossings cross_edges(const NearestLabels&) const override { return {}; }
+    void cross_at_most_once(const Edges&, const NearestLabels&, Crossings&) const override {}
+    void close_faces(TracedDiagram&) const override {}
   };
-  const WithoutGrowth tracer;
-  const TracerSteps steps = steps_of(tracer);
-  CHECK_NOTHROW(steps.disable_growth({EdgeId(0)}));
-  CHECK(steps.cross_edges(NearestLabels()).size() == 0);
+  WithoutGrowth tracer;
+  CHECK_NOTHROW(tracer.disable_growth({EdgeId(0)}));
+  CHECK(tracer.cross_edges(NearestLabels()).size() == 0);
+}
+
+const GeneratorId kOwn(0), kOther(1), kThird(2);
+
+/// Two squares, cut by the edges 0 - 4 and 1 - 5; generator 0 owns all six corners.
+struct TwoSquares {
+  Mesh mesh = test::make_grid(2, 1);
+  NearestLabels labels;
+
+  TwoSquares() {
+    labels.label.assign(6, kOwn);
+    labels.distance.assign(6, 1.0);
+  }
+
+  EdgeId edge(int u, int v) const { return test::edge_between(mesh, u, v); }
+
+  /// Edges with an interval of the other cell in their middle.
+  Crossings intervals(std::vector<EdgeId> edges) const {
+    std::sort(edges.begin(), edges.end());
+    std::vector<Crossing> items;
+    for (const EdgeId e : edges) {
+      items.push_back({e, 0.4, kOwn, kOther});
+      items.push_back({e, 0.6, kOther, kOwn});
+    }
+    return Crossings(mesh.edge_count(), items);
+  }
+
+  std::vector<EdgeId> find(const Crossings& crossings) const {
+    return find_disconnected_intervals(mesh, labels, crossings);
+  }
+};
+
+TEST_CASE("without crossings, and with one on each edge, there is no interval inside an edge") {
+  TwoSquares squares;
+  CHECK(squares.find(squares.intervals({})).empty());
+  squares.labels.label[VertexId(2)] = kOther;
+  std::vector<Crossing> items;
+  for (int e = 0; e < squares.mesh.edge_count(); ++e) {
+    const HalfedgeId h = squares.mesh.halfedge(EdgeId(e));
+    const GeneratorId from = squares.labels.label[squares.mesh.from(h)], to = squares.labels.label[squares.mesh.to(h)];
+    if (from != to) items.push_back({EdgeId(e), 0.5, from, to});
+  }
+  REQUIRE(items.size() >= 2);
+  CHECK(squares.find(Crossings(squares.mesh.edge_count(), items)).empty());
+}
+
+TEST_CASE("a single interval inside an edge is disconnected, on the boundary too") {
+  const TwoSquares squares;
+  for (const EdgeId e : {squares.edge(1, 4), squares.edge(0, 1)}) {
+    CHECK(squares.find(squares.intervals({e})) == std::vector<EdgeId>{e});
+  }
+}
+
+TEST_CASE("two intervals in one face are connected to each other, and still disconnected from every corner") {
+  const TwoSquares squares;
+  const EdgeId middle = squares.edge(1, 4), side = squares.edge(0, 1);
+  const std::vector<EdgeId> both{std::min(middle, side), std::max(middle, side)};
+  CHECK(squares.find(squares.intervals(both)) == both);
+}
+
+TEST_CASE("a chain of intervals through common faces connects to a corner of the cell") {
+  TwoSquares squares;
+  squares.labels.label[VertexId(2)] = kOther;  // has no face in common with the middle edge
+  const EdgeId middle = squares.edge(1, 4), between = squares.edge(1, 5);
+  CHECK(squares.find(squares.intervals({middle})) == std::vector<EdgeId>{middle});
+  CHECK(squares.find(squares.intervals({middle, between})).empty());
+}
+
+TEST_CASE("a corner of a third cell does not connect, and an edge with two intervals is named once") {
+  TwoSquares squares;
+  squares.labels.label[VertexId(2)] = kThird;
+  const EdgeId e = squares.edge(1, 4);
+  CHECK(squares.find(squares.intervals({e})) == std::vector<EdgeId>{e});
+  const Crossings twice(
+      squares.mesh.edge_count(),
+      {{e, 0.2, kOwn, kOther}, {e, 0.4, kOther, kOwn}, {e, 0.6, kOwn, kThird}, {e, 0.8, kThird, kOwn}});
+  // The interval of the cell itself, in between, is connected to the edge's ends.
+  CHECK(squares.find(twice) == std::vector<EdgeId>{e});
 }
 
 }  // namespace gvd::test_connected_tracer

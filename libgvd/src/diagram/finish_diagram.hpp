@@ -5,9 +5,30 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/ids.hpp"
+#include "base/parallel_chunks.hpp"
+#include "diagram/graph/traced_diagram.hpp"
+#include "gvd/diagram.hpp"
+#include "mesh/working_mesh.hpp"
 
 namespace gvd {
+
+// The steps that turn a traced diagram of the working mesh into the `Diagram` of the input, in their order.
+
+/// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their total length, in
+/// the input mesh's faces. Counts ends that are unresolved in its report. Several threads compute the points. Reports
+/// the first half of the step "cells".
+/// Cost: O(k) for k arcs.
+void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                     Diagram& diagram);
+
+/// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
+/// neighbours. Reports the second half of the step "cells". Cost: O(n).
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                   Diagram& diagram);
+
+/// The boundary loops of every cell, made of bisectors and of the mesh's boundary. Cost: O(k) for k arcs and boundary
+/// edges.
+IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
 
 /// What a subset of the mesh's elements adds to a cell.
 struct CellShare {
