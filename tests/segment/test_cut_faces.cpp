@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test_carry_to_cut_vertices {
+namespace gvd::test_cut_faces {
 
 TEST_CASE("the vertices of a cut mesh keep labels and distances, and new ones lie between them") {
   const Mesh mesh = test::make_grid(4, 3);
@@ -66,4 +66,4 @@ TEST_CASE("what no generator reaches stays without label and distance in a cut m
   CHECK_THROWS_AS(carry_to_cut_vertices(test::make_grid(1, 1), diagram, cut_faces(mesh, diagram)), Error);
 }
 
-}  // namespace gvd::test_carry_to_cut_vertices
+}  // namespace gvd::test_cut_faces
