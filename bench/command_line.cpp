@@ -1,3 +1,6 @@
+// The command lines of the programs of this folder: their meshes, and how they report an error.
+//
+// Without a mesh, data/figure.obj is measured. A program that fails writes one line on stderr.
 #include "command_line.hpp"
 
 #include <exception>

@@ -17,16 +17,12 @@
 #include <string_view>
 #include <vector>
 
+#include "baseline.hpp"
+#include "clocks.hpp"
 #include "command_line.hpp"
-#include "cpu_clock.hpp"
-#include "dijkstra.hpp"
-#include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "heap_meter.hpp"
-#include "median.hpp"
-#include "refine_flat.hpp"
-#include "step_clock.hpp"
 #ifdef GVD_HAS_PEERS
 #include "peers.hpp"
 #endif
@@ -89,7 +85,7 @@ StepTimes median_steps(const std::vector<StepTimes>& runs) {
 double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   const HeapMeter meter;
   const Diagram diagram = compute_diagram(mesh, generators, options);
-  return static_cast<double>(meter.peak()) / mesh.face_count();
+  return double(meter.peak()) / mesh.face_count();
 }
 
 void measure_threads(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options,
@@ -219,8 +215,7 @@ void run_all(const Settings& settings) {
     }
   });
   if (settings.peers) run_peers(settings);
-  std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n",
-                           static_cast<double>(peak_resident_bytes()) / 1e6);
+  std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n", double(peak_resident_bytes()) / 1e6);
 }
 
 int run(int argc, char** argv) {

@@ -1,3 +1,7 @@
+// The peak of the heap, counted by replaced forms of operator new and delete.
+//
+// All allocations of the program count, so a meter tells what was allocated between two moments. Counting takes time: a
+// measured time and a counted peak come from two runs.
 #include "heap_meter.hpp"
 
 #include <atomic>

@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
-#include "cpu_clock.hpp"
+#include "clocks.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd::bench {
@@ -25,8 +25,8 @@ template <class Kernel>
 Surface<Kernel> build_surface(const Mesh& mesh) {
   Surface<Kernel> surface;
   for (const Vec3& p : mesh.positions()) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    const auto& [a, b, c] = mesh.vertices(FaceId(i));
+  for (const FaceId f : mesh.faces()) {
+    const auto& [a, b, c] = mesh.vertices(f);
     if (surface.add_face(vertex_of<Kernel>(a), vertex_of<Kernel>(b), vertex_of<Kernel>(c)) ==
         Surface<Kernel>::null_face()) {
       throw Error(ErrorCode::no_valid_result, "CGAL refuses the surface");

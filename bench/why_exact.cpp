@@ -22,12 +22,10 @@
 #include <utility>
 #include <vector>
 
+#include "baseline.hpp"
 #include "command_line.hpp"
-#include "dijkstra.hpp"
-#include "draw_vertices.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"
-#include "refine_flat.hpp"
 #ifdef GVD_HAS_PEERS
 #include "peers.hpp"
 #endif
@@ -90,7 +88,7 @@ DistanceTable compute_exact(const Mesh& mesh, const std::vector<VertexId>& gener
   for (const VertexId generator : generators) {
     const ExactField field(mesh, {vertex_point(mesh, generator)});
     std::vector<double>& row = table.emplace_back();
-    for (int v = 0; v < mesh.vertex_count(); ++v) row.push_back(field.distance(VertexId(v)));
+    for (const VertexId v : mesh.vertices()) row.push_back(field.distance(v));
   }
   return table;
 }
@@ -102,7 +100,7 @@ DistanceTable compute_fast_marching(const Mesh& mesh, const std::vector<VertexId
   for (const VertexId generator : generators) {
     const Diagram diagram = compute_diagram(mesh, {vertex_point(mesh, generator)}, options);
     std::vector<double>& row = table.emplace_back();
-    for (int v = 0; v < mesh.vertex_count(); ++v) row.push_back(diagram.vertex_distance[VertexId(v)]);
+    for (const VertexId v : mesh.vertices()) row.push_back(diagram.vertex_distance[v]);
   }
   return table;
 }
@@ -120,7 +118,7 @@ std::vector<Approach> list_approaches() {
 Labels find_nearest(const DistanceTable& table) {
   Labels nearest;
   nearest.label.assign(table.front().size(), -1);
-  nearest.distance.assign(table.front().size(), std::numeric_limits<double>::infinity());
+  nearest.distance.assign(table.front().size(), kInfinity);
   for (std::size_t g = 0; g < table.size(); ++g) {
     for (std::size_t v = 0; v < table[g].size(); ++v) {
       if (table[g][v] >= nearest.distance[v]) continue;
@@ -173,8 +171,7 @@ Figures compare(const EdgeGraph& graph, const std::vector<VertexId>& generators,
   }
   double cells = 0;
   for (const bool cell : in_pieces) cells += cell ? 1 : 0;
-  return {sum.wrong_label / vertices, sum.cut_off / vertices, cells / static_cast<double>(generators.size()),
-          sum.error / vertices};
+  return {sum.wrong_label / vertices, sum.cut_off / vertices, cells / double(generators.size()), sum.error / vertices};
 }
 
 void print_rows(const std::string& name, const Mesh& mesh, int count, int draws) {

@@ -14,14 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "baseline.hpp"
+#include "clocks.hpp"
 #include "command_line.hpp"
-#include "cpu_clock.hpp"
-#include "dijkstra.hpp"
-#include "draw_vertices.hpp"
-#include "flat_square.hpp"
 #include "gvd/sampling.hpp"
-#include "median.hpp"
-#include "refine_flat.hpp"
 #include "relaxation_run.hpp"
 
 namespace gvd::bench {
@@ -163,12 +159,12 @@ void measure_iteration(const Mesh& mesh, int count, const Settings& settings) {
   for (int run = 0; run < settings.runs; ++run) {
     const RelaxationRun none = run_relaxation(mesh, generators, exact_options(0));
     const RelaxationRun some = run_relaxation(mesh, generators, exact_options(settings.short_iterations));
-    const auto made = static_cast<double>(std::max<std::size_t>(1, some.result.iterations.size()));
+    const auto made = double(std::max<std::size_t>(1, some.result.iterations.size()));
     diagrams.push_back(seconds_of([&] { compute_diagram(mesh, some.result.generators, diagram); }));
     evaluations.push_back(none.seconds);
     early.push_back(seconds_of_early_iteration(mesh, count, settings));
     iterations.push_back((some.seconds - none.seconds) / made);
-    trials = static_cast<double>(some.result.diagrams - 1) / made;
+    trials = double(some.result.diagrams - 1) / made;
   }
   const double unit = median(diagrams), cost = median(iterations) / unit, early_cost = median(early) / unit;
   std::cout << fmt::format(

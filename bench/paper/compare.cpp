@@ -20,13 +20,12 @@
 #include <iostream>
 #include <utility>
 
+#include "baseline.hpp"
+#include "clocks.hpp"
 #include "command_line.hpp"
-#include "comparison_scene.hpp"
-#include "draw_vertices.hpp"
+#include "comparators.hpp"
 #include "gvd/error.hpp"
-#include "judging/judge.hpp"
-#include "list_comparators.hpp"
-#include "median.hpp"
+#include "judge.hpp"
 
 namespace gvd::paper {
 namespace {
@@ -88,7 +87,7 @@ void print_header() {
 void print_row(const std::string& name, const Comparison& result, const Judgement& judgement, double area) {
   const Faults& faults = result.faults;
   const std::string islands = fmt::format("{} ({:.2f} %)", faults.islands, 100 * faults.island_area / area);
-  const double share = static_cast<double>(judgement.wrong_labels) / static_cast<double>(judgement.labelled);
+  const double share = double(judgement.wrong_labels) / double(judgement.labelled);
   const double turn = judgement.turning_angle / judgement.error.length;
   std::cout << fmt::format("{:<14} {:>10.3g} {:>8.2f} {:>6.2f} {:>8.2f} % {:>14} {:>7} {:>5} {:>10.1f} {:>10.1f}\n",
                            name, judgement.error.error_integral, judgement.error.length, turn, 100 * share, islands,

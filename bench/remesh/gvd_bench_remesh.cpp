@@ -11,11 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "baseline.hpp"
+#include "clocks.hpp"
 #include "command_line.hpp"
-#include "cpu_clock.hpp"
-#include "dijkstra.hpp"
-#include "draw_vertices.hpp"
-#include "peer_figures.hpp"
 #include "remesh_run.hpp"
 
 namespace gvd::bench {
@@ -107,18 +105,14 @@ void measure_model(const std::string& path, int count, const Settings& settings,
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+  return values.empty() ? 0 : sum / double(values.size());
 }
 
 /// In the order of peer_figures.
 std::vector<double> compared_figures(const Totals& totals) {
   const double made = std::max(1, totals.made);
-  return {static_cast<double>(totals.right),
-          totals.worst_inflation,
-          totals.sum.hausdorff / made,
-          totals.sum.rms / made,
-          totals.sum.q / made,
-          totals.sum.seconds,
+  return {double(totals.right),  totals.worst_inflation, totals.sum.hausdorff / made,
+          totals.sum.rms / made, totals.sum.q / made,    totals.sum.seconds,
           mean(totals.kept)};
 }
 

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gvd/mesh.hpp"
 
 namespace gvd::bench {
+
+/// When an edge of the input is kept by an edge of the remesh.
+struct KeptCreaseOptions {
+  double angle = 40;        ///< degrees between the normals of two faces: sharper edges are creases, of both meshes
+  double distance = 0.005;  ///< of the input's midpoint from the remesh's edge, as a fraction of the input's diagonal
+  double direction = 20;    ///< degrees between the two edges
+};
+
+/// The length of the input's creases that creases of the remesh keep, in percent of all; 100 without creases.
+/// An edge counts by its midpoint. Cost: O(n m) for n and m crease edges.
+double percent_of_creases_kept(const Mesh& input, const Mesh& remesh, const KeptCreaseOptions& options = {});
 
 struct RemeshRequest {
   std::string path;                ///< of the input
@@ -32,5 +45,22 @@ struct RemeshFigures {
 /// The command reports wall-clock times of its steps. The processor time is divided in their proportions, so that other
 /// processes hardly distort it. Not reentrant: processor times of other child processes would count, too.
 std::optional<RemeshFigures> run_remesh(const Mesh& input, const RemeshRequest& request);
+
+/// The programs whose figures are known, in the order of PeerRow::values.
+inline constexpr std::array<const char*, 3> kPeers{"ACVD", "ACVDQ", "Geogram"};
+
+/// One row of figures of the peers, for one number of vertices.
+struct PeerRow {
+  const char* figure;
+  bool smaller_is_better;
+  std::array<std::optional<double>, 3> values;  ///< of kPeers
+};
+
+/// Measured once on spot, elephant, armadillo, bunny, fandisk, rotor, plate, knot and kitten: ACVD with `-m 1`.
+/// Empty where the peers were not measured with so many vertices.
+std::vector<PeerRow> peer_figures(int vertices);
+
+/// "ahead by X", "level" or "behind NAME by X": of `ours` beside the best of the peers. Empty without peers.
+std::string compare_with_best(double ours, const PeerRow& peers);
 
 }  // namespace gvd::bench

@@ -5,7 +5,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
-#include "judging/judge.hpp"
+#include "judge.hpp"
 
 // What the tests of all comparators ask.
 

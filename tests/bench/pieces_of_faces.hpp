@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "pieces/clip_polygon.hpp"
-#include "pieces/piece_contacts.hpp"
+#include "pieces.hpp"
 
 namespace gvd::test {
 

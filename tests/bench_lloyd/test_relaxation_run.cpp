@@ -1,4 +1,8 @@
+#include <cmath>
+
+#include "gvd/lloyd.hpp"
 #include "gvd/sampling.hpp"
+#include "gvd/surface_area.hpp"
 #include "relaxation_run.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -68,6 +72,29 @@ TEST_CASE("an energy that no run reaches has no shortest run") {
   const RelaxationRun run = run_relaxation(sphere(), start(), options);
   CHECK_FALSE(shortest_run_to(0.1, sphere(), start(), run.trace, 1));
   CHECK_FALSE(shortest_run_to(run.energy - 1e-6, sphere(), start(), run.trace, 1));
+}
+
+TEST_CASE("a flat square has the area n x n and one boundary") {
+  const Mesh mesh = make_flat_square(5);
+  CHECK(mesh.face_count() == 50);
+  CHECK(mesh.vertex_count() == 36);
+  CHECK(compute_area(mesh) == Approx(25));
+}
+
+TEST_CASE("the interior of a square of square cells has the energy of squares, 1 / 6") {
+  const int n = 8;
+  const Mesh mesh = make_flat_square(n);
+  std::vector<SurfacePoint> centres;
+  // The middle of each unit square is the middle of the diagonal, which both faces share.
+  for (int square = 0; square < n * n; ++square) centres.push_back({FaceId(2 * square), {0.5, 0, 0.5}});
+  const Diagram diagram = compute_diagram(mesh, centres);
+  const InteriorEnergy all = interior_energy(mesh, n, diagram, 0);
+  CHECK(all.cells == n * n);
+  CHECK(all.energy == Approx(1.0 / 6).epsilon(1e-9));
+  const InteriorEnergy inner = interior_energy(mesh, n, diagram, 2);
+  CHECK(inner.cells == (n - 4) * (n - 4));
+  CHECK(inner.energy == Approx(1.0 / 6).epsilon(1e-9));
+  CHECK(interior_energy(mesh, n, diagram, n).cells == 0);
 }
 
 }  // namespace gvd::test_relaxation_run

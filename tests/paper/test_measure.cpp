@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "list_comparators.hpp"
+#include "comparators.hpp"
 #include "measure.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -1,10 +1,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/region_statistics.hpp"
+#include "gvd/segment.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -117,6 +119,46 @@ TEST_CASE("region statistics: a diagram of another mesh is refused") {
   const Mesh mesh = test::make_grid(1, 1);
   CHECK_THROWS_AS(
       compute_region_statistics(test::make_sphere(1), compute_diagram(mesh, {vertex_point(mesh, VertexId(0))})), Error);
+}
+
+const std::string kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours\r\n";
+
+std::string to_csv(const IdVector<GeneratorId, RegionStatistics>& regions) {
+  std::ostringstream out;
+  write_statistics_csv(out, regions);
+  return out.str();
+}
+
+TEST_CASE("statistics as CSV: without regions there is the header") { CHECK(to_csv({}) == kHeader); }
+
+TEST_CASE("statistics as CSV: a line for each region, with the shortest numbers") {
+  IdVector<GeneratorId, RegionStatistics> regions(2);
+  regions[GeneratorId(0)] = {0.1, 1.0 / 3, 2, 1e-300, 0.5, 1, {{GeneratorId(1), 0.25}, {GeneratorId(7), 1.5}}};
+  regions[GeneratorId(1)].compactness = std::numeric_limits<double>::infinity();
+  CHECK(to_csv(regions) == kHeader + "0,0.1,0.3333333333333333,2,1e-300,0.5,1,1=0.25 7=1.5\r\n1,0,0,0,0,,0,\r\n");
+}
+
+TEST_CASE("the sizes of regions count faces and add areas, unlabelled faces left out") {
+  const Mesh mesh = test::make_grid(2, 2);  // eight faces of area 1/2
+  IdVector<FaceId, GeneratorId> label(8, GeneratorId(0));
+  label[FaceId(3)] = label[FaceId(4)] = GeneratorId(2);
+  label[FaceId(7)] = GeneratorId();
+  const auto sizes = measure_regions(mesh, label, 3);
+  REQUIRE(sizes.size() == 3);
+  CHECK(sizes[GeneratorId(0)].faces == 5);
+  CHECK(sizes[GeneratorId(0)].area == Approx(2.5));
+  CHECK(sizes[GeneratorId(1)].faces == 0);
+  CHECK(sizes[GeneratorId(1)].area == 0);
+  CHECK(sizes[GeneratorId(2)].faces == 2);
+  CHECK(sizes[GeneratorId(2)].area == Approx(1));
+}
+
+TEST_CASE("labels that do not fit the mesh or the number of regions are refused") {
+  const Mesh mesh = test::make_grid(2, 2);
+  const IdVector<FaceId, GeneratorId> short_by_one(7, GeneratorId(0)), labels(8, GeneratorId(3));
+  CHECK_THROWS_AS(measure_regions(mesh, short_by_one, 1), Error);
+  CHECK_THROWS_AS(measure_regions(mesh, labels, 3), Error);
+  CHECK_NOTHROW(measure_regions(mesh, labels, 4));
 }
 
 }  // namespace gvd::test_region_statistics

@@ -1,3 +1,7 @@
+// The record of a relaxation's energies, which fall from one iteration to the next.
+//
+// A change of the level of precision restates the last energy. Iterations that have not lowered the energy as it is
+// measured then count as one with the iteration before them, with the sum of their moves. So the energies still fall.
 #include "iteration_record.hpp"
 
 #include <algorithm>
@@ -10,7 +14,7 @@ void IterationRecord::add(const GeneratorMove& move, double before, double after
   iteration.energy = after;
   for (const double length : move.length) {
     iteration.largest_move = std::max(iteration.largest_move, length);
-    iteration.mean_move += length / static_cast<double>(move.length.size());
+    iteration.mean_move += length / double(move.length.size());
   }
   iteration.scale = move.scale;
   iteration.held = move.held;
@@ -22,10 +26,9 @@ void IterationRecord::add(const GeneratorMove& move, double before, double after
   falls.push_back((before - after) / before);
 }
 
-bool IterationRecord::falls_by(double fraction, std::size_t window) const {
-  if (falls.size() < window) return true;
-  const double sum = std::accumulate(falls.end() - static_cast<std::ptrdiff_t>(window), falls.end(), 0.0);
-  return sum >= fraction * static_cast<double>(window);
+bool IterationRecord::falls_by(double fraction, int window) const {
+  if (std::ssize(falls) < window) return true;
+  return std::accumulate(falls.end() - window, falls.end(), 0.0) >= fraction * window;
 }
 
 void IterationRecord::restate(double energy, const Precision& precision) {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "generator_moves.hpp"
 #include "gvd/lloyd.hpp"
-#include "state/generator_moves.hpp"
 
 namespace gvd {
 
@@ -17,7 +17,7 @@ struct IterationRecord {
   void add(const GeneratorMove& move, double before, double after, const Precision& precision);
   /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
   /// fewer.
-  bool falls_by(double fraction, std::size_t window) const;
+  bool falls_by(double fraction, int window) const;
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
   /// measured now count as one with the iteration before them.
   void restate(double energy, const Precision& precision);

@@ -1,4 +1,9 @@
-// The relaxation: accelerated steps, or Lloyd's where they fail. A step is taken only if it lowers the energy.
+// The relaxation: accelerated steps, or Lloyd's where they fail.
+//
+// Lloyd's method (S. Lloyd, Least squares quantization in PCM, 1982) moves every generator to the centroid of its cell.
+// Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
+// energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
+// sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
 #include "gvd/lloyd.hpp"
 
 #include <algorithm>
@@ -6,16 +11,14 @@
 #include <optional>
 #include <utility>
 
+#include "accelerator.hpp"
 #include "diagram/diagram_windows.hpp"
+#include "generator_moves.hpp"
 #include "gvd/error.hpp"
 #include "iteration_record.hpp"
-#include "optimiser/line_search.hpp"
-#include "state/generator_moves.hpp"
-#include "state/relaxation_state.hpp"
-#include "state_evaluator.hpp"
-#include "steps/accelerator.hpp"
-#include "steps/relocation.hpp"
-#include "steps/shorten_own_steps.hpp"
+#include "optimiser.hpp"
+#include "relaxation_state.hpp"
+#include "relocation.hpp"
 
 namespace gvd {
 namespace {
@@ -30,7 +33,7 @@ constexpr int kLloydTrials = 16, kOwnTrials = 6;
 constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
-constexpr std::size_t kStallWindow = 5;
+constexpr int kStallWindow = 5;
 
 /// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
 constexpr double kClearFall = 0.99;
@@ -43,6 +46,9 @@ constexpr double kFirstRelocationGain = 0.05;
 
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
+
+/// Bounds of the factor by which a generator shortens its own step.
+constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
 
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
@@ -60,6 +66,22 @@ void check_energy(double energy) {
   throw Error(ErrorCode::precondition, "the energy is too large for a number; scale the density or the mesh down");
 }
 
+/// Shortens the steps of the generators that went beyond the lowest point of their path. The energy's slopes at both
+/// ends of a path tell how far (the secant). `move` led from `before` to `after`, whose energy is too large; `scales`
+/// are the factors of the steps. Returns whether there is such a generator.
+bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after,
+                       std::vector<double>& scales) {
+  const TangentField start = turned(move.turns, energy_gradient(before)), end = energy_gradient(after);
+  bool is_any_shortened = false;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const double first = start[i].dot(move.step[i]), last = end[i].dot(move.step[i]);
+    if (!(first < 0 && last > 0)) continue;
+    scales[i] *= std::clamp(first / (first - last), kLeastFactor, kLargestFactor);
+    is_any_shortened = true;
+  }
+  return is_any_shortened;
+}
+
 /// Keeps the state in which a relaxation ends.
 void keep(RelaxationState&& state, LloydResult& result) {
   result.generators = std::move(state.generators);
@@ -73,7 +95,7 @@ void keep(RelaxationState&& state, LloydResult& result) {
 /// The rules of the iteration: what is tried, what is taken, and when to end.
 class Relaxer {
  public:
-  /// All have to outlive this.
+  /// All arguments have to outlive this.
   Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options)
       : mesh_(mesh),
         options_(options),
@@ -118,14 +140,12 @@ class Relaxer {
   /// One iteration, and the reason to end after it or instead of it.
   std::optional<LloydStop> advance(RelaxationState& state) {
     if (is_at_centroids(state)) return LloydStop::centroids;
-    if (record_.iterations.size() >= static_cast<std::size_t>(max_iterations(options_))) {
-      return LloydStop::max_iterations;
-    }
+    if (std::ssize(record_.iterations) >= max_iterations(options_)) return LloydStop::max_iterations;
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
     if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
-    const std::size_t window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
+    const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
     if (record_.falls_by(least, window)) return std::nullopt;
     return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
   }
@@ -228,9 +248,9 @@ class Relaxer {
     return std::nullopt;
   }
 
-  /// `share`: of the next iteration, if its first step is taken.
+  /// `share`: what is done of the next iteration, if its first step is taken.
   void report(double share = 0) const {
-    const double done = static_cast<double>(record_.iterations.size()) + std::min(share, 1.0);
+    const double done = double(record_.iterations.size()) + std::min(share, 1.0);
     report_progress(options_.progress, "relaxation",
                     std::min(1.0, done / std::max(1.0, double(max_iterations(options_)))));
   }

@@ -1,16 +1,22 @@
+// Cuts the faces of a mesh along the bisectors of its diagram.
+//
+// The points of pieces on an edge are collected from both faces of the edge, sorted along it and numbered once, so that
+// the two faces share vertices and the surface stays closed. Each face is then tiled by its pieces (FaceTiling), and
+// the polygons are cut into triangles. A face whose pieces do not tile it stays whole, with the vertices on its edges.
+// The triangles of a face follow each other, in the order of the faces.
 #include <algorithm>
 #include <span>
 #include <string>
 #include <tuple>
 
-#include "base/ear_clipping.hpp"
+#include "base/triangulate_plane_polygon.hpp"
+#include "cut_triangles.hpp"
 #include "face_shares.hpp"
 #include "face_tiling.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
-#include "separate_coincident_corners.hpp"
-#include "split_doubled_edges.hpp"
 
 namespace gvd {
 namespace {
@@ -19,15 +25,14 @@ class Cutter {
  public:
   Cutter(const Mesh& mesh, const Diagram& diagram)
       : mesh_(mesh), diagram_(diagram), shares_(diagram), tolerance_(position_tolerance(mesh)) {
-    triangles_.positions = mesh.positions();
+    cut_.positions = mesh.positions();
   }
 
   CutMesh run() {
     collect_edge_points();
     number_edge_points();
     auto piece = diagram_.pieces.begin();
-    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
-      const FaceId f(i);
+    for (const FaceId f : mesh_.faces()) {
       const auto first = piece;
       while (piece != diagram_.pieces.end() && piece->face == f) ++piece;
       cut_face(f, {first, piece});
@@ -35,6 +40,8 @@ class Cutter {
     if (piece != diagram_.pieces.end()) {
       throw Error(ErrorCode::precondition, "the diagram's pieces are not sorted by face", piece->face.value());
     }
+    split_doubled_edges(cut_);
+    separate_coincident_corners(cut_, mesh_.positions().size(), tolerance_);
     build_mesh();
     return std::move(result_);
   }
@@ -47,15 +54,14 @@ class Cutter {
     VertexId vertex;
   };
 
-  double parameter(EdgeId e, FaceId f, const std::array<double, 3>& bary) const {
+  double parameter(EdgeId e, FaceId f, const Bary& bary) const {
     const VertexId end = mesh_.to(mesh_.halfedge(e));
-    const auto& corners = mesh_.vertices(f);
-    return bary[std::find(corners.begin(), corners.end(), end) - corners.begin()];
+    return bary[std::ranges::find(mesh_.vertices(f), end) - mesh_.vertices(f).begin()];
   }
 
   void collect_edge_points() {
     for (const FacePiece& piece : diagram_.pieces) {
-      for (const auto& bary : piece.corners) {
+      for (const Bary& bary : piece.corners) {
         const SurfacePoint point = make_surface_point(piece.face, bary);
         if (point.kind() != SurfacePoint::Kind::edge) continue;
         const EdgeId e = mesh_.edge(halfedge(point));
@@ -68,33 +74,32 @@ class Cutter {
 
   /// Gives each edge point a vertex: that of the point before it or an end of the edge if they coincide, or a new one.
   void number_edge_points() {
-    for (std::size_t i = 0; i < edge_points_.size(); ++i) {
-      EdgePoint& point = edge_points_[i];
+    const EdgePoint* before = nullptr;
+    for (EdgePoint& point : edge_points_) {
       const HalfedgeId h = mesh_.halfedge(point.edge);
       const Vec3 at = (1 - point.t) * mesh_.position(mesh_.from(h)) + point.t * mesh_.position(mesh_.to(h));
-      const EdgePoint* const before = i > 0 && edge_points_[i - 1].edge == point.edge ? &edge_points_[i - 1] : nullptr;
+      if (before && before->edge != point.edge) before = nullptr;
       if (coincide(at, mesh_.position(mesh_.from(h)), tolerance_)) {
         point.vertex = mesh_.from(h);
       } else if (coincide(at, mesh_.position(mesh_.to(h)), tolerance_)) {
         point.vertex = mesh_.to(h);
       } else if (before && (point.t - before->t <= kCutWeld ||
-                            coincide(triangles_.positions[before->vertex.index()], at, tolerance_))) {
+                            coincide(cut_.positions[before->vertex.index()], at, tolerance_))) {
         point.vertex = before->vertex;
       } else {
         point.vertex = add_vertex(at);
       }
+      before = &point;
     }
   }
 
   VertexId add_vertex(const Vec3& at) {
-    triangles_.positions.push_back(at);
-    return VertexId(static_cast<std::int64_t>(triangles_.positions.size()) - 1);
+    cut_.positions.push_back(at);
+    return VertexId(cut_.positions.size() - 1);
   }
 
   std::span<const EdgePoint> points_on(EdgeId e) const {
-    const auto [first, last] = std::equal_range(edge_points_.begin(), edge_points_.end(), EdgePoint{e, 0, {}},
-                                                [](const EdgePoint& a, const EdgePoint& b) { return a.edge < b.edge; });
-    return {first, last};
+    return std::ranges::equal_range(edge_points_, e, {}, &EdgePoint::edge);
   }
 
   /// The corners of f and the vertices on its edges, in order, each once.
@@ -103,8 +108,8 @@ class Cutter {
     for (int i = 0; i < 3; ++i) {
       const HalfedgeId h = Mesh::halfedge(f, i);
       const auto add = [&](double t, VertexId v) {
-        const bool known = std::any_of(border.begin(), border.end(), [v](const auto& c) { return c.vertex == v; });
-        if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, triangles_.positions[v.index()], v});
+        const bool known = std::ranges::find(border, v, &FaceTiling::Corner::vertex) != border.end();
+        if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, cut_.positions[v.index()], v});
       };
       add(0, mesh_.from(h));
       const auto points = points_on(mesh_.edge(h));
@@ -117,17 +122,15 @@ class Cutter {
     return border;
   }
 
-  FaceTiling::Corner corner_of(FaceId f, const std::array<double, 3>& bary) const {
+  FaceTiling::Corner corner_of(FaceId f, const Bary& bary) const {
     const SurfacePoint point = make_surface_point(f, bary);
     FaceTiling::Corner corner{point.bary, position(mesh_, point), {}};
     if (point.kind() == SurfacePoint::Kind::vertex) corner.vertex = vertex(mesh_, point);
     if (point.kind() == SurfacePoint::Kind::edge) {
       const EdgeId e = mesh_.edge(halfedge(point));
-      const double t = parameter(e, f, point.bary);
       const auto points = points_on(e);
-      const auto found = std::lower_bound(points.begin(), points.end(), t,
-                                          [](const EdgePoint& p, double value) { return p.t < value; });
-      corner.vertex = found->vertex;  // collect_edge_points has added this corner
+      // collect_edge_points has added this corner.
+      corner.vertex = std::ranges::lower_bound(points, parameter(e, f, point.bary), {}, &EdgePoint::t)->vertex;
     }
     return corner;
   }
@@ -137,14 +140,13 @@ class Cutter {
     const auto shares = shares_.of(f);
     const GeneratorId whole = !shares.empty() ? shares.front().generator : diagram_.face_label[f];
     if (pieces.empty() && border.size() == 3) {
-      add_triangle(mesh_.vertices(f), f, whole);
-      ++polygons_;
+      cut_.triangles.push_back({mesh_.vertices(f), f, whole, polygons_++});
       return;
     }
     FaceTiling tiling(std::move(border), tolerance_);
     for (const FacePiece& piece : pieces) {
       FaceTiling::Polygon polygon{piece.generator, {}};
-      for (const auto& bary : piece.corners) polygon.corners.push_back(tiling.find_or_add(corner_of(f, bary)));
+      for (const Bary& bary : piece.corners) polygon.corners.push_back(tiling.find_or_add(corner_of(f, bary)));
       tiling.add(std::move(polygon));
     }
     const bool fits = !pieces.empty() && tiling.fit();
@@ -161,29 +163,23 @@ class Cutter {
         if (!corner.vertex.valid()) corner.vertex = add_vertex(corner.position);
         plane_points.push_back(tiling.plane_point(number));
       }
-      for (const auto& triangle : triangulate_plane_polygon(plane_points)) {
-        std::array<VertexId, 3> vertices;
-        for (std::size_t i = 0; i < 3; ++i) vertices[i] = tiling.corners()[polygon.corners[triangle[i]]].vertex;
-        add_triangle(vertices, f, polygon.generator);
+      const auto vertex = [&](std::size_t i) { return tiling.corners()[polygon.corners[i]].vertex; };
+      for (const auto& [a, b, c] : triangulate_plane_polygon(plane_points)) {
+        cut_.triangles.push_back({{vertex(a), vertex(b), vertex(c)}, f, polygon.generator, polygons_});
       }
       ++polygons_;
     }
   }
 
-  void add_triangle(const std::array<VertexId, 3>& vertices, FaceId parent, GeneratorId label) {
-    triangles_.faces.push_back(vertices);
-    triangles_.parent.push_back(parent);
-    triangles_.label.push_back(label);
-    triangles_.polygon.push_back(polygons_);
-  }
-
   void build_mesh() {
-    split_doubled_edges(triangles_);
-    separate_coincident_corners(triangles_, static_cast<std::size_t>(mesh_.vertex_count()), tolerance_);
-    result_.parent = std::move(triangles_.parent);
-    result_.label = std::move(triangles_.label);
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const CutTriangle& t : cut_.triangles) {
+      faces.push_back(t.corners);
+      result_.parent.push_back(t.parent);
+      result_.label.push_back(t.label);
+    }
     try {
-      result_.mesh = Mesh(std::move(triangles_.positions), std::move(triangles_.faces));
+      result_.mesh = Mesh(std::move(cut_.positions), std::move(faces));
     } catch (const Error& error) {
       throw Error(ErrorCode::no_valid_result,
                   std::string("cutting along the bisectors gives no manifold mesh: ") + error.what(), error.element());
@@ -194,17 +190,42 @@ class Cutter {
   const Diagram& diagram_;
   FaceShares shares_;
   double tolerance_;
-  std::vector<EdgePoint> edge_points_;  ///< sorted by edge and t
-  CutTriangles triangles_;
-  std::int32_t polygons_ = 0;  ///< number of polygons so far
+  std::vector<EdgePoint> edge_points_;  // sorted by edge and t
+  CutTriangles cut_;
+  std::int32_t polygons_ = 0;  // number of polygons so far
   CutMesh result_;
 };
+
+/// The smaller one of two labels of faces at a vertex; a label comes before none.
+GeneratorId smaller_label(GeneratorId a, GeneratorId b) { return !a.valid() || (b.valid() && b < a) ? b : a; }
 
 }  // namespace
 
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram) {
   check_belongs(mesh, diagram);
   return Cutter(mesh, diagram).run();
+}
+
+CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {
+  const int given = mesh.vertex_count();
+  if (diagram.vertex_label.count() != given || diagram.vertex_distance.count() != given ||
+      cut.mesh.vertex_count() < given) {
+    throw Error(ErrorCode::precondition, "the diagram or the cut mesh was made of another mesh");
+  }
+  CutVertices result{diagram.vertex_label, diagram.vertex_distance};
+  result.label.resize(cut.mesh.vertex_count());
+  result.distance.resize(cut.mesh.vertex_count(), kInfinity);
+  for (const FaceId f : cut.mesh.faces()) {
+    for (const VertexId v : cut.mesh.vertices(f)) {
+      if (v.value() >= given) result.label[v] = smaller_label(result.label[v], cut.label[f]);
+    }
+  }
+  for (VertexId v(given); v.value() < cut.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
+    const FaceId parent = cut.parent[Mesh::face(cut.mesh.halfedge(v))];
+    const SurfacePoint point = closest_point_on_face(mesh, parent, cut.mesh.position(v)).point;
+    result.distance[v] = interpolate_at(mesh, diagram.vertex_distance, point);
+  }
+  return result;
 }
 
 }  // namespace gvd

@@ -1,61 +1,60 @@
+// Shares of the cells in the faces that bisectors cut, out of the areas of the diagram's pieces.
+//
+// A piece is a polygon in barycentric coordinates, so that its area relative to the face needs no positions. Pieces of
+// one cell in one face are added up in the order of the diagram. The list is sorted twice: by face and generator to
+// unite the pieces, then by face and descending fraction. Both sorts are stable, so that the sums do not depend on
+// the sorting.
 #include "face_shares.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 
-double compute_area_fraction(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
-
-FaceShares::FaceShares(const Diagram& diagram) {
-  for (const FacePiece& piece : diagram.pieces) {
-    shares_.push_back({piece.face, piece.generator, compute_area_fraction(piece)});
-  }
-  std::stable_sort(shares_.begin(), shares_.end(), [](const FaceShare& a, const FaceShare& b) {
-    return std::tie(a.face, a.generator) < std::tie(b.face, b.generator);
-  });
-  std::vector<FaceShare> united;
-  for (const FaceShare& share : shares_) {
-    if (!united.empty() && united.back().face == share.face && united.back().generator == share.generator) {
-      united.back().fraction += share.fraction;
-    } else {
-      united.push_back(share);
-    }
-  }
-  std::stable_sort(united.begin(), united.end(), [](const FaceShare& a, const FaceShare& b) {
-    return a.face != b.face ? a.face < b.face : a.fraction > b.fraction;
-  });
-  shares_ = std::move(united);
-}
-
-std::span<const FaceShare> FaceShares::of(FaceId face) const {
-  const auto [first, last] = std::equal_range(shares_.begin(), shares_.end(), FaceShare{face, {}, 0},
-                                              [](const FaceShare& a, const FaceShare& b) { return a.face < b.face; });
-  return {first, last};
-}
-
-double FaceShares::fraction(FaceId face, GeneratorId generator) const {
-  for (const FaceShare& share : of(face)) {
+double fraction_of(std::span<const FaceShare> shares, GeneratorId generator) {
+  for (const FaceShare& share : shares) {
     if (share.generator == generator) return share.fraction;
   }
   return 0;
 }
 
-void check_belongs(const Mesh& mesh, const Diagram& diagram) {
-  const auto faces = static_cast<std::size_t>(mesh.face_count());
-  const auto known = [&](GeneratorId g) { return !g.valid() || g.index() < diagram.generators.size(); };
-  bool good =
-      diagram.face_label.size() == faces && std::all_of(diagram.face_label.begin(), diagram.face_label.end(), known);
-  for (const SurfacePoint& point : diagram.generators) good = good && point.face.valid() && point.face.index() < faces;
+double compute_area_fraction(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
+
+FaceShares::FaceShares(const Diagram& diagram) {
+  std::vector<FaceShare> pieces;
   for (const FacePiece& piece : diagram.pieces) {
-    good =
-        good && piece.face.valid() && piece.face.index() < faces && piece.generator.valid() && known(piece.generator);
+    pieces.push_back({piece.face, piece.generator, compute_area_fraction(piece)});
   }
-  if (!good) throw Error(ErrorCode::precondition, "the diagram was not made of this mesh; compute it again");
+  std::ranges::stable_sort(pieces, {}, [](const FaceShare& s) { return std::pair(s.face, s.generator); });
+  for (const FaceShare& piece : pieces) {
+    if (!shares_.empty() && shares_.back().face == piece.face && shares_.back().generator == piece.generator) {
+      shares_.back().fraction += piece.fraction;
+    } else {
+      shares_.push_back(piece);
+    }
+  }
+  std::ranges::stable_sort(shares_, {}, [](const FaceShare& s) { return std::pair(s.face, -s.fraction); });
+}
+
+std::span<const FaceShare> FaceShares::of(FaceId face) const {
+  return std::ranges::equal_range(shares_, face, {}, &FaceShare::face);
+}
+
+void check_belongs(const Mesh& mesh, const Diagram& diagram) {
+  const auto is_face = [&](FaceId f) { return f.valid() && f.value() < mesh.face_count(); };
+  const auto is_label = [&](GeneratorId g) { return !g.valid() || g.index() < diagram.generators.size(); };
+  const auto is_point = [&](const SurfacePoint& point) { return is_face(point.face); };
+  const auto is_piece = [&](const FacePiece& piece) {
+    return is_face(piece.face) && piece.generator.valid() && is_label(piece.generator);
+  };
+  if (diagram.face_label.count() == mesh.face_count() && std::ranges::all_of(diagram.face_label, is_label) &&
+      std::ranges::all_of(diagram.generators, is_point) && std::ranges::all_of(diagram.pieces, is_piece)) {
+    return;
+  }
+  throw Error(ErrorCode::precondition, "the diagram was not made of this mesh; compute it again");
 }
 
 }  // namespace gvd

@@ -14,8 +14,10 @@ struct FaceShare {
   double fraction = 0;  ///< of the face's area, in [0, 1]
 };
 
-/// The fraction of its face's area that a piece covers, in [0, 1]: twice its area in the plane of two barycentric
-/// coordinates.
+/// The fraction of the generator among the shares of one face; 0 where it has none.
+double fraction_of(std::span<const FaceShare> shares, GeneratorId generator);
+
+/// The fraction of its face's area that a piece covers, in [0, 1]. A piece that rounding has turned clockwise has 0.
 double compute_area_fraction(const FacePiece& piece);
 
 /// The shares of the cells in the faces that are cut, one for each cell of a face.
@@ -23,18 +25,19 @@ class FaceShares {
  public:
   explicit FaceShares(const Diagram& diagram);
 
-  /// In descending order, of equals the smaller generator first; empty for a face that is not cut.
+  /// The shares of one face in descending order, of equals the smaller generator first; none for a face that is not
+  /// cut.
   std::span<const FaceShare> of(FaceId face) const;
   /// All shares, ascending by face, then as `of` sorts them.
   const std::vector<FaceShare>& all() const { return shares_; }
-  /// 0 where the cell has no share.
-  double fraction(FaceId face, GeneratorId generator) const;
+  /// The fraction of a cell in a face; 0 where the cell has no share.
+  double fraction(FaceId face, GeneratorId generator) const { return fraction_of(of(face), generator); }
 
  private:
   std::vector<FaceShare> shares_;
 };
 
-/// Throws Error{precondition} if the sizes or ids of `diagram` don't fit `mesh`.
+/// Throws Error{precondition} if the sizes or ids of `diagram` do not fit `mesh`.
 void check_belongs(const Mesh& mesh, const Diagram& diagram);
 
 }  // namespace gvd

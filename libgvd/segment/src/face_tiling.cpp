@@ -1,17 +1,21 @@
+// Fits the pieces of one face together, so that adjacent polygons share whole segments.
+//
+// Pieces come from both sides of each bisector with their own rounding. Corners that coincide are merged, and segments
+// are split at the corners on them. The result counts only if it tiles the face: each directed segment occurs once, and
+// so does its reverse, in another polygon or on the border. The corners of the border come first and are never merged
+// or moved, because the adjacent faces share them. Corners are sorted along the face's longest side and along an axis
+// of space, so that a face with many pieces needs no search over all pairs.
 #include "face_tiling.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <limits>
 #include <utility>
-
-#include "base/plane.hpp"
 
 namespace gvd {
 namespace {
 
-bool coincide(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+bool coincide(const Bary& a, const Bary& b) {
   return std::abs(a[0] - b[0]) <= kCutWeld && std::abs(a[1] - b[1]) <= kCutWeld && std::abs(a[2] - b[2]) <= kCutWeld;
 }
 
@@ -43,15 +47,15 @@ constexpr double kAlongWeld = 3 * kCutWeld;
 std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling::Corner>& border) {
   std::array<Vec3, 3> corner{};
   for (const FaceTiling::Corner& c : border) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
       if (c.bary[i] == 1) corner[i] = c.position;
     }
   }
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
+  int longest = 0;
+  for (int i = 1; i < 3; ++i) {
     if ((corner[(i + 1) % 3] - corner[i]).norm() > (corner[(longest + 1) % 3] - corner[longest]).norm()) longest = i;
   }
-  const std::size_t end = (longest + 1) % 3, apex = (longest + 2) % 3;
+  const int end = (longest + 1) % 3, apex = (longest + 2) % 3;
   const Vec3 side = corner[end] - corner[longest];
   std::array<double, 3> positions{};
   positions[end] = 1;
@@ -59,24 +63,16 @@ std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling:
   return positions;
 }
 
-/// A segment with its direction, to be sorted so that its reverse follows it.
-struct DirectedSegment {
-  std::size_t low, high;
-  bool descends;
-  DirectedSegment(std::size_t from, std::size_t to)
-      : low(std::min(from, to)), high(std::max(from, to)), descends(to < from) {}
-  auto operator<=>(const DirectedSegment&) const = default;
-};
+/// A segment from one corner to another.
+using DirectedSegment = std::pair<std::size_t, std::size_t>;
 
-/// Whether each segment occurs once, and its reverse too. Reorders the segments.
-bool is_paired(std::vector<DirectedSegment>& segments) {
-  if (segments.size() % 2 != 0) return false;
+/// Whether each segment occurs once, and its reverse too.
+bool is_paired(std::vector<DirectedSegment> segments) {
+  std::vector<DirectedSegment> reverse;
+  for (const auto& [from, to] : segments) reverse.emplace_back(to, from);
   std::sort(segments.begin(), segments.end());
-  for (std::size_t i = 0; i < segments.size(); i += 2) {
-    const DirectedSegment &a = segments[i], &b = segments[i + 1];
-    if (a.low != b.low || a.high != b.high || a.descends || !b.descends) return false;
-  }
-  return true;
+  std::sort(reverse.begin(), reverse.end());
+  return segments == reverse && std::adjacent_find(segments.begin(), segments.end()) == segments.end();
 }
 
 }  // namespace
@@ -91,20 +87,19 @@ void FaceTiling::SortedCorners::insert(double coordinate, std::size_t corner) {
 }
 
 std::span<const std::pair<double, std::size_t>> FaceTiling::SortedCorners::between(double low, double high) const {
-  const auto below = [](const auto& item, double value) { return item.first < value; };
-  const auto above = [](double value, const auto& item) { return value < item.first; };
-  return {std::lower_bound(corners_.begin(), corners_.end(), low, below),
-          std::upper_bound(corners_.begin(), corners_.end(), high, above)};
+  const auto coordinate = [](const auto& item) { return item.first; };
+  return {std::ranges::lower_bound(corners_, low, {}, coordinate),
+          std::ranges::upper_bound(corners_, high, {}, coordinate)};
 }
 
 template <class Test>
-std::size_t FaceTiling::find_near(const SortedCorners& corners, double coordinate, double tolerance, std::size_t found,
-                                  const Test& passes) {
+std::size_t FaceTiling::SortedCorners::find(double coordinate, double tolerance, std::size_t limit,
+                                            const Test& passes) const {
   // Twice the tolerance, so that rounding of the range's ends excludes no corner.
-  for (const auto& [at, corner] : corners.between(coordinate - 2 * tolerance, coordinate + 2 * tolerance)) {
-    if (corner < found && passes(corner)) found = corner;
+  for (const auto& [at, corner] : between(coordinate - 2 * tolerance, coordinate + 2 * tolerance)) {
+    if (corner < limit && passes(corner)) limit = corner;
   }
-  return found;
+  return limit;
 }
 
 FaceTiling::FaceTiling(std::vector<Corner> border, double tolerance)
@@ -124,7 +119,7 @@ FaceTiling::FaceTiling(std::vector<Corner> border, double tolerance)
 }
 
 double FaceTiling::along(const Corner& corner) const {
-  return corner.bary[0] * along_[0] + corner.bary[1] * along_[1] + corner.bary[2] * along_[2];
+  return interpolate(corner.bary, along_[0], along_[1], along_[2]);
 }
 
 void FaceTiling::index(std::size_t corner) {
@@ -134,7 +129,7 @@ void FaceTiling::index(std::size_t corner) {
 
 /// The first corner of the border with this vertex; the number of all corners if there is none.
 std::size_t FaceTiling::find_vertex(VertexId vertex) const {
-  const auto found = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair(vertex, std::size_t{0}));
+  const auto found = std::ranges::lower_bound(by_vertex_, std::pair(vertex, std::size_t{0}));
   return found != by_vertex_.end() && found->first == vertex ? found->second : corners_.size();
 }
 
@@ -143,10 +138,11 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
   if (corner.vertex.valid()) {
     found = find_vertex(corner.vertex);
   } else {
-    found = find_near(by_along_, along(corner), kAlongWeld, found,
-                      [&](std::size_t i) { return coincide(corners_[i].bary, corner.bary); });
-    found = find_near(by_position_, corner.position[axis_], tolerance_, found,
-                      [&](std::size_t i) { return coincide(corners_[i].position, corner.position, tolerance_); });
+    found = by_along_.find(along(corner), kAlongWeld, found,
+                           [&](std::size_t i) { return coincide(corners_[i].bary, corner.bary); });
+    found = by_position_.find(corner.position[axis_], tolerance_, found, [&](std::size_t i) {
+      return coincide(corners_[i].position, corner.position, tolerance_);
+    });
   }
   if (found < corners_.size()) return found;
   corners_.push_back(corner);
@@ -209,7 +205,7 @@ void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double
 }
 
 bool FaceTiling::on_one_edge(std::size_t a, std::size_t b, std::size_t c) const {
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     if (corners_[a].bary[i] == 0 && corners_[b].bary[i] == 0 && corners_[c].bary[i] == 0) return true;
   }
   return false;
@@ -219,16 +215,13 @@ bool FaceTiling::tiles(const std::vector<Polygon>& polygons) const {
   std::vector<DirectedSegment> segments;
   for (std::size_t i = 0; i < border_; ++i) segments.emplace_back((i + 1) % border_, i);
   for (const Polygon& polygon : polygons) {
-    if (twice_area(polygon.corners) < -kCutWeld) return false;
-    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-      segments.emplace_back(polygon.corners[i], polygon.corners[(i + 1) % polygon.corners.size()]);
-    }
+    const std::vector<std::size_t>& corners = polygon.corners;
+    const auto corner = [&](std::size_t i) { return plane_point(corners[i]); };
+    if (twice_signed_area(corners.size(), corner) < -kCutWeld) return false;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      segments.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
   }
-  return is_paired(segments);
-}
-
-double FaceTiling::twice_area(const std::vector<std::size_t>& polygon) const {
-  return twice_signed_area(polygon.size(), [&](std::size_t i) { return plane_point(polygon[i]); });
+  return is_paired(std::move(segments));
 }
 
 }  // namespace gvd

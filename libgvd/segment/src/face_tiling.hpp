@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
@@ -31,7 +31,7 @@ inline bool coincide(const Vec3& p, const Vec3& q, double tolerance) {
 class FaceTiling {
  public:
   struct Corner {
-    std::array<double, 3> bary;
+    Bary bary;
     Vec3 position;
     VertexId vertex;  ///< invalid for a corner inside the face that is not yet a vertex
   };
@@ -62,8 +62,8 @@ class FaceTiling {
 
   std::vector<Corner>& corners() { return corners_; }
   const std::vector<Polygon>& polygons() const { return polygons_; }
-  /// Two barycentric coordinates of a corner: an affine image of the face in the plane.
-  Vec2 plane_point(std::size_t corner) const { return {corners_[corner].bary[1], corners_[corner].bary[2]}; }
+  /// A corner in the plane of two barycentric coordinates.
+  Vec2 plane_point(std::size_t corner) const { return affine_point(corners_[corner].bary); }
 
  private:
   /// Corners sorted by a coordinate.
@@ -72,6 +72,10 @@ class FaceTiling {
     void insert(double coordinate, std::size_t corner);
     /// The corners with a coordinate from `low` to `high`.
     std::span<const std::pair<double, std::size_t>> between(double low, double high) const;
+    /// The smallest number below `limit` of a corner that passes the test, among those within `tolerance` of the
+    /// coordinate; `limit` if there is none.
+    template <class Test>
+    std::size_t find(double coordinate, double tolerance, std::size_t limit, const Test& passes) const;
 
    private:
     std::vector<std::pair<double, std::size_t>> corners_;
@@ -82,25 +86,19 @@ class FaceTiling {
   /// Position of a corner along the face's longest side, from 0 to 1: there, few corners of a needle lie between the
   /// ends of a segment that crosses it.
   double along(const Corner& corner) const;
-  /// The smallest number below `found` of a corner that passes the test, among those within `tolerance` of the
-  /// coordinate; `found` if there is none.
-  template <class Test>
-  static std::size_t find_near(const SortedCorners& corners, double coordinate, double tolerance, std::size_t found,
-                               const Test& passes);
   std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double tolerance) const;
   /// Appends the corners on the segment in order: those on the same edge of the face, and those within `tolerance`.
   void append_corners_between(std::size_t from, std::size_t to, double tolerance, std::vector<std::size_t>& out) const;
   bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
   bool tiles(const std::vector<Polygon>& polygons) const;
-  double twice_area(const std::vector<std::size_t>& polygon) const;
 
-  std::vector<Corner> corners_;  ///< the border first
+  std::vector<Corner> corners_;  // the border first
   std::size_t border_;
   double tolerance_;
-  int axis_ = 0;                   ///< the axis along which the face is longest
-  std::array<double, 3> along_{};  ///< of the face's corners
+  int axis_ = 0;  // the axis along which the face is longest
+  Bary along_{};  // the positions of the face's corners
   SortedCorners by_along_, by_position_;
-  std::vector<std::pair<VertexId, std::size_t>> by_vertex_;  ///< the border's corners, ascending
+  std::vector<std::pair<VertexId, std::size_t>> by_vertex_;  // the border's corners, ascending
   std::vector<Polygon> polygons_;
 };
 

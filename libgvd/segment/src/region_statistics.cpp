@@ -1,13 +1,22 @@
+// Figures of regions: of the diagram's cells, and of faces that carry labels.
+//
+// Area and Euler characteristic are the diagram's own; lengths are those of its polylines. A bisector counts in the
+// perimeter of both of its cells, and so twice where both are the same cell. The mesh's boundary counts where a cell's
+// faces and pieces lie on it. Sums run over bisectors, halfedges and pieces in their order.
 #include "gvd/region_statistics.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <charconv>
+#include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
-#include "gvd/mesh.hpp"
+#include "gvd/error.hpp"
+#include "gvd/segment.hpp"
+#include "gvd/surface_area.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -22,11 +31,7 @@ double compute_length(const Mesh& mesh, const Bisector& bisector) {
   return sum;
 }
 
-Vec3 corner_position(const Mesh& mesh, FaceId f, const Bary& bary) {
-  const auto& [a, b, c] = mesh.vertices(f);
-  return interpolate<Vec3>(bary, mesh.position(a), mesh.position(b), mesh.position(c));
-}
-
+/// Adds up the figures of all cells.
 class RegionMeter {
  public:
   RegionMeter(const Mesh& mesh, const Diagram& diagram)
@@ -68,15 +73,14 @@ class RegionMeter {
 
   void add_border(GeneratorId region, GeneratorId neighbour, double length) {
     std::vector<RegionNeighbour>& all = regions_[region].neighbours;
-    const auto found = std::lower_bound(all.begin(), all.end(), neighbour,
-                                        [](const RegionNeighbour& n, GeneratorId g) { return n.region < g; });
+    const auto found = std::ranges::lower_bound(all, neighbour, {}, &RegionNeighbour::region);
     if (found != all.end() && found->region == neighbour) found->border_length += length;
   }
 
   void add_mesh_boundary() {
-    for (std::int32_t h = 0; h < mesh_.halfedge_count(); ++h) {
-      const GeneratorId g = diagram_.face_label[Mesh::face(HalfedgeId(h))];
-      if (g.valid() && !mesh_.twin(HalfedgeId(h)).valid()) regions_[g].perimeter += mesh_.length(HalfedgeId(h));
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      const GeneratorId g = diagram_.face_label[Mesh::face(h)];
+      if (g.valid() && !mesh_.twin(h).valid()) regions_[g].perimeter += mesh_.length(h);
     }
     for (const FacePiece& piece : diagram_.pieces) {
       for (int side = 0; side < 3; ++side) {
@@ -86,37 +90,34 @@ class RegionMeter {
     }
   }
 
-  /// The part of a face's side that bounds the piece. Corners of pieces that lie on a side have a 0 there. It is
-  /// exact, but for the rounding of coordinates that were converted from a split face.
+  /// The part of a face's side that bounds the piece. Corners on the side have a 0 there, which is exact but for the
+  /// rounding of coordinates that were converted from a split face.
   static double covered_part(const FacePiece& piece, int side) {
-    const auto start = static_cast<std::size_t>(side), opposite = static_cast<std::size_t>((side + 2) % 3);
+    const int opposite = (side + 2) % 3;
     double sum = 0;
     for (std::size_t i = 0; i < piece.corners.size(); ++i) {
       const Bary &a = piece.corners[i], &b = piece.corners[(i + 1) % piece.corners.size()];
       if (a[opposite] > kBarycentricSnap || b[opposite] > kBarycentricSnap) continue;
-      sum += std::max(0.0, a[start] - b[start]);  // pieces are counter-clockwise, as the side is
+      sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, as the side is
     }
     return sum;
   }
 
   void measure_radii() {
-    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      extend(diagram_.vertex_label[VertexId(v)], diagram_.vertex_distance[VertexId(v)]);
-    }
+    for (const VertexId v : mesh_.vertices()) extend(diagram_.vertex_label[v], diagram_.vertex_distance[v]);
     for (const BranchPoint& point : diagram_.branch_points) {
       for (const GeneratorId g : point.generators) extend(g, point.distance);
     }
     std::vector<std::pair<FaceId, GeneratorId>> own;
-    for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
-      const GeneratorId g(i);
-      for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) own.emplace_back(f, g);
+    for (const GeneratorId g : regions_.ids()) {
+      for (const FaceId f : faces_around(mesh_, diagram_.generators[g.index()])) own.emplace_back(f, g);
     }
     std::sort(own.begin(), own.end());
     for (const FacePiece& piece : diagram_.pieces) {
       if (!std::binary_search(own.begin(), own.end(), std::pair(piece.face, piece.generator))) continue;
       const Vec3 from = position(mesh_, diagram_.generators[piece.generator.index()]);
       for (const Bary& b : piece.corners) {
-        extend(piece.generator, (corner_position(mesh_, piece.face, b) - from).norm());
+        extend(piece.generator, (position(mesh_, SurfacePoint{piece.face, b}) - from).norm());
       }
     }
   }
@@ -130,11 +131,73 @@ class RegionMeter {
   IdVector<GeneratorId, RegionStatistics> regions_;
 };
 
+constexpr const char* kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours\r\n";
+
+/// The fewest digits that read back as the same double; nothing for a value that is not finite.
+std::string shortest(double value) {
+  if (!std::isfinite(value)) return "";
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+/// A list like "3=0.25 7=1.5"; spreadsheets would take "3:25" for a time.
+std::string list_neighbours(const std::vector<RegionNeighbour>& neighbours) {
+  std::string text;
+  for (const RegionNeighbour& n : neighbours) {
+    if (!text.empty()) text += ' ';
+    text += std::to_string(n.region.value()) + '=' + shortest(n.border_length);
+  }
+  return text;
+}
+
+void check_label_count(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
+  if (face_label.count() == mesh.face_count()) return;
+  throw Error(ErrorCode::precondition, "the labels were made for another mesh: the number of faces differs");
+}
+
 }  // namespace
 
 IdVector<GeneratorId, RegionStatistics> compute_region_statistics(const Mesh& mesh, const Diagram& diagram) {
   check_belongs(mesh, diagram);
   return RegionMeter(mesh, diagram).run();
+}
+
+void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions) {
+  out << kHeader;
+  for (const GeneratorId g : regions.ids()) {
+    const RegionStatistics& r = regions[g];
+    std::string line = std::to_string(g.value());
+    for (const double value : {r.area, r.share, r.perimeter, r.radius, r.compactness}) line += ',' + shortest(value);
+    line += ',' + std::to_string(r.euler_characteristic) + ',' + list_neighbours(r.neighbours) + "\r\n";
+    out << line;
+  }
+}
+
+double compute_border_length(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
+  check_label_count(mesh, face_label);
+  double sum = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    if (twin.valid() && face_label[Mesh::face(h)] != face_label[Mesh::face(twin)]) sum += mesh.length(h);
+  }
+  return sum;
+}
+
+IdVector<GeneratorId, RegionSize> measure_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label,
+                                                  std::size_t regions) {
+  check_label_count(mesh, face_label);
+  IdVector<GeneratorId, RegionSize> sizes(regions);
+  for (const FaceId f : mesh.faces()) {
+    const GeneratorId label = face_label[f];
+    if (!label.valid()) continue;
+    if (label.index() >= regions) {
+      throw Error(ErrorCode::precondition, "a face has a label that no region has; give the number of generators",
+                  f.value());
+    }
+    ++sizes[label].faces;
+    sizes[label].area += mesh.area(f);
+  }
+  return sizes;
 }
 
 }  // namespace gvd

@@ -1,26 +1,155 @@
+// Labels of whole faces: the cell with the largest share, then one connected component for each label.
+//
+// Every step keeps the regions connected. A face outside of its label's main component loses its label, and takes one
+// from an adjacent face, breadth-first from the labelled faces. A generator without a face then takes one, but only
+// from a region that stays connected without it. Smoothing (smooth_borders.cpp) follows last and keeps the topology.
+// Shares decide between labels, and ids where shares are equal, so that no result depends on the order of a search.
+#include "segment_faces.hpp"
+
+#include <algorithm>
 #include <deque>
 
-#include "adjacent_faces.hpp"
-#include "assign_missing_faces.hpp"
-#include "face_shares.hpp"
-#include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
-#include "label_components.hpp"
-#include "smooth_borders.hpp"
 
 namespace gvd {
+
+LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
+  LabelComponents result;
+  result.component.assign(label.size(), -1);
+  std::vector<FaceId> stack;
+  for (const FaceId start : mesh.faces()) {
+    if (result.component[start] >= 0 || !label[start].valid()) continue;
+    const auto number = static_cast<std::int32_t>(result.components.size());
+    result.components.push_back({label[start]});
+    result.component[start] = number;
+    for (stack.assign(1, start); !stack.empty();) {
+      const FaceId f = stack.back();
+      stack.pop_back();
+      result.components.back().area += mesh.area(f);
+      for_each_adjacent_face(mesh, f, [&](FaceId g) {
+        if (result.component[g] >= 0 || label[g] != label[f]) return;
+        result.component[g] = number;
+        stack.push_back(g);
+      });
+    }
+  }
+  return result;
+}
+
 namespace {
 
-class Segmenter {
+/// Finds faces for the generators without one.
+class FaceAssigner {
  public:
-  Segmenter(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram), shares_(diagram) {}
+  FaceAssigner(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result)
+      : mesh_(mesh), diagram_(diagram), shares_(shares), result_(result), count_(diagram.generators.size(), 0) {
+    for (const GeneratorId g : result.face_label) {
+      if (g.valid()) ++count_[g];
+    }
+  }
 
-  Segmentation run(const SegmentOptions& options) {
+  void run() {
+    const auto candidates = collect_candidates();
+    for (const GeneratorId generator : count_.ids()) {
+      if (count_[generator] > 0) continue;
+      const FaceId face = find_face(candidates[generator]);
+      if (!face.valid()) {
+        result_.without_face.push_back(generator);
+        continue;
+      }
+      --count_[label(face)];
+      ++count_[generator];
+      result_.face_label[face] = generator;
+      ++result_.given_faces;
+    }
+  }
+
+ private:
+  using Candidates = IdVector<GeneratorId, std::vector<FaceShare>>;
+
+  GeneratorId label(FaceId f) const { return result_.face_label[f]; }
+
+  Candidates collect_candidates() const {
+    Candidates candidates(count_.size());
+    for (const FaceShare& share : shares_.all()) {
+      if (count_[share.generator] == 0) candidates[share.generator].push_back(share);
+    }
+    for (const GeneratorId g : count_.ids()) {
+      if (count_[g] == 0) sort_own_faces_first(diagram_.generators[g.index()], candidates[g]);
+    }
+    return candidates;
+  }
+
+  void sort_own_faces_first(const SurfacePoint& generator, std::vector<FaceShare>& candidates) const {
+    const std::vector<FaceId> own = faces_around(mesh_, generator);
+    const auto is_own = [&](const FaceShare& s) { return std::find(own.begin(), own.end(), s.face) != own.end(); };
+    for (const FaceId f : own) {
+      if (std::ranges::find(candidates, f, &FaceShare::face) == candidates.end()) candidates.push_back({f, {}, 0});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const FaceShare& a, const FaceShare& b) {
+      return is_own(a) != is_own(b) ? is_own(a) : a.fraction > b.fraction;
+    });
+  }
+
+  FaceId find_face(const std::vector<FaceShare>& candidates) {
+    for (const FaceShare& share : candidates) {
+      const GeneratorId generator = label(share.face);
+      if (generator.valid() && count_[generator] > 1 && stays_connected_without(share.face)) return share.face;
+    }
+    return FaceId();
+  }
+
+  /// Whether the adjacent faces with the label of `face` are connected without it.
+  bool stays_connected_without(FaceId face) {
+    std::vector<FaceId> targets;
+    for_each_adjacent_face(mesh_, face, [&](FaceId g) {
+      if (label(g) == label(face)) targets.push_back(g);
+    });
+    std::sort(targets.begin(), targets.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+    return targets.size() < 2 || search(face, targets);
+  }
+
+  /// Searches breadth-first from the first target, through the faces with the label of `avoided` but not through
+  /// `avoided` itself. Returns whether it finds all targets.
+  bool search(FaceId avoided, const std::vector<FaceId>& targets) {
+    if (visited_.empty()) visited_.assign(result_.face_label.size(), 0);
+    const std::int32_t mark = ++searches_;
+    std::size_t found = 0;
+    visited_[avoided] = mark;
+    visited_[targets[0]] = mark;
+    for (std::deque<FaceId> queue{targets[0]}; !queue.empty(); queue.pop_front()) {
+      const FaceId f = queue.front();
+      found += std::find(targets.begin(), targets.end(), f) != targets.end();
+      if (found == targets.size()) return true;
+      for_each_adjacent_face(mesh_, f, [&](FaceId g) {
+        if (visited_[g] == mark || label(g) != label(avoided)) return;
+        visited_[g] = mark;
+        queue.push_back(g);
+      });
+    }
+    return false;
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  const FaceShares& shares_;
+  Segmentation& result_;
+  IdVector<GeneratorId, std::int32_t> count_;  // faces of each label
+  IdVector<FaceId, std::int32_t> visited_;     // the last search that visited each face
+  std::int32_t searches_ = 0;
+};
+
+/// Labels the faces by their largest shares, and makes every label connected.
+class FaceLabeller {
+ public:
+  FaceLabeller(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares)
+      : mesh_(mesh), diagram_(diagram), shares_(shares) {}
+
+  Segmentation run() {
     label_by_area();
     release_minor_components();
     label_released_faces();
-    assign_missing_faces(mesh_, diagram_, shares_, result_);
-    if (options.labels == FaceLabels::smooth) smooth_borders(mesh_, diagram_, shares_, result_);
     return std::move(result_);
   }
 
@@ -39,21 +168,19 @@ class Segmenter {
   void release_minor_components() {
     const LabelComponents found = find_label_components(mesh_, result_.face_label);
     const std::vector<char> holds_generator = mark_components_of_generators(found);
-    const auto beats = [&](std::size_t a, std::size_t b) {
+    const auto beats = [&](int a, int b) {
       return holds_generator[a] != holds_generator[b] ? holds_generator[a] != 0
                                                       : found.components[a].area > found.components[b].area;
     };
-    std::vector<std::int32_t> main(diagram_.generators.size(), -1);
-    for (std::size_t i = 0; i < found.components.size(); ++i) {
-      std::int32_t& best = main[found.components[i].label.index()];
-      if (best < 0 || beats(i, static_cast<std::size_t>(best))) best = static_cast<std::int32_t>(i);
+    IdVector<GeneratorId, int> main(diagram_.generators.size(), -1);
+    for (int i = 0; i < std::ssize(found.components); ++i) {
+      int& best = main[found.components[i].label];
+      if (best < 0 || beats(i, best)) best = i;
     }
-    for (std::int32_t i = 0; i < mesh_.face_count(); ++i) {
-      const FaceId f(i);
-      if (label(f).valid() && main[label(f).index()] != found.component[f]) {
-        label(f) = GeneratorId();
-        released_.push_back(f);
-      }
+    for (const FaceId f : mesh_.faces()) {
+      if (!label(f).valid() || main[label(f)] == found.component[f]) continue;
+      label(f) = GeneratorId();
+      released_.push_back(f);
     }
   }
 
@@ -61,27 +188,19 @@ class Segmenter {
     std::vector<char> marked(found.components.size(), 0);
     for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
       for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) {
-        if (label(f) == GeneratorId(i)) {
-          marked[found.component[f]] = 1;
-        }
+        if (label(f) == GeneratorId(i)) marked[found.component[f]] = 1;
       }
     }
     return marked;
   }
 
-  bool has_labelled_neighbour(FaceId f) {
-    bool found = false;
-    for_each_adjacent_face(mesh_, f, [&](FaceId g) { found = found || label(g).valid(); });
-    return found;
-  }
-
-  /// Breadth-first from the labelled faces. Each released face takes the label of an adjacent face, so every label
-  /// stays connected.
+  /// Labels breadth-first from the labelled faces. Each released face takes the label of an adjacent face, so every
+  /// label stays connected.
   void label_released_faces() {
     IdVector<FaceId, char> is_waiting(result_.face_label.size(), 0);
     std::deque<FaceId> queue;
     for (const FaceId f : released_) {
-      is_waiting[f] = !has_labelled_neighbour(f);
+      is_waiting[f] = !best_adjacent_label(f).valid();
       if (!is_waiting[f]) queue.push_back(f);
     }
     for (; !queue.empty(); queue.pop_front()) {
@@ -96,7 +215,7 @@ class Segmenter {
     }
   }
 
-  /// The adjacent label with the largest share of the face, the smallest id among equals.
+  /// The adjacent label with the largest share of the face, the smallest id among equals; none if no face has a label.
   GeneratorId best_adjacent_label(FaceId f) {
     GeneratorId best;
     for_each_adjacent_face(mesh_, f, [&](FaceId g) {
@@ -110,16 +229,24 @@ class Segmenter {
 
   const Mesh& mesh_;
   const Diagram& diagram_;
-  FaceShares shares_;
+  const FaceShares& shares_;
   std::vector<FaceId> released_;
   Segmentation result_;
 };
 
 }  // namespace
 
+void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result) {
+  FaceAssigner(mesh, diagram, shares, result).run();
+}
+
 Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   check_belongs(mesh, diagram);
-  return Segmenter(mesh, diagram).run(options);
+  const FaceShares shares(diagram);
+  Segmentation result = FaceLabeller(mesh, diagram, shares).run();
+  assign_missing_faces(mesh, diagram, shares, result);
+  if (options.labels == FaceLabels::smooth) smooth_borders(mesh, diagram, shares, result);
+  return result;
 }
 
 }  // namespace gvd

@@ -1,18 +1,76 @@
-#include "smooth_borders.hpp"
-
+// Short borders between regions: free faces are relabelled where that lowers the cost and keeps the topology.
+//
+// BorderForest proposes labels for many faces at once. Faces with a new label form clusters, whose effects on the
+// border do not depend on each other. In each cluster the faces change one by one, each only if the topology stays; the
+// steps up to the least cost are kept. Four forests with other roots leave other faces outside. Single faces follow,
+// until none shortens a border. Every kept change lowers the cost, so the border never becomes longer.
+// See docs/developer/segment-borders.md.
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
-#include "adjacent_faces.hpp"
-#include "border_costs.hpp"
 #include "border_forest.hpp"
-#include "free_faces.hpp"
-#include "keeps_topology.hpp"
+#include "mesh/vertex_ring.hpp"
+#include "segment_faces.hpp"
 
 namespace gvd {
+namespace {
+
+/// A vertex with more faces is not walked round. Without this limit, smoothing round the tip of a cone with n faces
+/// would take O(n^2).
+constexpr int kLongestFan = 256;
+
+/// Whether test(face) holds for every face round v.
+template <class Test>
+bool all_faces_round(const Mesh& mesh, VertexId v, Test test) {
+  const HalfedgeId start = mesh.halfedge(v);
+  HalfedgeId h = start;
+  for (int i = 0; i < kLongestFan; ++i) {
+    if (!test(Mesh::face(h))) return false;
+    h = next_outgoing(mesh, h);
+    if (!h.valid() || h == start) return true;
+  }
+  return false;
+}
+
+/// The sides of a face behind which a label lies.
+struct Sides {
+  int count = 0;
+  int with = 0;     // the last side with the label
+  int without = 0;  // the last side without it
+};
+
+}  // namespace
+
+// The open region of a label is its faces, the edges between them, and the vertices that only they surround. A
+// face that leaves changes F - E + V by -1 + 1 if it has one neighbour of its label. With two neighbours it changes by
+// -1 + 2 - 1, if the corner between the two sides was inside. In every other case the region falls apart or a hole
+// opens. Joining is the same backwards.
+bool keeps_topology(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, FaceId f, GeneratorId to) {
+  const GeneratorId from = label[f];
+  const auto find_sides = [&](GeneratorId g) {
+    Sides sides;
+    for (int corner = 0; corner < 3; ++corner) {
+      const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, corner));
+      const bool same = twin.valid() && label[Mesh::face(twin)] == g;
+      sides.count += same;
+      (same ? sides.with : sides.without) = corner;
+    }
+    return sides;
+  };
+  const auto opposite = [&](int side) { return mesh.opposite(Mesh::halfedge(f, side)); };
+  const Sides left = find_sides(from), joined = find_sides(to);
+  if (left.count == 0 || left.count == 3 || joined.count == 0) return false;
+  if (left.count == 2) {
+    const VertexId v = opposite(left.without);
+    if (mesh.is_boundary(v) || !all_faces_round(mesh, v, [&](FaceId g) { return label[g] == from; })) return false;
+  }
+  if (joined.count == 1) {
+    return all_faces_round(mesh, opposite(joined.with), [&](FaceId g) { return label[g] != to; });
+  }
+  const VertexId v = opposite(joined.without);
+  return !mesh.is_boundary(v) && all_faces_round(mesh, v, [&](FaceId g) { return g == f || label[g] == to; });
+}
+
 namespace {
 
 /// Forests. The first one takes away nine tenths of what can be, the fourth 0.3 % of the length at most.
@@ -33,11 +91,11 @@ class BorderSmoother {
         label_(label),
         costs_(mesh, free, label),
         forest_(free, costs_, label, generators),
-        target_(static_cast<std::size_t>(free.count())),
+        target_(free.count()),
         least_gain_(kLeastGain * mesh.mean_edge_length()) {}
 
   void run() {
-    for (std::int64_t i = 0; i < kForests; ++i) {
+    for (std::int64_t i = 0; i < kForests; ++i) {  // 64 bits: the product may be large
       target_ = forest_.choose(FreeFaceId(i * free_.count() / kForests));
       apply_targets();
     }
@@ -50,9 +108,9 @@ class BorderSmoother {
 
   /// Clusters of connected faces with another target change the border independently of each other.
   void apply_targets() {
-    for (std::int32_t i = 0; i < free_.count(); ++i) {
-      if (!has_target(FreeFaceId(i))) continue;
-      collect_cluster(FreeFaceId(i));
+    for (const FreeFaceId i : free_.ids()) {
+      if (!has_target(i)) continue;
+      collect_cluster(i);
       apply_cluster();
       for (const FreeFaceId k : cluster_) target_[k] = label_[free_.face(k)];
     }
@@ -73,7 +131,7 @@ class BorderSmoother {
     for (const FreeFaceId i : cluster_) is_collected_[i] = 0;
   }
 
-  /// Relabels faces one by one as the topology allows, to and fro along the cluster. Keeps as many of these steps as
+  /// Relabels faces one by one as the topology allows, to and fro along the cluster. Keeps the first steps, as many as
   /// give the least cost.
   void apply_cluster() {
     steps_.clear();
@@ -84,7 +142,7 @@ class BorderSmoother {
     for (; steps_.size() > best_.steps; steps_.pop_back()) label_[steps_.back().first] = steps_.back().second;
   }
 
-  /// Whether one of the waiting faces took its target; these wait no longer.
+  /// Gives waiting faces their targets; these wait no longer. Returns whether there is such a face.
   bool take_steps() {
     std::size_t left = 0;
     for (const FreeFaceId i : waiting_) {
@@ -107,7 +165,7 @@ class BorderSmoother {
 
   bool relabel_single_faces() {
     bool changed = false;
-    for (std::int32_t i = 0; i < free_.count(); ++i) changed = relabel_single_face(FreeFaceId(i)) || changed;
+    for (const FreeFaceId i : free_.ids()) changed = relabel_single_face(i) || changed;
     return changed;
   }
 
@@ -118,8 +176,7 @@ class BorderSmoother {
     double least = -least_gain_;
     for_each_adjacent_face(mesh_, f, [&](FaceId neighbour) {
       const GeneratorId g = label_[neighbour];
-      const auto is_g = [g](const FaceShare& share) { return share.generator == g; };
-      if (g == label_[f] || std::none_of(free_.candidates(i).begin(), free_.candidates(i).end(), is_g)) return;
+      if (g == label_[f] || fraction_of(free_.candidates(i), g) == 0) return;
       const double change = costs_.change(i, g);
       if (change >= least || !keeps_topology(mesh_, label_, f, g)) return;
       least = change;
@@ -136,7 +193,7 @@ class BorderSmoother {
   IdVector<FreeFaceId, GeneratorId> target_;
   double least_gain_;
 
-  // Of the current cluster.
+  // The current cluster.
   std::vector<FreeFaceId> cluster_, waiting_;
   IdVector<FreeFaceId, char> is_collected_;
   std::vector<std::pair<FaceId, GeneratorId>> steps_;  // the faces relabelled so far, and their labels before
@@ -153,8 +210,8 @@ void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& 
   const FreeFaces free(mesh, diagram, shares, result.face_label);
   const IdVector<FaceId, GeneratorId> before = result.face_label;
   BorderSmoother(mesh, free, diagram.generators.size(), result.face_label).run();
-  for (std::int32_t i = 0; i < free.count(); ++i) {
-    const FaceId f = free.face(FreeFaceId(i));
+  for (const FreeFaceId i : free.ids()) {
+    const FaceId f = free.face(i);
     result.smoothed_faces += before[f] != result.face_label[f];
   }
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "gvd/acceleration.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/density.hpp"
 #include "gvd/diagram.hpp"
@@ -15,6 +14,13 @@
 #include "gvd/vec.hpp"
 
 namespace gvd {
+
+/// How the steps of an iteration are found.
+enum class Acceleration {
+  none,      ///< Lloyd's method: every generator goes to the centroid of its cell
+  lbfgs,     ///< a quasi-Newton method (L-BFGS) with the Hessian of the centroidal Voronoi energy to begin with
+  anderson,  ///< Anderson's mixing of the last steps
+};
 
 struct LloydOptions {
   /// How each generator may move, one for each; empty: all are free.

@@ -1,0 +1,93 @@
+// The common ground of all measurements: random generators, finer meshes, and a plain Dijkstra as the unit of time.
+//
+// Times of different machines compare in multiples of the Dijkstra's, measured in the same run on the same mesh. Its
+// graph is built beforehand. The generators are those of `--sampling vertices` with the same seed.
+#include "baseline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "geodesic/sampling/sampling_vertices.hpp"
+
+namespace gvd::bench {
+
+EdgeGraph build_edge_graph(const Mesh& mesh) {
+  EdgeGraph graph;
+  graph.first.assign(std::size_t(mesh.vertex_count()) + 1, 0);
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    ++graph.first[mesh.from(h).index() + 1];
+    ++graph.first[mesh.to(h).index() + 1];
+  }
+  for (std::size_t v = 1; v < graph.first.size(); ++v) graph.first[v] += graph.first[v - 1];
+  graph.neighbour.resize(2 * std::size_t(mesh.edge_count()));
+  graph.length.resize(graph.neighbour.size());
+  std::vector<std::int32_t> end(graph.first.begin(), graph.first.end() - 1);
+  const auto append = [&](VertexId from, VertexId to, double length) {
+    const int slot = end[from.index()]++;
+    graph.neighbour[slot] = to.value();
+    graph.length[slot] = length;
+  };
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    append(mesh.from(h), mesh.to(h), mesh.length(EdgeId(e)));
+    append(mesh.to(h), mesh.from(h), mesh.length(EdgeId(e)));
+  }
+  return graph;
+}
+
+std::vector<double> compute_edge_distances(const EdgeGraph& graph, const std::vector<VertexId>& generators) {
+  using Entry = std::pair<double, std::int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<double> distance(graph.first.size() - 1, kInfinity);
+  for (const VertexId v : generators) {
+    distance[v.index()] = 0;
+    queue.emplace(0.0, v.value());
+  }
+  while (!queue.empty()) {
+    const auto [d, v] = queue.top();
+    queue.pop();
+    if (d > distance[std::size_t(v)]) continue;
+    for (auto i = std::size_t(graph.first[std::size_t(v)]); i < std::size_t(graph.first[std::size_t(v) + 1]); ++i) {
+      const double through = d + graph.length[i];
+      double& known = distance[std::size_t(graph.neighbour[i])];
+      if (through < known) {
+        known = through;
+        queue.emplace(through, graph.neighbour[i]);
+      }
+    }
+  }
+  return distance;
+}
+
+std::vector<VertexId> draw_vertices(const Mesh& mesh, int count, std::uint64_t seed) {
+  return gvd::draw_vertices(mesh, std::min(count, mesh.vertex_count()), seed);
+}
+
+Mesh refine_flat(const Mesh& mesh) {
+  std::vector<Vec3> positions = mesh.positions();
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    positions.push_back((mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))) / 2);
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  faces.reserve(4 * mesh.face_count());
+  for (const FaceId f : mesh.faces()) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    std::array<VertexId, 3> middle;
+    for (int i = 0; i < 3; ++i) {
+      const EdgeId e = mesh.edge(Mesh::halfedge(f, i));
+      middle[i] = VertexId(std::int64_t{mesh.vertex_count()} + e.value());
+    }
+    const auto& [ab, bc, ca] = middle;
+    faces.insert(faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+}  // namespace gvd::bench

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "tangent_field.hpp"
+
+namespace gvd {
+
+/// A step of all generators, and how much a field of tangent vectors changed by it.
+struct StepPair {
+  TangentField step;    ///< mesh units
+  TangentField change;  ///< of the gradient (L-BFGS) or of the way to the centroid (Anderson)
+};
+
+/// The latest steps, oldest first. All vectors lie in the tangent planes at the present generators: `transport` takes
+/// them along when the generators move.
+class StepHistory {
+ public:
+  explicit StepHistory(std::size_t memory) : memory_(memory) {}
+
+  /// Adds a pair, given at the present generators, and drops the oldest one beyond the memory.
+  void add(StepPair pair);
+  /// Parallel transport of all vectors: `turns` are those of the tangent planes along the generators' paths.
+  void transport(const std::vector<Turn>& turns);
+  void clear() { pairs_.clear(); }
+  const std::deque<StepPair>& pairs() const { return pairs_; }
+
+ private:
+  std::size_t memory_;
+  std::deque<StepPair> pairs_;
+};
+
+/// A linear map of fields.
+using FieldMap = std::function<TangentField(const TangentField&)>;
+
+/// The direction of descent of the L-BFGS method: minus the product of the approximate inverse Hessian and `gradient`.
+///
+/// Source:  Nocedal and Wright, Numerical Optimization, 2006, algorithm 7.4 (two-loop recursion).
+/// Inputs:  pairs of steps and changes of the gradient, each of positive curvature (step . change > 0);
+///          `initial_inverse`: the product with the inverse Hessian before the pairs, which is symmetric and positive
+///          definite. The latest pair gives it a factor.
+/// Returns: a direction d with d . gradient < 0, unless the gradient is zero. Without pairs, -initial_inverse(gradient).
+/// Cost: O(pairs x generators), and two calls of `initial_inverse`.
+TangentField lbfgs_direction(const StepHistory& history, const TangentField& gradient, const FieldMap& initial_inverse);
+
+/// The step of Anderson's acceleration of the fixed-point iteration whose plain step is `residual`.
+///
+/// Source:  Walker and Ni, Anderson acceleration for fixed-point iterations, 2011.
+/// Inputs:  pairs of steps and changes of the residual; `residual`: the ways to the centroids, mesh units.
+/// Returns: residual - sum over the pairs of c (step + change), where the factors c make |residual - sum c change|
+///          least. Without pairs, the residual.
+/// Cost: O(pairs^2 x generators).
+TangentField anderson_step(const StepHistory& history, const TangentField& residual);
+
+/// The product of f(A) and `b`, where A is the symmetric matrix of `multiply`, and f acts on its eigenvalues.
+///
+/// Source:  Golub and Van Loan, Matrix Computations, 2013, section 10.1 (Lanczos process), with reorthogonalisation.
+/// Returns: the best approximation in the space of b, A b, ... A^(steps - 1) b; exact if that space is invariant.
+/// Cost: `steps` products with A, O(steps^2 x generators).
+TangentField apply_matrix_function(const FieldMap& multiply, const std::function<double(double)>& f,
+                                   const TangentField& b, int steps);
+
+/// Least fall of the energy, as a fraction of the slope times the scale (Armijo's condition).
+inline constexpr double kSufficientFall = 1e-4;
+
+/// The scale to try after one at which the energy did not fall enough: the lowest point of the parabola through what is
+/// known, between a tenth and a half of the scale.
+/// Inputs: `scale` of the steps that was tried; `slope` of the energy at scale 0, < 0; `rise` of the energy, which is
+///         more than kSufficientFall * scale * slope.
+/// Source: Nocedal and Wright, Numerical Optimization, 2006, section 3.5.
+double shorter_scale(double scale, double slope, double rise);
+
+}  // namespace gvd

@@ -1,0 +1,183 @@
+// Quadrature over the faces and pieces of all cells, with exact distances and log maps at the points.
+//
+// Whole faces and the triangles of pieces have three inner points each, a rule that is exact for quadratic functions
+// (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are looked up in the
+// windows of the working mesh. A face that generators have split is looked up in its parts. The triangles of a piece
+// lie within the piece, because beyond it no path of its generator may be known.
+#include "window_integrals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/barycentric.hpp"
+#include "base/plane.hpp"
+#include "base/triangulate_plane_polygon.hpp"
+#include "geodesic/windows/nearest_paths.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "gvd/diagram_steps.hpp"
+#include "gvd/error.hpp"
+#include "mesh/split_faces.hpp"
+
+namespace gvd {
+namespace {
+
+using Triangle = std::array<Bary, 3>;
+constexpr Triangle kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
+
+/// The quadrature points of a triangle, in its own barycentric coordinates.
+std::vector<Bary> quadrature_points(int divisions) {
+  std::vector<Bary> points;
+  const double unit = 1.0 / divisions;
+  const auto add = [&](int i, int j, double sign) {
+    for (const auto& [u, v] : {std::pair(1.0, 1.0), std::pair(4.0, 1.0), std::pair(1.0, 4.0)}) {
+      const double x = (i + sign * u / 6) * unit, y = (j + sign * v / 6) * unit;
+      points.push_back({1 - x - y, x, y});
+    }
+  };
+  for (int i = 0; i < divisions; ++i) {
+    for (int j = 0; i + j < divisions; ++j) {
+      add(i, j, 1);
+      if (i + j + 1 < divisions) add(i + 1, j + 1, -1);
+    }
+  }
+  return points;
+}
+
+/// Places a point by its least barycentric coordinate. In a thin part that can be wrong by much, which no integral
+/// notices.
+PlacedInTriangle place_in_triangle(const Triangle& corners, const Bary& point) {
+  const Vec2 a = affine_point(corners[0]), b = affine_point(corners[1]), c = affine_point(corners[2]),
+             p = affine_point(point);
+  const double area = twice_signed_area(a, b, c);
+  const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
+  const Bary local{1 - v - w, v, w};
+  return {local, -std::min({local[0], local[1], local[2]})};
+}
+
+/// The input of all threads.
+struct Paths {
+  const WorkingMesh& working;
+  const WindowField& field;
+  Departures departures;
+  SplitFaces split;
+};
+
+/// Integrates over faces of the input, one after the other.
+class FaceIntegrator {
+ public:
+  FaceIntegrator(const Paths& paths, const Quadrature& quadrature, const std::vector<Bary>& points)
+      : sums(quadrature.watched),
+        input_(paths.working.input()),
+        paths_(paths.working.mesh(), paths.field, paths.departures),
+        split_(paths.split),
+        density_(quadrature.density),
+        points_(points) {}
+
+  void enter(FaceId face) {
+    face_ = face;
+    parts_ = split_.parts_of(face);
+    if (parts_.empty()) paths_.enter(face);
+  }
+  /// Adds a piece of the face. Its triangles lie within the piece: beyond it, no path of its generator may be known.
+  void add(const FacePiece& piece) {
+    corners_.clear();
+    for (const Bary& corner : piece.corners) corners_.push_back(affine_point(corner));
+    const auto add_corners = [&](std::size_t a, std::size_t b, std::size_t c) {
+      add({piece.corners[a], piece.corners[b], piece.corners[c]}, piece.generator);
+    };
+    if (is_convex()) {
+      for (std::size_t k = 1; k + 1 < corners_.size(); ++k) add_corners(0, k, k + 1);
+    } else {
+      for (const auto& [a, b, c] : triangulate_plane_polygon(corners_)) add_corners(a, b, c);
+    }
+  }
+  /// Adds a triangle of the face, which belongs to generator g.
+  void add(const Triangle& triangle, GeneratorId g) {
+    const double area = input_.area(face_) * twice_signed_area(affine_point(triangle[0]), affine_point(triangle[1]),
+                                                               affine_point(triangle[2]));
+    const double weight = area / double(points_.size());
+    for (const Bary& local : points_) {
+      Bary point{};
+      for (int i = 0; i < 3; ++i) point[i] = interpolate(local, triangle[0][i], triangle[1][i], triangle[2][i]);
+      sums.add(g, weight, weight * density_.at(face_, point), find(point, g), 0);
+    }
+  }
+
+  CellSums sums;
+
+ private:
+  bool is_convex() const {
+    const std::size_t n = corners_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (twice_signed_area(corners_[i], corners_[(i + 1) % n], corners_[(i + 2) % n]) < 0) return false;
+    }
+    return true;
+  }
+  /// The path of generator g to a point; the nearest generator's where no path of g comes near, as in cells of
+  /// approximate diagrams.
+  NearestPath find(const Bary& point, GeneratorId g) {
+    SurfacePoint place{face_, point};
+    if (!parts_.empty()) {
+      place = locate_in_parts(parts_, [&](const Triangle& corners) { return place_in_triangle(corners, point); });
+      paths_.enter(place.face);
+    }
+    const Vec2 at = paths_.position(place.bary);
+    const NearestPath path = paths_.at(at, g);
+    return path.generator.valid() ? path : paths_.at(at);
+  }
+
+  const Mesh& input_;
+  NearestPaths paths_;
+  const SplitFaces& split_;
+  const Density& density_;
+  const std::vector<Bary>& points_;
+  FaceId face_;
+  std::span<const SplitFaces::Part> parts_;  // of the face, if it is split
+  std::vector<Vec2> corners_;                // of the current piece; an affine map of the face
+};
+
+}  // namespace
+
+CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowField& field, const Diagram& diagram,
+                                     const Quadrature& quadrature, const ParallelChunks& parallel) {
+  const Paths paths{working, field, Departures(working, diagram.generators), SplitFaces(working)};
+  const std::vector<Bary> points = quadrature_points(quadrature.divisions);
+  const std::vector<Chunk> chunks = cut_into_chunks(diagram.face_label.size(), kScanChunk);
+  std::vector<CellSums> sums(chunks.size(), CellSums(quadrature.watched));
+  parallel.run(chunks.size(), {steps::kCells}, [&](std::size_t chunk) {
+    FaceIntegrator integrator(paths, quadrature, points);
+    // The pieces of each face follow each other, ascending by face.
+    auto piece = std::ranges::lower_bound(diagram.pieces, FaceId(chunks[chunk].begin), {}, &FacePiece::face);
+    for (FaceId face(chunks[chunk].begin); face.index() < chunks[chunk].end; face = FaceId(face.value() + 1)) {
+      integrator.enter(face);
+      if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
+      for (; piece != diagram.pieces.end() && piece->face == face; ++piece) integrator.add(*piece);
+    }
+    sums[chunk] = std::move(integrator.sums);
+  });
+  return CellSums::join(diagram.generators.size(), sums);
+}
+
+CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads) {
+  const Progress silent;
+  const WorkingMesh working(mesh, diagram.generators);
+  PropagationOptions propagation;
+  propagation.departures = true;
+  propagation.threads = threads;
+  const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
+  return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, silent));
+}
+
+IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,
+                                                        const Density& density) {
+  if (diagram.face_label.count() != mesh.face_count()) {
+    throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
+  }
+  check_density(mesh, density);
+  return integrate_cells(mesh, diagram, {density, {}}, threads).moments;
+}
+
+}  // namespace gvd
