@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/sampling/sampling_vertices.hpp"
+#include "geodesic/sampling/samplers.hpp"
 
 namespace gvd::bench {
 

@@ -13,8 +13,8 @@
 
 #include "common/process.hpp"
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
 
 namespace gvd::app {
 namespace {

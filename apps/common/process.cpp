@@ -23,8 +23,8 @@
 
 #include "common/outcome.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -17,13 +17,12 @@
 #include <optional>
 #include <utility>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/number_list.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

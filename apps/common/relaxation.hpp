@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "common/options/options.hpp"
-#include "common/options/options.hpp"
 #include "gvd/density.hpp"
 #include "gvd/features.hpp"
 #include "gvd/lloyd.hpp"

@@ -15,10 +15,10 @@
 #include "common/choose_generators.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
 #include "gvd/verify.hpp"
 #endif

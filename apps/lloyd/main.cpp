@@ -25,10 +25,10 @@
 #include "common/options/typed_options.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

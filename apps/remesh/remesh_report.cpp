@@ -16,8 +16,8 @@
 #include <ostream>
 
 #include "common/diagram_members.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -17,9 +17,9 @@
 #include "common/diagram_members.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

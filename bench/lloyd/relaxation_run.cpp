@@ -13,7 +13,7 @@
 
 #include "clocks.hpp"
 #include "gvd/lloyd.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 
 namespace gvd::bench {
 

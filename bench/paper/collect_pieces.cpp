@@ -13,7 +13,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 #include "pieces.hpp"
 
 namespace gvd::paper {

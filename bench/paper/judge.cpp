@@ -11,7 +11,7 @@
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 #include "path_submesh.hpp"
 
 namespace gvd::paper {

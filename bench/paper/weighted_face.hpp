@@ -6,7 +6,7 @@
 
 #include "diagram/envelope/equidistant_search.hpp"
 #include "diagram/graph/crossings.hpp"
-#include "geodesic/field/distance_field.hpp"
+#include "geodesic/distance_field.hpp"
 #include "pieces.hpp"
 
 namespace gvd::paper {

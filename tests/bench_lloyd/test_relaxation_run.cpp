@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "gvd/lloyd.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
 #include "relaxation_run.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/finish_diagram.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -5,8 +5,8 @@
 
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/graph/connected_tracer.hpp"
-#include "geodesic/windows/field/window_distances.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "geodesic/face_layout.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

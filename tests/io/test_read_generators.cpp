@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "gvd/number_list.hpp"
+#include "gvd/text.hpp"
 #include "io/fixture.hpp"
 #include "io/generator_fixture.hpp"
 #include "support/catch.hpp"

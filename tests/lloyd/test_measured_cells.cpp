@@ -8,7 +8,7 @@
 
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/lloyd.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "measured_cells.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

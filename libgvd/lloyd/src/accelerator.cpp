@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "gvd/geodesic_tracing.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/windows/departures/nearest_paths.hpp"
+#include "geodesic/windows/nearest_paths.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/ids.hpp"
 

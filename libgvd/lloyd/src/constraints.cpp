@@ -14,10 +14,10 @@
 #include <numbers>
 #include <utility>
 
-#include "geodesic/field/face_layout.hpp"
-#include "geodesic/tracing/tangent_fan.hpp"
-#include "gvd/counted.hpp"
+#include "geodesic/face_layout.hpp"
+#include "geodesic/tangent_fan.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

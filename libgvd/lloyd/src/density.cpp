@@ -14,9 +14,9 @@
 #include <queue>
 #include <utility>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
+#include "gvd/text.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include "constraints.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "mesh/foot_on_edge.hpp"
 
 namespace gvd {
 namespace {

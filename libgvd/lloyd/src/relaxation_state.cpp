@@ -15,7 +15,7 @@
 #include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
 #include "measured_cells.hpp"
 #include "vertex_rests.hpp"
 #include "window_integrals.hpp"

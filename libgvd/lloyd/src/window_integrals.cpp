@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "base/triangulate_plane_polygon.hpp"
 #include "geodesic/windows/nearest_paths.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"

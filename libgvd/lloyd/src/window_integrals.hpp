@@ -2,7 +2,7 @@
 
 #include "base/parallel_chunks.hpp"
 #include "cell_sums.hpp"
-#include "geodesic/windows/field/window_field.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/diagram.hpp"
 #include "mesh/working_mesh.hpp"

@@ -13,7 +13,7 @@
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
 #include "crease_labels.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
 #include "repair/boundary_arcs.hpp"
 

@@ -15,9 +15,9 @@
 #include <set>
 #include <utility>
 
-#include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/text.hpp"
 #include "triangle_defects.hpp"
 
 namespace gvd {

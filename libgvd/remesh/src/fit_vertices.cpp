@@ -13,8 +13,8 @@
 #include <cmath>
 
 #include "base/parallel_chunks.hpp"
-#include "gvd/surface_area.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
 
 namespace gvd {

@@ -18,10 +18,10 @@
 
 #include "crease_defects.hpp"
 #include "face_boxes.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/text.hpp"
 #include "placement_steps.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"

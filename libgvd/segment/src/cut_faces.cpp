@@ -9,7 +9,7 @@
 #include <string>
 #include <tuple>
 
-#include "base/triangulate_plane_polygon.hpp"
+#include "base/ear_clipping.hpp"
 #include "cut_triangles.hpp"
 #include "face_shares.hpp"
 #include "face_tiling.hpp"

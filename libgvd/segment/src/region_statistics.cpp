@@ -15,8 +15,8 @@
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
 #include "gvd/error.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
-#include "gvd/surface_area.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {

@@ -15,9 +15,9 @@
 #include "base/barycentric.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/tangent_fan.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

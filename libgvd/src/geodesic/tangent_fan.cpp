@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "geodesic/face_layout.hpp"
-#include "mesh/point_views.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "gvd/counted.hpp"
+#include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
 
 namespace gvd::detail {

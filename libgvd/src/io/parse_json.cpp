@@ -9,7 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base/printable.hpp"
+#include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
 
 namespace gvd::detail {

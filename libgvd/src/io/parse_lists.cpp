@@ -13,10 +13,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "base/printable.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/io/read_to_end.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::detail {
 namespace {

@@ -8,10 +8,9 @@
 
 #include <iterator>
 
-#include "base/printable.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/number_list.hpp"
+#include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
 
 namespace gvd {

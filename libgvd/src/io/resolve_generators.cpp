@@ -16,8 +16,8 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/surface_point.hpp"
 #include "io/parse_lists.hpp"
-#include "mesh/coincidence.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

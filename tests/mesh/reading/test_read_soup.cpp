@@ -9,7 +9,7 @@
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
-#include "support/shared_data.hpp"
+#include "support/models.hpp"
 
 namespace gvd::test_read_soup {
 
@@ -164,9 +164,7 @@ TEST_CASE("a file with changed bytes is read or refused") {
   }
 }
 
-TEST_CASE("the shared models are read with all their faces") {
-  const auto folder = shared_folder();
-  if (!folder) return;
+TEST_CASE("larger models are read with all their faces") {
   struct Model {
     const char* name;
     std::int32_t faces, euler_characteristic, boundary_loops;
@@ -176,7 +174,9 @@ TEST_CASE("the shared models are read with all their faces") {
                              Model{"rocker_arm.obj", 20088, 0, 0, 0}, Model{"fandisk.obj", 12946, 2, 0, 0},
                              Model{"bunny_69k_boundary.obj", 69451, -3, 5, 1113}}) {
     INFO(model.name);
-    const CheckedMesh checked = build_mesh(read_soup(*folder / "models" / model.name));
+    const auto path = find_model(model.name);
+    if (!path) continue;
+    const CheckedMesh checked = build_mesh(read_soup(*path));
     const MeshSummary summary = compute_mesh_summary(checked.mesh);
     CHECK(summary.faces == model.faces);
     CHECK(summary.euler_characteristic == model.euler_characteristic);

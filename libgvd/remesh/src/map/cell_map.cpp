@@ -17,7 +17,7 @@
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "map/map_steps.hpp"
 
 namespace gvd {

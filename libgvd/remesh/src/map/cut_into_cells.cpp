@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "map/map_steps.hpp"
-#include "mesh/foot_on_edge.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/remesh_map.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "map/map_steps.hpp"
-#include "mesh/foot_on_edge.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "mesh/foot_on_edge.hpp"
+#include "gvd/closest_point.hpp"
 
 namespace gvd {
 namespace {

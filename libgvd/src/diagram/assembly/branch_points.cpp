@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/find_root.hpp"
+#include "base/roots.hpp"
 
 namespace gvd {
 namespace {

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/find_root.hpp"
-#include "base/quadratic.hpp"
+#include "base/roots.hpp"
 
 namespace gvd {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "diagram/graph/crossings.hpp"
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/symbolic_offset.hpp"
 
 namespace gvd {
 

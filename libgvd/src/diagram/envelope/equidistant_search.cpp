@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "base/plane.hpp"
-#include "base/quadratic.hpp"
+#include "base/roots.hpp"
 #include "diagram/envelope/source_distances.hpp"
 
 namespace gvd {

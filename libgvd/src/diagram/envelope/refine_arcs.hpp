@@ -8,7 +8,6 @@
 
 #include "base/barycentric.hpp"
 #include "base/plane.hpp"
-#include "base/segment.hpp"
 #include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/face_diagram.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/box_tree.hpp"
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "diagram/graph/face_diagram.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/graph/connected_tracer.hpp"
-#include "geodesic/field/distance_field.hpp"
-#include "geodesic/field/symbolic_offset.hpp"
+#include "geodesic/distance_field.hpp"
+#include "geodesic/symbolic_offset.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {

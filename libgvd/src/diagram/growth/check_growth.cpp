@@ -11,7 +11,7 @@
 #include <map>
 #include <tuple>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "geodesic/face_layout.hpp"
 #include "gvd/surface_point.hpp"
 

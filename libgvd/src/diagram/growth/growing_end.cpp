@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "base/segment.hpp"
+#include "base/plane.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagram/assembly/distance_form.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "diagram/graph/traced_diagram.hpp"
 #include "diagram/growth/grow_bisectors.hpp"
 #include "diagram/growth/grown_gap.hpp"

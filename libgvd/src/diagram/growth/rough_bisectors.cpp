@@ -9,7 +9,7 @@
 #include <array>
 #include <tuple>
 
-#include "diagram/assembly/distance_form.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "diagram/growth/growth_steps.hpp"
 #include "geodesic/marching/local_update.hpp"
 #include "gvd/diagram_steps.hpp"

@@ -9,7 +9,7 @@
 
 #include <utility>
 
-#include "diagram/graph/face_class.hpp"
+#include "diagram/graph/nearest_labels.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 

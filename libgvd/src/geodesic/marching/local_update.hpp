@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/apex_foot.hpp"
+#include "base/plane.hpp"
 #include "gvd/front.hpp"
 #include "gvd/mesh.hpp"
 

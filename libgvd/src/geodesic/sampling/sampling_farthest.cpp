@@ -11,14 +11,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/apex_foot.hpp"
 #include "base/lazy_max_heap.hpp"
+#include "base/plane.hpp"
 #include "geodesic/sampling/samplers.hpp"
 #include "geodesic/sampling/sampling_mesh.hpp"
 #include "geodesic/sampling/sampling_random.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/surface_area.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/text.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "base/triangulate_plane_polygon.hpp"
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {

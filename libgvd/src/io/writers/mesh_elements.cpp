@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "gvd/io/label_color.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

@@ -14,10 +14,10 @@
 #include <string_view>
 #include <utility>
 
-#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 #include "io/writers/format_writers.hpp"
 
 namespace gvd {
