@@ -3,17 +3,17 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/graph/traced_diagram.hpp"
+#include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/growth_steps.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
 
 /// The common part of tracers whose bisectors grow through gaps.
-class GapTracer {
+class GapTracer : public DiagramTracer {
  public:
   /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
-  void disable_growth(const std::vector<EdgeId>& edges) { plan_.forbid(edges); }
+  void disable_growth(const std::vector<EdgeId>& edges) override { plan_.forbid(edges); }
 
  protected:
   /// All references must outlive the tracer. `rules`: tried in this order.
@@ -59,12 +59,13 @@ class GrowthTracer : public GapTracer {
   GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
 
   /// The rough crossings of all edges, between the labels of their ends.
-  Crossings cross_edges(const NearestLabels& labels) const;
+  Crossings cross_edges(const NearestLabels& labels) const override;
   /// Replaces the crossings of these edges, ascending, by at most one, between the labels of the edge's ends.
-  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                          Crossings& crossings) const override;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
   /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
-  void close_faces(TracedDiagram& traced) const;
+  void close_faces(TracedDiagram& traced) const override;
 
  private:
   std::vector<Gap> gaps_;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagram/graph/traced_diagram.hpp"
+#include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/gap_tracer.hpp"
 
 namespace gvd {
@@ -54,11 +54,12 @@ class PaperTracer : public GapTracer {
   PaperTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
 
   /// The midpoints of all edges between two labels.
-  Crossings cross_edges(const NearestLabels& labels) const;
+  Crossings cross_edges(const NearestLabels& labels) const override;
   /// Puts these edges, ascending, back to at most one crossing.
-  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels, Crossings& crossings) const;
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                          Crossings& crossings) const override;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face.
-  void close_faces(TracedDiagram& traced) const;
+  void close_faces(TracedDiagram& traced) const override;
 
  private:
   MidpointDistances midpoints_;
