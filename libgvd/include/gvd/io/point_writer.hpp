@@ -24,7 +24,7 @@ struct SurfaceSample {
 };
 
 /// Writes samples in their order, each with its position, the unit normal of the surface there (see
-/// surface_normal.hpp), its face, its barycentric coordinates, and area and energy of its cell.
+/// surface_point.hpp), its face, its barycentric coordinates, and area and energy of its cell.
 ///
 /// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, a line of position and normal each. NPY: a
 /// little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area

@@ -80,7 +80,7 @@ inline constexpr double kFlipTolerance = 1e-9;
 /// Faces of a remesh that are flipped against the surface or degenerate, ascending.
 ///
 /// The surface's normal is the mean of its unit normals at the face's three generators and at its branch point
-/// (gvd/surface_normal.hpp); see kFlipTolerance. `generators`: of every vertex of `remesh`. `face_points`: the branch
+/// (gvd/surface_point.hpp); see kFlipTolerance. `generators`: of every vertex of `remesh`. `face_points`: the branch
 /// point of every face. Cost: O(k).
 std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
