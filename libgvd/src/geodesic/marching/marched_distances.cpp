@@ -3,7 +3,7 @@
 // Idea: the distances of a generator at the two ends of a side determine its image beyond that side, if they come from
 // a point. So the table of each face becomes three images for each generator.
 // Source: section 4.1 of the paper, with the circle front in place of its linear one.
-// Invariant: every source is a path of the surface, or no shorter than one up to the error of the march.
+// Invariant: an image has the two distances that it was unfolded from, and its paths enter through the side between.
 #include "geodesic/marching/marched_distances.hpp"
 
 #include <tuple>

@@ -1,8 +1,7 @@
 // Spreads generators over the surface: checks the options, and calls the sampler that they name.
 //
 // Source: the papers named in gvd/sampling.hpp; drawing vertices is the beginning of a shuffle by Fisher and Yates.
-// Invariant: a sampler is called only with options that it can satisfy in number, so that it fails only where the mesh
-// has no room.
+// Invariant: a sampler gets options in their ranges, so that it throws only where the mesh has no room.
 #include "gvd/sampling.hpp"
 
 #include <fmt/format.h>

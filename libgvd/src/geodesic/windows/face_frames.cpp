@@ -4,7 +4,7 @@
 // them. So no window needs a division by a length, and no vertex an inverse function.
 // Source: the kinds of vertices are those of Mitchell, Mount and Papadimitriou (1987): shortest paths bend only at
 // saddles and at reflex vertices of the boundary.
-// Invariant: where rounding hides what a vertex is, its kind is the one that sends more windows than needed.
+// Invariant: a vertex of needles whose kind rounding hides sends windows in all directions, which is always correct.
 #include "geodesic/windows/face_frames.hpp"
 
 #include <algorithm>

@@ -47,19 +47,17 @@ void NearestPaths::enter(FaceId f) {
   side_ = {Vec2(1, 0), Vec2(-frame.cosine[1], frame.sine[1]), Vec2(-frame.cosine[0], -frame.sine[0])};
   images_.clear();
   // The corners first: they bound the distance, so that most windows need no square root.
-  for (int i = 0; i < 3; ++i) add_corner(i);
+  for (int i = 0; i < 3; ++i) {
+    const VertexId v = mesh_.vertices(f)[i];
+    if (!field_.label[v].valid()) continue;
+    images_.push_back(
+        {corner_[i], Vec2::Zero(), Vec2::Zero(), field_.distance[v], field_.label[v], i, kCorner, false, Vec2::Zero()});
+  }
   const Chunk windows = field_.windows.of_face(f);
   for (std::size_t number = windows.begin; number < windows.end; ++number) {
     field_.windows.prefetch_window(number + kAhead);  // of faces that probably come next
     add_window(number);
   }
-}
-
-void NearestPaths::add_corner(int i) {
-  const VertexId v = mesh_.vertices(face_)[i];
-  if (!field_.label[v].valid()) return;
-  images_.push_back(
-      {corner_[i], Vec2::Zero(), Vec2::Zero(), field_.distance[v], field_.label[v], i, kCorner, false, Vec2::Zero()});
 }
 
 void NearestPaths::add_window(std::size_t number) {

@@ -101,7 +101,6 @@ class NearestPaths {
   /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, or leaves it.
   std::size_t search(const Vec2& p, GeneratorId only, double& distance) const;
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
-  void add_corner(int i);
   void add_window(std::size_t number);
   /// Whether a ray from the image goes through its opening.
   static bool passes(const Image& image, const Vec2& ray) {

@@ -3,7 +3,7 @@
 // Idea: the best source of the point's faces shows where the path enters the face, and its image. The line towards the
 // image crosses face after face until it meets the vertex that the image is of. From a pseudo-source it goes on in the
 // same way, so only the windows at the bends are read.
-// Source: Mitchell, Mount and Papadimitriou (1987), section 6.
+// Source: Mitchell, Mount and Papadimitriou (1987).
 // Invariant: each vertex of the path is nearer to the generator than the one before, so that the path ends.
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Idea: a kept window is an image with an interval, so it is a source of its edge, and of the face that it enters. The
 // ends of an edge and the corners of a face are sources too: shortest paths can come through them.
 // Source: the windows of Mitchell, Mount and Papadimitriou (1987); the tables of section 4.1 of the paper.
-// Invariant: at every point the least of the sources' distances is exact, and a source is never shorter than a path.
+// Invariant: where windows were kept, the least of the sources' distances is exact, and each one is a path's length.
 #include "geodesic/windows/window_queries.hpp"
 
 #include <algorithm>
