@@ -17,7 +17,8 @@
 #include <utility>
 
 #include "crease_defects.hpp"
-#include "face_boxes.hpp"
+#include "dual/face_boxes.hpp"
+#include "dual/triangle_defects.hpp"
 #include "gvd/counted.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
@@ -25,7 +26,6 @@
 #include "placement_steps.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
-#include "triangle_defects.hpp"
 
 namespace gvd {
 namespace {
