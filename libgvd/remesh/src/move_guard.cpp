@@ -13,10 +13,10 @@
 #include <numbers>
 #include <utility>
 
-#include "face_boxes.hpp"
+#include "dual/face_boxes.hpp"
+#include "dual/triangle_defects.hpp"
 #include "gvd/quality.hpp"
 #include "placement_steps.hpp"
-#include "triangle_defects.hpp"
 
 namespace gvd {
 

@@ -17,15 +17,15 @@
 #include <utility>
 
 #include "crease_defects.hpp"
-#include "face_boxes.hpp"
+#include "dual/face_boxes.hpp"
+#include "dual/triangle_defects.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
-#include "gvd/text.hpp"
+#include "gvd/surface_area.hpp"
 #include "placement_steps.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
-#include "triangle_defects.hpp"
 
 namespace gvd {
 namespace {

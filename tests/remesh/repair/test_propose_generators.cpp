@@ -84,7 +84,7 @@ struct Setup {
 
   std::vector<SurfacePoint> repair(const DualDefect& defect) const {
     AddedGenerators added(mesh, diagram.generators, 100);
-    DefectRepair(mesh, diagram, added).repair(defect);
+    repair_defect(mesh, diagram, defect, added);
     return added.take();
   }
   std::vector<SurfacePoint> repair_bisector(BisectorId b) const {

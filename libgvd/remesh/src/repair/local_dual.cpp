@@ -13,9 +13,9 @@
 #include <array>
 #include <utility>
 
+#include "dual/triangle_defects.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
-#include "triangle_defects.hpp"
 
 namespace gvd {
 

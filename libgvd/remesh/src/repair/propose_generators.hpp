@@ -8,8 +8,6 @@
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "repair/added_generators.hpp"
-#include "repair/boundary_arcs.hpp"
-#include "repair/cell_loops.hpp"
 #include "repair/tip_rings.hpp"
 
 namespace gvd {
@@ -20,44 +18,9 @@ double compute_length(const Mesh& mesh, const Bisector& bisector);
 /// The point of the bisector's polyline nearest to the middle of an open bisector, by arc length. Cost: O(points).
 SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector);
 
-/// Adds the generators that repair one defect of a dual. The table of propose_generators says where they go.
-class DefectRepair {
- public:
-  /// All three must outlive the repair.
-  DefectRepair(const Mesh& mesh, const Diagram& diagram, AddedGenerators& added)
-      : mesh_(mesh), diagram_(diagram), added_(added) {}
-
-  /// Adds nothing where no candidate is far enough from the other generators.
-  void repair(const DualDefect& defect);
-
-  /// The tip at which the defect can't be repaired, because the surface round it is too narrow.
-  std::optional<NarrowTip> find_narrow_tip(const DualDefect& defect);
-
- private:
-  void add_to_component(std::int32_t component);
-  void split_loop(GeneratorId g);
-  void split_boundary_arcs(GeneratorId g);
-  void split_bisector(const Bisector& b);
-  void split_pair(GeneratorId a, GeneratorId b);
-  void split_triple(BranchPointId branch);
-  void split_polygon(BranchPointId branch);
-  void add_farthest(GeneratorId g);
-
-  CellLoops* cell_loops();
-  const TipRings& rings();
-  /// Euclidean, from a generator of the diagram.
-  double distance(const SurfacePoint& point, GeneratorId g) const {
-    return (position(mesh_, point) - added_.position_of(g)).norm();
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  AddedGenerators& added_;
-  std::optional<TipRings> rings_;
-  std::optional<CellLoops> loops_;
-  bool can_cut_ = true;  // the mesh can be cut along the bisectors, as far as is known
-  std::optional<std::vector<BoundaryArc>> arcs_;
-};
+/// Adds the generators that repair one defect of a dual. The table of propose_generators says where they go. Adds
+/// nothing where no candidate is far enough from the other generators.
+void repair_defect(const Mesh& mesh, const Diagram& diagram, const DualDefect& defect, AddedGenerators& added);
 
 struct ProposedGenerators {
   std::vector<SurfacePoint> points;

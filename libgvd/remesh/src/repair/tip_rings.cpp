@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "gvd/geodesic_tracing.hpp"
+#include "gvd/surface_normal.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "repair/added_generators.hpp"
 
@@ -62,11 +63,7 @@ IdVector<GeneratorId, VertexId> find_sharpest_vertices(const Mesh& mesh, const D
 
 double total_angle(const Mesh& mesh, VertexId v) {
   double sum = 0;
-  for_each_outgoing(mesh, v, [&](HalfedgeId h) {
-    const Vec3 first = mesh.position(mesh.to(h)) - mesh.position(v);
-    const Vec3 second = mesh.position(mesh.opposite(h)) - mesh.position(v);
-    sum += std::atan2(first.cross(second).norm(), first.dot(second));
-  });
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) { sum += corner_angle(mesh, h); });
   return sum;
 }
 

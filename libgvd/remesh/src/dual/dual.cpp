@@ -15,10 +15,10 @@
 #include <set>
 #include <utility>
 
+#include "dual/triangle_defects.hpp"
+#include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
-#include "gvd/surface_point.hpp"
-#include "gvd/text.hpp"
-#include "triangle_defects.hpp"
+#include "gvd/surface_normal.hpp"
 
 namespace gvd {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "faces_intersect.hpp"
+#include "dual/faces_intersect.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"

@@ -6,7 +6,7 @@
 // Source: J. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997:
 // Two-Sum, Grow-Expansion with zero elimination, and the error bounds of the filters.
 
-#include "faces_intersect.hpp"
+#include "dual/faces_intersect.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "base/parallel_chunks.hpp"
-#include "face_boxes.hpp"
+#include "dual/face_boxes.hpp"
 
 namespace gvd {
 namespace {

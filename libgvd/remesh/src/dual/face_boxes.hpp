@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "faces_intersect.hpp"
+#include "dual/faces_intersect.hpp"
 #include "gvd/self_intersections.hpp"
 
 namespace gvd {
