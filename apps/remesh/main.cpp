@@ -1,8 +1,8 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
 // Sampled generators are relaxed first; listed ones stay where they are. The diagram of the relaxation's last iteration
-// is that of the remesh. --error asks for the fewest generators whose remesh is near enough: trials by bisection
-// (find_fewest), each a whole remesh in a run of its own that prints and reports nothing, and then the run itself. A
+// is that of the remesh. --error asks for the fewest generators whose remesh is near enough: trials by
+// find_fewest, each a whole remesh in a run of its own that prints and reports nothing, and then the run itself. A
 // trial that fails counts as infinitely far, unless no trial before it has succeeded: then larger ones would take long.
 
 #include <fmt/format.h>
