@@ -52,7 +52,7 @@ void for_each_own_piece(const Mesh& mesh, const Pieces& pieces, GeneratorId g, c
 CellParts number_parts(const Mesh& mesh, const Pieces& pieces, UnionFind& sets) {
   CellParts parts;
   parts.part_of.resize(pieces.size(), -1);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (int i = 0; i < std::ssize(pieces); ++i) {
     const int root = sets.find(i);
     if (parts.part_of[root] < 0) {
       parts.part_of[root] = static_cast<std::int32_t>(parts.area.size());
@@ -92,9 +92,9 @@ constexpr std::int32_t kNone = -1;
 
 /// Numbers points so that those within a distance have one number: sorted along x, only neighbours are compared.
 std::vector<std::int32_t> number_points(const std::vector<Vec3>& points, double distance) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points[a].x() < points[b].x(); });
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return points[a].x() < points[b].x(); });
   UnionFind sets(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Vec3& p = points[order[i]];

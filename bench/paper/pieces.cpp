@@ -1,8 +1,8 @@
 // Pieces of faces: convex polygons, cut by linear functions, and the lines along which two pieces touch.
 //
 // Polygons have barycentric coordinates in their face. Clipping keeps points on the face's sides exactly there, so that
-// pieces of adjacent faces meet. Contacts in a face are found between its own pieces; those across an edge by sorting
-// the sides on it along the edge.
+// pieces of adjacent faces meet. A side that lies on an edge of the mesh touches those that the other face has on this
+// edge; all other sides touch sides of their own face. Contacts ascend by face, and those across edges follow by edge.
 #include "pieces.hpp"
 
 #include <algorithm>

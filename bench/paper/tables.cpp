@@ -1,7 +1,7 @@
-// What each table of section 5 measures: models, numbers of generators, methods, and the figures of a row.
+// The contents of each table of section 5: models, numbers of generators, methods, and the figures of a row.
 //
-// Every row names its mesh, which stands for a model of the paper. Tables are independent of each other, and a row of
-// the rows before it. The JSON document has the numbers alone; scripts/make_paper.py puts the paper's beside them.
+// Every row names its mesh, which stands for a model of the paper. Tables are independent of each other. The JSON
+// document has our numbers alone; scripts/make_paper.py puts the paper's beside them.
 #include "tables.hpp"
 
 #include <fmt/format.h>
