@@ -16,9 +16,9 @@
 #include <utility>
 
 #include "dual/triangle_defects.hpp"
-#include "gvd/counted.hpp"
 #include "gvd/quality.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "gvd/geodesic_tracing.hpp"
-#include "gvd/surface_normal.hpp"
+#include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "repair/added_generators.hpp"
 
