@@ -5,7 +5,7 @@
     scripts/check_includes.py --svg       prints that drawing
     scripts/check_includes.py --list      prints which folder includes which, and how often
 
-A private header that declares what a source defines bears that source's name; this is checked too.
+Each source includes a header of its own folder, which declares what it defines; this is checked too.
 """
 import collections
 import pathlib
@@ -20,65 +20,45 @@ FLOORS = [
     ["libgvd/src/mesh"],
     ["libgvd/src/mesh/reading"],
     ["libgvd/src/mesh/repair"],
-    ["libgvd/src/geodesic/field"],
+    ["libgvd/src/geodesic"],
     ["libgvd/src/geodesic/marching"],
-    ["libgvd/src/geodesic/tracing", "libgvd/src/geodesic/sampling"],
-    ["libgvd/src/geodesic/windows/geometry"],
-    ["libgvd/src/geodesic/windows/field"],
-    ["libgvd/src/geodesic/windows/propagation", "libgvd/src/geodesic/windows/departures"],
+    ["libgvd/src/geodesic/sampling"],
     ["libgvd/src/geodesic/windows"],
+    ["libgvd/src/geodesic/windows/propagation"],
     ["libgvd/src/diagram/graph"],
     ["libgvd/src/diagram/assembly"],
     ["libgvd/src/diagram/envelope", "libgvd/src/diagram/growth"],
-    ["libgvd/src/diagram/paper"],
     ["libgvd/src/diagram"],
-    ["libgvd/src/diagram/evaluation"],
-    ["libgvd/src/io/generators", "libgvd/src/io/writers"],
+    ["libgvd/src/io/writers"],
+    ["libgvd/src/io"],
     ["libgvd/src/io/view"],
-    ["libgvd/lloyd/src/optimiser", "libgvd/lloyd/src/constraints", "libgvd/lloyd/src/integrals"],
-    ["libgvd/lloyd/src/state"],
-    ["libgvd/lloyd/src/steps"],
     ["libgvd/segment", "libgvd/lloyd", "libgvd/verify"],
-    ["libgvd/remesh/src/dual", "libgvd/remesh/src/intersection", "libgvd/remesh/src/distance"],
-    ["libgvd/remesh/src/repair", "libgvd/remesh/src/certificate"],
-    ["libgvd/remesh/src/creases"],
-    ["libgvd/remesh/src/placement"],
+    ["libgvd/remesh/src/dual"],
+    ["libgvd/remesh/src/repair"],
     ["libgvd/remesh"],
-    ["apps/common/memory"],
     ["apps/common/options"],
-    ["apps/common/run"],
-    ["apps/common/steps"],
-    ["apps/common/relaxation"],
+    ["apps/common"],
     ["apps/segment", "apps/lloyd", "apps/remesh"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error counted progress diagram_steps io/read_to_end",
-    "libgvd/src/mesh": "mesh surface_point surface_normal surface_area closest_point distance_samples quality openmesh",
-    "libgvd/src/mesh/reading": "mesh_format mesh_property read_soup",
+    "libgvd/src/base": "vec ids error text progress diagram_steps",
+    "libgvd/src/mesh": "mesh surface_point closest_point distance_samples quality openmesh",
+    "libgvd/src/mesh/reading": "mesh_property read_soup",
     "libgvd/src/mesh/repair": "soup",
-    "libgvd/src/geodesic/field": "front",
-    "libgvd/src/geodesic/tracing": "geodesic_tracing log_map",
+    "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
-    "libgvd/src/diagram": "diagram",
-    "libgvd/src/diagram/evaluation": "check error_measure",
-    "libgvd/src/io/generators": "generator_list number_list",
-    "libgvd/src/io/writers": "io/atomic_file io/diagram_json io/label_color io/mesh_writer io/point_writer",
+    "libgvd/src/diagram": "diagram check error_measure",
+    "libgvd/src/io": "generator_list",
+    "libgvd/src/io/writers": "io/diagram_json io/label_color io/mesh_writer io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view",
     "libgvd/segment": "region_statistics segment",
-    "libgvd/lloyd/src/optimiser": "acceleration",
-    "libgvd/lloyd/src/constraints": "features",
-    "libgvd/lloyd/src/integrals": "cell_moments density",
-    "libgvd/lloyd": "lloyd",
-    "libgvd/remesh/src/dual": "dual",
-    "libgvd/remesh/src/intersection": "self_intersections",
-    "libgvd/remesh/src/distance": "surface_distance",
-    "libgvd/remesh/src/placement": "placement",
-    "libgvd/remesh/src/certificate": "remesh_certificate",
-    "libgvd/remesh": "carry_properties find_fewest remesh remesh_map",
+    "libgvd/lloyd": "cell_moments density features lloyd",
+    "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",
+    "libgvd/remesh": "carry_properties find_fewest placement remesh remesh_map",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
@@ -132,14 +112,15 @@ def check_file(path, edges):
     return findings
 
 
-def check_names():
-    """Sources that neither have a header of their name nor implement a public header of their folder."""
+def check_own_headers():
+    """Sources without an include of their own folder's headers, the private ones or the public ones that belong to it."""
     findings = []
     for path in sources():
-        if path.suffix != ".cpp" or path.with_suffix(".hpp").exists() or path.name == "main.cpp":
+        if path.suffix != ".cpp" or path.name == "main.cpp":
             continue
-        if all(PUBLIC_FOLDER.get(name) != folder_of(path) for name in INCLUDE.findall(path.read_text())):
-            findings.append(f"{path.relative_to(ROOT)}: has no header of its name, and implements no public one")
+        headers = [find_header(name, path) for name in INCLUDE.findall(path.read_text())]
+        if all(header is None or folder_of(header) != folder_of(path) for header in headers):
+            findings.append(f"{path.relative_to(ROOT)}: includes no header of its folder, which would declare what it defines")
     return findings
 
 
@@ -178,7 +159,7 @@ def main():
         print(draw_floors(), end="")
         return 0
     edges = collections.defaultdict(list)
-    findings = [finding for path in sources() for finding in check_file(path, edges)] + check_names() + check_drawing()
+    findings = [finding for path in sources() for finding in check_file(path, edges)] + check_own_headers() + check_drawing()
     if "--list" in sys.argv[1:]:
         for (own, other), names in sorted(edges.items()):
             print(f"{own} -> {other}: {len(names)}")

@@ -28,7 +28,8 @@ void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& s
 }  // namespace
 
 std::span<const PathSample> samples_of(const std::vector<PathSample>& sorted, GeneratorId g) {
-  return std::ranges::equal_range(sorted, g, {}, &PathSample::generator);
+  return {std::ranges::lower_bound(sorted, g, {}, &PathSample::generator),
+          std::ranges::upper_bound(sorted, g, {}, &PathSample::generator)};
 }
 
 CellIntegrals CellSums::join(std::size_t cells, const std::vector<CellSums>& parts) {

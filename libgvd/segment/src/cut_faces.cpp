@@ -99,7 +99,8 @@ class Cutter {
   }
 
   std::span<const EdgePoint> points_on(EdgeId e) const {
-    return std::ranges::equal_range(edge_points_, e, {}, &EdgePoint::edge);
+    return {std::ranges::lower_bound(edge_points_, e, {}, &EdgePoint::edge),
+            std::ranges::upper_bound(edge_points_, e, {}, &EdgePoint::edge)};
   }
 
   /// The corners of f and the vertices on its edges, in order, each once.

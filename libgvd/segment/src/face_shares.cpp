@@ -40,7 +40,8 @@ FaceShares::FaceShares(const Diagram& diagram) {
 }
 
 std::span<const FaceShare> FaceShares::of(FaceId face) const {
-  return std::ranges::equal_range(shares_, face, {}, &FaceShare::face);
+  return {std::ranges::lower_bound(shares_, face, {}, &FaceShare::face),
+          std::ranges::upper_bound(shares_, face, {}, &FaceShare::face)};
 }
 
 void check_belongs(const Mesh& mesh, const Diagram& diagram) {

@@ -56,8 +56,8 @@ double integrate(const SquaredDistance& squared, double area, const std::vector<
 
 /// Twice the excess of the cells' Euler characteristics over that of the mesh, as the graph of the bisectors gives it.
 ///
-/// The count follows from V - E + F over branch points, bisectors, boundary pieces and cells. A branch point of degree d
-/// counts d - 2 inside the mesh and d on the boundary. The end of a bisector on the boundary counts 1.
+/// The count follows from V - E + F over branch points, bisectors, boundary pieces and cells. A branch point of degree
+/// d counts d - 2 inside the mesh and d on the boundary. The end of a bisector on the boundary counts 1.
 std::int64_t count_excess(const Mesh& mesh, const Diagram& diagram) {
   std::int64_t excess = 0;
   for (const Bisector& bisector : diagram.bisectors) excess += bisector.closed ? 0 : 2;
