@@ -44,7 +44,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 
 # A public header lies in one folder for users; here is the folder that it belongs to.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error text progress diagram_steps",
+    "libgvd/src/base": "vec ids error text progress diagram_steps version",
     "libgvd/src/mesh": "mesh surface_point closest_point distance_samples quality openmesh",
     "libgvd/src/mesh/reading": "mesh_property read_soup",
     "libgvd/src/mesh/repair": "soup",
@@ -54,7 +54,7 @@ PUBLIC = {
     "libgvd/src/diagram": "diagram check error_measure",
     "libgvd/src/io": "generator_list",
     "libgvd/src/io/writers": "io/diagram_json io/label_color io/mesh_writer io/point_writer io/write_file",
-    "libgvd/src/io/view": "io/view",
+    "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "region_statistics segment",
     "libgvd/lloyd": "cell_moments density features lloyd",
     "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",

@@ -13,6 +13,7 @@
 #include "common/outcome.hpp"
 #include "common/process.hpp"
 #include "common/run_several.hpp"
+#include "gvd/version.hpp"
 
 namespace gvd::app {
 namespace {
@@ -55,7 +56,7 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
   install_signal_handlers();
   int exit_code = kDone;
   const Outcome outcome = run_guarded([&] {
-    register_general(line_, options_, info_.name + " " + GVD_VERSION);
+    register_general(line_, options_, fmt::format("{} {}", info_.name, version()));
     if (const auto answer = parse_command_line(line_, rules_, argc, argv)) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }

@@ -13,6 +13,7 @@
 
 #include "common/diagram_members.hpp"
 #include "common/options/options.hpp"
+#include "gvd/version.hpp"
 
 namespace gvd::app {
 namespace {
@@ -36,7 +37,7 @@ std::string format_generator(const ReportedGenerator& generator) {
 RunReport::RunReport(const std::string& command, const Options& options)
     : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/1"},
                                             {"command", command},
-                                            {"version", GVD_VERSION},
+                                            {"version", version()},
                                             {"options", to_json(options)},
                                             {"seed", options.generators.seed},
                                             {"input", nullptr},
