@@ -153,14 +153,15 @@ std::int64_t TextReader::integer(std::string_view what) {
 }
 
 Vec3 TextReader::position(std::int64_t vertex) {
-  constexpr std::string_view kNames[] = {"coordinate x", "coordinate y", "coordinate z"};
+  constexpr std::string_view kCoordinates[] = {"coordinate x", "coordinate y", "coordinate z"};
   Vec3 p;
   for (int i = 0; i < 3; ++i) {
-    p[i] = number(kNames[i]);
+    p[i] = number(kCoordinates[i]);
     if (!std::isfinite(p[i])) {
-      throw Error(ErrorCode::precondition,
-                  fmt::format("{}:{}: {} of vertex {} is not a finite number", name_, line_number_, kNames[i], vertex),
-                  vertex);
+      throw Error(
+          ErrorCode::precondition,
+          fmt::format("{}:{}: {} of vertex {} is not a finite number", name_, line_number_, kCoordinates[i], vertex),
+          vertex);
     }
   }
   return p;
