@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes a Markdown file and an HTML page of what gvd-paper measured, beside the numbers of the paper's section 5.
+"""Makes a Markdown file and an HTML page from the measurements of gvd-paper, beside the numbers of the paper's section 5.
 
     scripts/make_paper.py MEASURED.json FOLDER [NOTE]      writes FOLDER/paper.md and FOLDER/paper.html
 
-The note, of the machine and the day, follows the introduction. Fails where a table is missing, and after it wrote the pages where a
-number is not finite.
+The note, on the machine and the day, follows the introduction. Fails if a table is missing, and after writing the pages if a number
+is not finite.
 """
 import json
 import math
@@ -23,9 +23,9 @@ SECTIONS = {"1": table_1, "2": table_2, "3": table_3, "4": table_4, "sets": sets
 
 
 def introduce(runs):
-    return (f"Generators are random vertices, drawn by seed, another one in each run. Runs: {runs}. Times are medians, E is"
-            " the mean with the standard deviation. A row names the mesh that stands for the paper's model."
-            " The method \"paper\" is the printed number, \"paper's steps\" our --method paper: its steps as written.")
+    return (f"Generators are random vertices, with a different seed in each run. There are {runs} runs. Times are medians; E is the"
+            " mean with the standard deviation. Each row names the mesh that stands for the paper's model."
+            " The method \"paper\" is the printed number. \"Paper's steps\" is our --method paper, which follows the steps as written.")
 
 
 def check_tables(tables):

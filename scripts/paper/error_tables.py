@@ -3,15 +3,14 @@ import paper.numbers_of_paper as printed
 from paper.section import CIRCLE, EXACT, PLANAR, STEPS, UNPRUNED, WINDOWS, Section, methods_of, number, spread
 
 SCALE_NOTE = (
-    "E is in square units of the mesh, and the paper does not tell the size of its meshes. Compare E between methods on one"
-    " mesh."
+    "E is in square mesh units, and the paper does not give the size of its meshes. So compare E only between methods on one mesh."
 )
 
 
 def name_remeshing(rows):
     """The isotropic remeshing of table 3, by the names of its meshes: builds without CGAL use ours."""
     if any("remeshed by ours" in row["mesh"] for row in rows):
-        return "isotropic remeshing after Botsch and Kobbelt by this repository, since this build has no CGAL"
+        return "isotropic remeshing after Botsch and Kobbelt by this repository, because this build has no CGAL"
     return "isotropic remeshing by CGAL's Polygon_mesh_processing"
 
 
@@ -30,24 +29,24 @@ def table_3(rows):
     section.tabulate(head, lines)
     growth = [found["low"] / found["high"] for found in errors.values() if found["low"] and found["high"]]
     if growth:
-        section.say(f"The paper finds no trend. Here planar E on low quality is {min(growth):.1f} to {max(growth):.1f} times that"
+        section.say(f"The paper finds no trend. Here, planar E on low quality is {min(growth):.1f} to {max(growth):.1f} times that"
                     " on high quality.")
-    section.say("Low: four times as many faces by the remeshing of high, decimated by quadric errors to the number of medium. Then"
+    section.say("Low: the remeshing of high with four times as many faces, decimated by quadric errors to the number of medium. Then"
                 " vertices move towards random neighbours, by seed, until half of the triangles have an angle below 30 degrees."
-                f" Medium: the mesh as it is. High: {name_remeshing(rows)}, with as many faces within 3 %."
-                " The generators are 30 random vertices; the paper does not tell its number. " + SCALE_NOTE)
+                f" Medium: the unchanged mesh. High: {name_remeshing(rows)}, with the same number of faces within 3 %."
+                " The generators are 30 random vertices; the paper does not give its number. " + SCALE_NOTE)
     return section
 
 
 def factors(rows, name):
-    """How many times as long as planar growth another method takes, from the least to the largest factor."""
+    """How many times as long as planar growth another method takes, from the smallest to the largest factor."""
     found = [methods_of(row)[name]["total_ms"] / methods_of(row)[PLANAR]["total_ms"] for row in rows]
     return f"{min(found):.1f} to {max(found):.1f}"
 
 
 def table_4(rows):
     section = Section("Table 4: Xu et al. [27] and ours")
-    head = ["model", "mesh", "method", "GDF ms", "VD ms", "total ms", "E", "least to largest E"]
+    head = ["model", "mesh", "method", "GDF ms", "VD ms", "total ms", "E", "smallest to largest E"]
     lines = []
     for row in rows:
         faces, m, theirs, ours = printed.WINDOWS[row["model"]]
@@ -62,11 +61,10 @@ def table_4(rows):
     section.tabulate(head, lines)
     section.say("The paper's .205 on Spot is for one set of generators that it does not name. E depends on"
                 " the set, as the last column shows. [27] has far smaller errors here than in the paper: its distances are"
-                " exact here, and only the straight segments are not. The last table has what .168 could be.")
-    section.say("By its text the paper's method is 2 to 7 times as fast as [27], by its table 1.6 to 3.0 times. Here our"
-                f" planar growth is {factors(rows, WINDOWS)} times as"
-                f" fast as [27] with windows that generators compete for. Without competition it is {factors(rows, UNPRUNED)}"
-                " times as fast. " + SCALE_NOTE)
+                " exact here, and only the straight segments are not. The last table discusses possible reasons for .168.")
+    section.say("According to its text, the paper's method is 2 to 7 times as fast as [27]; according to its table, 1.6 to 3.0 times."
+                f" Here, our planar growth is {factors(rows, WINDOWS)} times as fast as [27] if windows of different generators compete."
+                f" If they do not, it is {factors(rows, UNPRUNED)} times as fast. " + SCALE_NOTE)
     return section
 
 
@@ -76,7 +74,7 @@ def sets(rows):
     names = [STEPS, PLANAR, CIRCLE, EXACT]
     errors = [methods_of(row)[name]["errors"] for name in names]
     lines = [[str(seed)] + [number(e) for e in values] for seed, values in enumerate(zip(*errors))]
-    for label, figure in (("least", "min"), ("largest", "max"), ("mean", "mean")):
+    for label, figure in (("smallest", "min"), ("largest", "max"), ("mean", "mean")):
         lines.append([label] + [number(methods_of(row)[name]["e"][figure]) for name in names])
     section.tabulate(["seed"] + [f"E {name}" for name in names], lines)
     least, most = printed.TEN_SETS
@@ -104,15 +102,15 @@ def table_5(rows):
                      [spread(found[name]["e"]) for name in names] +
                      [number(ratio), number(found["RVD [29]"]["islands"])] + quoted)
     section.tabulate(head, lines)
-    section.say("Islands are pieces of cells without their generator, the ownerless regions of figure 11. On a sphere bisectors of"
-                " straight distances are those of geodesic ones, so that RVD and LRVD are good there. The paper's .016 is met by"
-                " circle fronts, not by planar ones. E of LRVD on the other models is far less here than the paper's 7 to 13; the last table"
-                " has what these could be. " + SCALE_NOTE)
+    section.say("Islands are pieces of cells without their generator, the ownerless regions of figure 11. On a sphere, bisectors of"
+                " straight distances equal those of geodesic distances, so RVD and LRVD are good there. Circle fronts reach the paper's"
+                " .016, planar ones do not. On the other models, E of LRVD is far smaller here than the paper's 7 to 13; the last table"
+                " discusses possible reasons. " + SCALE_NOTE)
     return section
 
 
 def figure_10(rows):
-    section = Section("Figure 10: how much bisectors zig-zag")
+    section = Section("Figure 10: zig-zag of bisectors")
     head = ["model", "mesh", "method", "turning angle / length", "E"]
     lines = []
     for row in rows:
@@ -120,6 +118,6 @@ def figure_10(rows):
         for method in row["methods"]:
             lines.append([row["model"], mesh, method["method"], number(method["turn_per_length"]), spread(method["e"])])
     section.tabulate(head, lines)
-    section.say("The sum of the angles by which the bisectors turn, in radians for each unit of their length; the paper shows"
-                " a picture.")
+    section.say("The turning angle is the sum of the angles by which the bisectors turn, in radians per unit of length. The paper"
+                " only shows a picture.")
     return section

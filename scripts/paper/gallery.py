@@ -10,10 +10,10 @@ STRAIGHT = [[("RVD [29]", f"{page}_rvd"), ("LRVD [28]", f"{page}_lrvd"), (PLANAR
             for page in ("figure_11", "plate")]
 
 FIGURE_10 = ("Spot with 30 generators, seed 0, and its head and neck: the diffusion diagram follows the triangles, growth does not."
-             " A model that is not at hand is replaced by data/figure.obj.")
-FIGURE_11 = ("Elephant with 30 generators where it is at hand, and a thin plate with 12, seed 0; a cell has one colour in each line."
+             " data/figure.obj replaces a missing model.")
+FIGURE_11 = ("Elephant with 30 generators, if available, and a thin plate with 12, seed 0; each cell has the same colour in a row of pictures."
              " RVD's cells come through from the other side; each such piece is an island without its generator. LRVD divides them"
-             " among the cells around, but its bisectors remain those of straight distances.")
+             " among the surrounding cells, but its bisectors remain those of straight distances.")
 
 
 def compare_pictures(section, lines, folder, text):
@@ -32,8 +32,8 @@ def gallery(folder):
         return []
     section = Section("Figures 1 and 9: Lucy and a gallery")
     section.show(names)
-    section.say("Diagrams of gvd-segment --method gbgvd with generators at random vertices. The figure's mesh is made by this"
-                " repository.")
+    section.say("These diagrams are from gvd-segment --method gbgvd with generators at random vertices. This repository makes the mesh of"
+                " the figure.")
     return [section]
 
 

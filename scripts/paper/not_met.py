@@ -1,31 +1,31 @@
-"""What could be behind numbers of the paper that are not met."""
+"""Possible reasons for numbers of the paper that are not met."""
 import paper.numbers_of_paper as printed
 from paper.section import STEPS, WINDOWS, Section, number
 
 NOT_MET = (
-    "Each column is an integral along the same bisectors. E: as in section 5.2, by exact distances. Marched: the two"
-    " distances are those of planar marching from one generator, linear in each face. Whole face: S(p) holds each"
-    " generator with a part of the face of p. Distance: the integral of the exact distance to one generator, which E"
-    " becomes where the other distance is missing.",
-    "E of [27], .168 on Spot and .151 on Bunny, is about what an exact diagram has by marched distances (.16 and .12 here). It is"
-    " also about E of a diagram traced from marched distances (.15 to .17, and .12 to .15). So the paper's .168 looks like the"
-    " error of planar marching distances, and not like that of straight segments between exact crossings, which is .003. On Bear"
-    " neither fits. With all generators of a face, E is .07 for [27], since a third generator competes round each branch point: too little."
-    " Linear crossings from exact distances of the vertices give .02 on Spot (ten sets, not in the table).",
-    "E of LRVD, 7.458 on Spot and 11.310 on Bunny, is the integral of the distance itself within some 8 %. Here that is 6.9"
-    " and 11.2 at these sets of generators. It would result if the second distance were missing, or 0. This is an observation and no"
-    " proof; on Bear, 13.001 is more than twice the integral, and on the sphere .024 is far below it.",
-    "Not the generators: at 60 random sets on Spot, E of LRVD is .37 to .61, RVD's .38 to .74, [27]'s .0022 to .0040. With all 30"
-    " generators within 2, 10 or 30 % of the vertices round a random one (15 sets each), LRVD's is .04 to .74. Not the rule for"
-    " orphans: RVD, without any sweep, has E of .58 at ten sets. Not the unit of length: one that makes LRVD fit on Spot would make E"
-    " of growth eleven times the paper's.",
-    "At the generators of another test of this mesh, --method paper has .2075 and planar growth .173 on Spot; the paper has .205.",
+    "Each column is an integral along the same bisectors. E: as in section 5.2, by exact distances. Marched: both"
+    " distances are those of planar marching from one generator, linear in each face. Whole face: S(p) contains each"
+    " generator with a part of the face of p. Distance: the integral of the exact distance to one generator. This is the value of E"
+    " if the other distance is missing.",
+    "E of [27], .168 on Spot and .151 on Bunny, is close to that of an exact diagram by marched distances (.16 and .12 here). It is"
+    " also close to E of a diagram traced from marched distances (.15 to .17, and .12 to .15). So the paper's .168 looks like the"
+    " error of planar marching distances, not like that of straight segments between exact crossings, which is .003. On Bear"
+    " neither fits. With all generators of a face, E of [27] is .07, because a third generator competes around each branch point; this is"
+    " too small. Linear crossings from exact distances of the vertices give .02 on Spot (ten sets, not in the table).",
+    "E of LRVD, 7.458 on Spot and 11.310 on Bunny, is the integral of the distance itself, within about 8 %. Here that is 6.9"
+    " and 11.2 for these sets of generators. It would result if the second distance were missing, or 0. This is an observation, not a"
+    " proof. On Bear, 13.001 is more than twice the integral, and on the sphere .024 is far below it.",
+    "The generators do not explain it: for 60 random sets on Spot, E of LRVD is .37 to .61, of RVD .38 to .74, of [27] .0022 to .0040."
+    " With all 30 generators within 2, 10 or 30 % of the vertices around a random one (15 sets each), E of LRVD is .04 to .74. The rule for"
+    " orphans does not explain it: RVD, without any sweep, has an E of .58 for ten sets. Nor does the unit of length: one that makes LRVD"
+    " fit on Spot would make E of growth eleven times the paper's.",
+    "With the generators of another test of this mesh, E on Spot is .2075 by --method paper and .173 by planar growth; the paper has .205.",
 )
 
 
 def numbers_not_met(rows):
-    """What could be behind the paper's E of [27] and of LRVD. Each row has what else could be taken for E."""
-    section = Section("Numbers that are not met, and what else they could be")
+    """Possible reasons for the paper's E of [27] and of LRVD. Each row has other quantities that could be taken for E."""
+    section = Section("Numbers that are not met, and possible reasons")
     head = ["model", "mesh", "method", "E", "marched", "whole face", "distance", "paper's E"]
     lines = []
     for row in rows:

@@ -24,26 +24,26 @@ def time_series(rows, numbers, key):
 
 
 TIMES_NOTE = (
-    "Times are processor times of one thread on another machine than the paper's: compare their growth and not"
-    " their size. VD of our methods holds the cells with their areas too, that of [27] does not. Memory is the peak of the heap"
-    " without the input mesh. The paper does not say what it counts, and its numbers are less than the size of its meshes."
+    "Times are processor times of one thread, on a different machine than the paper's: compare their growth, not their size. VD of our"
+    " methods includes the cells with their areas, that of [27] does not. Memory is the peak of the heap without the input mesh. The paper"
+    " does not say what it counts; its numbers are smaller than its meshes."
 )
 
 
 def table_1(rows):
-    section = Section("Table 1: Kitten, 50 generators, more and more faces")
+    section = Section("Table 1: Kitten, 50 generators, increasing number of faces")
     head = ["faces, m", "mesh", "method", "GDF ms", "VD ms", "total ms", "memory KB"]
     section.tabulate(head, list(time_rows(rows, printed.RESOLUTIONS, "{} faces, m = 50")))
     areas = [row["area"] for row in rows]
-    section.say("Resampled by the isotropic remeshing of this repository, each size within 3 % of the paper's. Vertices lie on the"
-                f" model's surface, and the areas differ by {100 * (max(areas) / min(areas) - 1):.1f} % at most.")
+    section.say("The meshes are resampled by the isotropic remeshing of this repository, to within 3 % of the paper's sizes. Vertices lie"
+                f" on the model's surface, and the areas differ by at most {100 * (max(areas) / min(areas) - 1):.1f} %.")
     section.plot("Total milliseconds by number of faces", "faces", time_series(rows, printed.RESOLUTIONS, "faces"))
     section.say(TIMES_NOTE)
     return section
 
 
 def table_2(rows):
-    section = Section("Table 2: Spot, more and more generators")
+    section = Section("Table 2: Spot, increasing number of generators")
     head = ["faces, m", "mesh", "method", "GDF ms", "VD ms", "total ms", "memory KB"]
     section.tabulate(head, list(time_rows(rows, printed.GENERATOR_COUNTS, "20000 faces, m = {}")))
     series = time_series(rows, printed.GENERATOR_COUNTS, "m")
