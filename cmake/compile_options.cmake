@@ -1,8 +1,8 @@
-# Options that every target of the project is compiled with.
+# Compile options of every target of the project.
 add_library(gvd_compile_options INTERFACE)
 target_compile_options(gvd_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  # The same input gives the same bytes on every machine: no fused multiply-add behind our back.
+  # The same input gives the same bytes on every machine, so no implicit fused multiply-add.
   -ffp-contract=off)
 if(GVD_WARNINGS_AS_ERRORS)
   target_compile_options(gvd_compile_options INTERFACE -Werror)

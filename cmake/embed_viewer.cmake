@@ -1,11 +1,11 @@
-# Builds the page of --view out of web/ and puts it into a target as data. So a program needs no file at run time.
+# Builds the page of --view from web/ and embeds it into a target as data. So a program needs no file at run time.
 #
-#   GVD_WITH_VIEWER  ON where npm is found. OFF: gvd::make_view_page refuses, everything else works.
-#   GVD_VIEWER_PAGE  a page that was built elsewhere (BUILD/viewer/viewer.html): no npm and no network are needed then.
+#   GVD_WITH_VIEWER  ON if npm is found. OFF: gvd::make_view_page throws, everything else works.
+#   GVD_VIEWER_PAGE  a page that was built elsewhere (BUILD/viewer/viewer.html). The build then needs neither npm nor network.
 #
 # Run as a script (cmake -DPAGE=... -DSOURCE=... -P embed_viewer.cmake) it turns a page into a C++ source.
 
-# An array of bytes: a string literal of this length is more than the standard asks compilers to take.
+# An array of bytes, because compilers need not accept a string literal of this length.
 function(gvd_write_template_source page source)
   set(bytes "")
   if(page)
@@ -37,7 +37,7 @@ else()
 endif()
 option(GVD_WITH_VIEWER "Build the page of --view into the library (needs npm)" ${gvd_viewer_default})
 
-# gvd_build_viewer_page(PAGE_VARIABLE): the rules that bundle web/ into one file in the build tree. The sources are
+# gvd_build_viewer_page(PAGE_VARIABLE): adds rules that bundle web/ into one file in the build tree. The sources are
 # copied, so that npm installs nothing into the source tree.
 function(gvd_build_viewer_page page_variable)
   if(NOT GVD_NPM OR NOT GVD_NODE)

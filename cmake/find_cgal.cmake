@@ -1,4 +1,4 @@
-# Finds CGAL, and says what to do where it is missing.
+# Finds CGAL, and says what to do if it is missing.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 set(gvd_saved_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)  # QUIET alone does not silence CGAL's status lines

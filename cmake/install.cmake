@@ -7,7 +7,7 @@ set(GVD_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gvd)
 install(TARGETS gvd EXPORT gvd-targets)
 install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 
-# The parts that this configuration builds.
+# The libraries that this configuration builds.
 set(GVD_INSTALLED_PARTS "")
 foreach(part segment lloyd remesh)
   if(TARGET gvd_${part})
@@ -21,7 +21,7 @@ foreach(part segment lloyd remesh)
 endforeach()
 install(EXPORT gvd-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR})
 
-# Apart, since only who asks for the component `verify` should need CGAL, and carry its licence.
+# Separate, so that only users of the component `verify` need CGAL and accept its licence.
 if(TARGET gvd_verify)
   list(APPEND GVD_INSTALLED_PARTS verify)
   install(TARGETS gvd_verify EXPORT gvd-verify-targets)

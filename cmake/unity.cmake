@@ -1,15 +1,15 @@
 # Unity builds: several sources in one translation unit, so that the headers of other projects are parsed once for all of
-# them (docs/notes/build-time.md has what that gains). No two sources of a target may use one name for different things.
+# them (docs/notes/build-time.md says what this gains). No two sources of a target may use one name for different things.
 #
-#   GVD_UNITY  OFF: a translation unit for each source. A missing include shows, and one changed source builds quickly;
+#   GVD_UNITY  OFF: a translation unit for each source. Missing includes become errors, and one changed source builds quickly;
 #              TESTS: the same, but for the tests.
 set(GVD_UNITY ON CACHE STRING "Compile several sources as one translation unit: ON, OFF, or TESTS for those of the tests alone")
 set_property(CACHE GVD_UNITY PROPERTY STRINGS ON OFF TESTS)
 
-# Sources in a unit. More of them gain little, and leave processors idle at the end.
+# Number of sources in a unit. Larger units gain little, and leave processors idle at the end.
 set(GVD_UNITY_BATCH 12)
 
-# gvd_unite([FOR_TESTS] TARGETS...): compiles the sources of TARGETS in units, where GVD_UNITY says so.
+# gvd_unite([FOR_TESTS] TARGETS...): compiles the sources of TARGETS in units, if GVD_UNITY is set.
 function(gvd_unite)
   cmake_parse_arguments(arg "FOR_TESTS" "" "" ${ARGN})
   if(GVD_UNITY STREQUAL "TESTS" AND NOT arg_FOR_TESTS)

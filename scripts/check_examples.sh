@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs the example commands of README.md and docs/guide as they are written, in a folder of its own: all lines that are
-# indented by four spaces and begin with build/bin/. Fails where one fails that has no comment "# fails", or the other way.
+# Runs the example commands of README.md and docs/guide as written, in a temporary folder: all lines that are indented by
+# four spaces and begin with build/bin/. Fails if an example fails, unless it has the comment "# fails"; then it must fail.
 #
 #   scripts/check_examples.sh BIN_FOLDER
 set -eu

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Fails where a file includes upwards: every folder has a floor, and includes only from its own folder and floors below.
+"""Fails on an include that goes upwards: each folder has a floor, and includes only from its own folder and floors below.
 
-    scripts/check_includes.py             the check, and whether docs/developer/floors.svg shows today's floors
+    scripts/check_includes.py             checks includes, and that docs/developer/floors.svg shows the current floors
     scripts/check_includes.py --svg       prints that drawing
     scripts/check_includes.py --list      prints which folder includes which, and how often
 
-Each source includes a header of its own folder, which declares what it defines; this is checked too.
+Also fails if a source includes no header of its own folder, which would declare what it defines.
 """
 import collections
 import pathlib
@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# From the ground up. Folders of one line do not include each other.
+# From the ground up. Folders on one floor do not include each other.
 FLOORS = [
     ["libgvd/src/base"],
     ["libgvd/src/mesh"],
@@ -42,7 +42,7 @@ FLOORS = [
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 
-# A public header lies in one folder for users; here is the folder that it belongs to.
+# For users, all public headers are in one folder. This is the folder to which each one belongs.
 PUBLIC = {
     "libgvd/src/base": "vec ids error text progress diagram_steps version",
     "libgvd/src/mesh": "mesh surface_point closest_point distance_samples quality openmesh",
@@ -94,7 +94,7 @@ def find_header(name, source):
 
 
 def check_file(path, edges):
-    """The findings in one file; adds its includes to `edges`."""
+    """Returns the findings in one file, and adds its includes to `edges`."""
     findings = []
     name = path.relative_to(ROOT)
     own = folder_of(path)
@@ -125,7 +125,7 @@ def check_own_headers():
 
 
 def draw_floors():
-    """The table of floors as an SVG drawing, the ground floor at the bottom."""
+    """The table of floors as an SVG drawing, with the ground floor at the bottom."""
     width, height, gap, margin = 860, 34, 8, 12
     total = len(FLOORS) * (height + gap) + 2 * margin - gap
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{total}" viewBox="0 0 {width} {total}" '

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Fails where a C++ source is not laid out as .clang-format says; `make format` lays it out.
+# Fails if the layout of a C++ source differs from .clang-format; `make format` corrects it.
 #
 #   scripts/check_layout.sh
 #
-# Versions of clang-format differ in details: the sources follow 14, which is Debian 12's. CLANG_FORMAT names another program.
+# Versions of clang-format differ in details; the sources follow version 14 of Debian 12. CLANG_FORMAT names another program.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

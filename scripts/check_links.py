@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where a Markdown file links to a file or heading of the repository that is not there, or a source names such a page.
+"""Fails if a Markdown file links to a file or heading of the repository that does not exist, or if a source names such a page.
 
     scripts/check_links.py
 
@@ -19,7 +19,7 @@ SOURCES = ("*.cpp", "*.hpp", "*.js", "*.mjs", "*.sh", "*.py", "*.cmake", "*.txt"
 
 
 def anchors(page):
-    """The names under which the headings of a page can be linked to, as GitHub makes them."""
+    """The anchors of a page's headings, as GitHub makes them."""
     found = set()
     for heading in HEADING.findall(FENCE.sub("", page.read_text())):
         text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
@@ -30,7 +30,7 @@ def anchors(page):
 
 
 def check_link(page, link):
-    """What is wrong with a link of a page, or None."""
+    """The error in a link of a page, or None."""
     if re.match(r"[a-z][a-z0-9+.-]*:|//", link):
         return None
     path, _, anchor = link.partition("#")
@@ -52,7 +52,7 @@ def check_page(page):
 
 
 def check_names(source):
-    """The findings in the pages that a source, or the text of a page, names by their path."""
+    """The findings in the paths of pages that a source or the text of a page names."""
     names = set(PAGE_IN_SOURCE.findall(source.read_text()))
     return [f"names {name}, which is not there" for name in sorted(names) if not (ROOT / name).exists()]
 

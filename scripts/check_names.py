@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Fails where a document names, in backticks, a file or a piece of code of this repository that is not there.
+"""Fails if a document names, in backticks, a file or a piece of code that does not exist in this repository.
 
     scripts/check_names.py
 
 Documents are README.md, CONTRIBUTING.md, the pages of docs/ and the README of every folder. Paths may be given from the
-repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be left out. Words in
-capitals stand for anything (apps/NAME). Code is looked for as words of sources, scripts and CMake files.
+repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be omitted. Words in
+capitals stand for anything (apps/NAME). Code is searched among the words of sources, scripts and CMake files.
 
-Fails too where CTest can't run a test by its name: a bracket that is not closed makes CMake join the names that follow into one, and
-a name that begins with a dash is read as an option.
+Also fails if CTest can't run a test by its name. After an unclosed bracket, CMake joins the following names into one; CTest takes a
+name that begins with a dash for an option.
 """
 import re
 import sys
@@ -28,7 +28,7 @@ FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`([^`\n]+)`")
 PATH = re.compile(r"\.?[\w-][\w.-]*(/[\w.-]+)*/?")
 SOURCE_NAME = re.compile(r".+\.(hpp|cpp|py|sh|md|cmake|js|mjs)")
-# Identifiers that look like ours: with an underscore inside, or CamelCase; maybe qualified or called.
+# Identifiers in the style of this project: with an underscore inside, or CamelCase; possibly qualified or called.
 IDENTIFIER = re.compile(r"(?:[A-Za-z]\w*::)*(?:[A-Za-z]\w*_\w+|[A-Z][A-Za-z0-9]*[a-z]\w*)(?:\(\))?")
 PLACEHOLDER = re.compile(r"(?<![A-Za-z])[A-Z]{4,}(?![A-Za-z])")
 
@@ -49,7 +49,7 @@ def collect_words(files):
 
 
 def path_exists(name, page):
-    """Whether a path leads to a file or a folder, from one of the places that a page may start from."""
+    """Whether a path leads to a file or a folder, from one of the places where the paths of a page may begin."""
     pattern = PLACEHOLDER.sub("*", name.rstrip("/"))
     include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "verify")]
     for start in [ROOT, page.parent, ROOT / "libgvd/src", ROOT / "apps", ROOT / "web", *include]:

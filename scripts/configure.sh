@@ -1,12 +1,12 @@
 #!/bin/sh
-# Configures a build tree from a preset, with Ninja and ccache where they are installed.
+# Configures a build tree from a preset, with Ninja and ccache if they are installed.
 #
 #   scripts/configure.sh PRESET FOLDER [CMAKE FLAGS...]
 set -eu
 preset=$1
 folder=$2
 shift 2
-# CMake keeps an existing tree's generator whatever this says.
+# CMake keeps the generator of an existing build tree.
 if [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
   export CMAKE_GENERATOR=Ninja
 fi

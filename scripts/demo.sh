@@ -1,8 +1,8 @@
 #!/bin/sh
-# Runs the three commands on a mesh of data/ and names the files that they wrote.
+# Runs the three commands on a mesh of data/ and lists the files that they write.
 #
 #   scripts/demo.sh BIN_FOLDER OUTPUT_FOLDER
-#   scripts/demo.sh --announce BUILD_FOLDER OUTPUT_FOLDER MISSING_PACKAGES    says beforehand what `make demo` does
+#   scripts/demo.sh --announce BUILD_FOLDER OUTPUT_FOLDER MISSING_PACKAGES    announces what `make demo` will do
 set -eu
 mesh=data/figure.obj
 

@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
-"""Compares the figures of the documents with what their commands give today, or makes them again.
+"""Compares the figures of the documents with the current output of their commands, or updates them.
 
-    scripts/figures.py check BIN_FOLDER     fails where a document and a run differ by more than a tenth
-    scripts/figures.py write BIN_FOLDER     writes the figures of a run into the documents, as many digits as are there
+    scripts/figures.py check BIN_FOLDER     fails if a document and a run differ by more than a tenth
+    scripts/figures.py write BIN_FOLDER     writes the figures of a run into the documents, with as many digits as before
 
 docs/figures.toml has an entry for each sentence or row of a table:
 
     document   the page
     command    a line for the shell, in a folder where `data` is that of the repository; one run serves all entries with it
-    text       the sentence, with {} for each figure, as it stands in the page
+    text       the sentence in the page, with {} for each figure
     values     for each {} a Python expression; `report["results"]` reads report.json, `size("page.html")` counts bytes,
-               `printed(PATTERN)` is the first group of a regular expression in what the command printed
-    models     meshes that the command needs beside data/: in the folder GVD_MODELS, in ../shared/models or ../shared/reference, or
-               unpacked from Debian's libcgal-demo. The entry is left out, with a message, where one is missing.
-    unchecked  true: a figure of time, which differs from machine to machine, or of a run of more than some seconds. Only `write`
-               measures it.
+               `printed(PATTERN)` is the first group of a regular expression in the command's output
+    models     meshes that the command needs in addition to data/: in the folder GVD_MODELS, in ../shared/models or ../shared/reference,
+               or unpacked from Debian's libcgal-demo. If one is missing, the entry is skipped with a message.
+    unchecked  true: a time, which differs from machine to machine, or a run of more than a few seconds. Only `write` measures it.
 """
 import json
 import os
@@ -33,7 +32,7 @@ CORPUS = pathlib.Path("/usr/share/doc/libcgal-demo/data.tar.gz")
 
 
 def find_model(name, folder):
-    """A mesh by its file name; one of the corpus is unpacked into `folder`. None where it is missing."""
+    """A mesh by its file name; one of the corpus is unpacked into `folder`. None if it is missing."""
     given = [pathlib.Path(os.environ["GVD_MODELS"])] if "GVD_MODELS" in os.environ else []
     for place in given + [ROOT / "../shared/models", ROOT / "../shared/reference"]:
         if (place / name).exists():
@@ -48,7 +47,7 @@ def find_model(name, folder):
 
 
 class Run:
-    """One command, its files and what it printed."""
+    """One command, its files and its output."""
 
     def __init__(self, command, models, bin_folder, folder):
         self.folder = folder

@@ -4,10 +4,10 @@
     scripts/hash_outputs.py BIN_FOLDER MESHES... > before.txt     MESHES are files and folders
     scripts/hash_outputs.py --quick ...                            one number of generators, one number of threads
 
-Every line is: SHA-256, the run, the file. Each run writes all formats of its command, a diagram, a page and a report.
-Runs are the product of the commands (gvd-segment with and without --cut), the methods and fronts, 2, 30 and 100
-generators, and 1 and 2 threads. A report is hashed without its times and its peak of memory. The exit code is a line of
-its own. What is said on standard error is no output, and is left out.
+Each line has an SHA-256, the run and the file. Each run writes all formats of its command, a diagram, a page and a report.
+There is a run for each combination of command (gvd-segment with and without --cut), method and front, 2, 30 and 100
+generators, and 1 and 2 threads. A report is hashed without its times and its peak memory. The exit code has a line of
+its own. Standard error is not hashed.
 """
 import argparse
 import concurrent.futures
@@ -31,7 +31,7 @@ METHODS = {
     "circle": ["--method", "gbgvd", "--front", "circle"],
     "planar": ["--method", "gbgvd", "--front", "planar"],
 }
-# gvd-remesh stops there: on a mesh whose dual it can't mend it may try for minutes.
+# gvd-remesh is stopped after this time: on a mesh whose dual it can't repair, it may try for minutes.
 SECONDS = 600
 
 
@@ -43,7 +43,7 @@ def list_meshes(paths):
 
 
 def stable_bytes(path):
-    """The file without what differs from run to run."""
+    """The content of the file without what differs from run to run."""
     content = path.read_bytes()
     if path.name != "report.json":
         return content

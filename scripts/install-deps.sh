@@ -1,13 +1,13 @@
 #!/bin/sh
-# Installs what is missing of the Debian or Ubuntu packages that a task needs.
+# Installs the missing ones of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...             with groups out of: build test bench pictures fuzz lint ci
+#   scripts/install-deps.sh GROUP...             the groups: build test bench pictures fuzz lint ci
 #   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
-# Does nothing, and asks for nothing, where all of them are installed already.
+# Does nothing, and needs no permission, if all of them are installed.
 set -eu
 
-# For programs that also come from elsewhere than the distribution, whose package would then be in the way.
+# For programs that may not come from the distribution, whose package would then conflict.
 unless_found() { command -v "$1" >/dev/null 2>&1 || echo "$2"; }
 
 packages_of() {
@@ -35,7 +35,7 @@ for group in "$@"; do
   wanted="$wanted $(packages_of "$group")"
 done
 
-# Elsewhere than on Debian there is nothing to ask what is missing.
+# Without Debian's package manager, missing packages can't be determined.
 if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then
   [ -z "$only_print" ] || exit 0
   echo "install-deps.sh: no Debian or Ubuntu; taking for granted what these packages hold:$wanted" >&2
@@ -64,7 +64,7 @@ else
 fi
 
 echo "Installing:$missing" >&2
-# A mirror that hiccups is no reason to fail: three tries, each with a fresh list of packages.
+# A mirror may fail temporarily: three attempts, each with a fresh list of packages.
 for try in 1 2 3; do
   if $as_root apt-get -q -o Acquire::Retries=3 update >&2 &&
      $as_root env DEBIAN_FRONTEND=noninteractive \

@@ -4,8 +4,8 @@
 #
 #   scripts/make_gallery.sh BIN_FOLDER FOLDER [MODEL_FOLDER...]
 #
-# Writes FOLDER/pages, and FOLDER/pictures where npm and Chromium are there (CHROMIUM names another browser than
-# /usr/bin/chromium). Models that no folder has are left out; data/figure.obj is always there.
+# Writes FOLDER/pages, and also FOLDER/pictures if npm and Chromium are installed (CHROMIUM names a browser other than
+# /usr/bin/chromium). Missing models are skipped; data/figure.obj is always available.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 bin=$1
@@ -15,7 +15,7 @@ mkdir -p "$folder/pages"
 folder=$(cd "$folder" && pwd)
 
 # gallery NAME GENERATORS FILE...: a page of the first file that a folder has. The numbers of generators are those of table 4
-# where the paper names one.
+# if the paper names one.
 gallery() {
   name=$1
   count=$2
@@ -28,7 +28,7 @@ gallery() {
   done
 }
 
-# compare NAME GENERATORS METHODS FILE...: a page of the first file that there is, with a scene for each method.
+# compare NAME GENERATORS METHODS FILE...: a page of the first file that exists, with a scene for each method.
 compare() {
   name=$1
   count=$2
@@ -42,7 +42,7 @@ compare() {
   done
 }
 
-# in_folders FILE...: the files in every model folder, one a line.
+# in_folders FILE...: the files in every model folder, one per line.
 in_folders() {
   for file in "$@"; do
     for models in $folders; do echo "$models/$file"; done

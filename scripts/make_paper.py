@@ -35,7 +35,7 @@ def check_tables(tables):
 
 
 def numbers_of(value):
-    """All leaves of a method's figures but its name."""
+    """All leaves of a method's figures except its name."""
     if isinstance(value, dict):
         return [x for key, part in value.items() if key != "method" for x in numbers_of(part)]
     return [x for part in value for x in numbers_of(part)] if isinstance(value, list) else [value]

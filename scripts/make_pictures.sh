@@ -4,8 +4,8 @@
 #
 #   scripts/make_pictures.sh BIN_FOLDER WORK_FOLDER PICTURE_FOLDER
 #
-# Needs npm (for playwright-core, pinned by web/test/package-lock.json) and Chromium; CHROMIUM names another browser than
-# /usr/bin/chromium. WORK_FOLDER takes the pages and the packages.
+# Needs npm (for playwright-core, pinned by web/test/package-lock.json) and Chromium; CHROMIUM names a browser other than
+# /usr/bin/chromium. The pages and the packages go to WORK_FOLDER.
 set -eu
 bin=$1
 work=$2
@@ -35,7 +35,7 @@ run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
 run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.html"
 run gvd-lloyd   data/figure.obj -n 100 --sampling random --view "$work/relaxed.html"
 
-# The energies of that relaxation by each kind of steps.
+# The energies of that relaxation, by each kind of step.
 for steps in lbfgs anderson none; do
   run gvd-lloyd data/figure.obj -n 100 --sampling random --accelerate $steps --relocate off -o "$work/$steps.txt" \
     --report "$work/$steps.json"

@@ -3,7 +3,8 @@
 
     scripts/plot_energies.py OUTPUT.svg REPORT.json...
 
-A report is what gvd-lloyd writes with --report. The curve is named after its option --accelerate. Energies are those of the report divided by the lowest one, minus 1, in percent, on a logarithmic scale.
+gvd-lloyd writes the reports with --report. Each curve is named after its option --accelerate. The energies are those of the report,
+divided by the lowest one, minus 1, in percent, on a logarithmic scale.
 """
 import json
 import math

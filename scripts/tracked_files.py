@@ -1,4 +1,4 @@
-"""What the scripts that check the repository share: the files that they look at, and how they end."""
+"""Shared parts of the scripts that check the repository: which files they examine, and how they end."""
 import pathlib
 import subprocess
 
@@ -6,7 +6,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def tracked(*patterns):
-    """Files that git knows or could add, so that a page under work is checked too."""
+    """Files that git tracks or could add, so that a new page is checked too."""
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *patterns],
                             cwd=ROOT, check=True, capture_output=True, text=True).stdout
     return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())

@@ -1,4 +1,4 @@
-"""Sections of pictures that scripts/make_gallery.sh has made, where the folder has them."""
+"""Sections of pictures made by scripts/make_gallery.sh, as far as the folder has them."""
 from paper.section import CIRCLE, EXACT, PLANAR, Section
 
 GALLERY = ["lucy", "kitten", "bunny", "bear", "spot", "elephant", "fandisk", "rocker_arm", "figure"]
@@ -17,7 +17,7 @@ FIGURE_11 = ("Elephant with 30 generators, if available, and a thin plate with 1
 
 
 def compare_pictures(section, lines, folder, text):
-    """Adds those lines of which the folder has all pictures."""
+    """Adds those rows whose pictures are all in the folder."""
     found = [line for line in lines if all((folder / "pictures" / f"{name}.webp").exists() for _, name in line)]
     if found:
         section.say(text)
