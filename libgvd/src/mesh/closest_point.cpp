@@ -51,8 +51,8 @@ Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) 
   return {bary, (interpolate(bary, corners[0], corners[1], corners[2]) - query).norm()};
 }
 
-double square_distance_to_box(const Vec3& low, const Vec3& high, const Vec3& query) {
-  return (low - query).cwiseMax(query - high).cwiseMax(0.0).squaredNorm();
+double square_distance_to_box(const Eigen::AlignedBox3d& box, const Vec3& query) {
+  return (box.min() - query).cwiseMax(query - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
 /// The parameter in [0, 1] of the point of a segment that is nearest: its projection, from the products.
@@ -99,20 +99,15 @@ void ClosestPointTree::build(std::int32_t first, std::int32_t count, const std::
   const std::size_t index = nodes_.size();
   const auto begin = faces_.begin() + first, end = begin + count;
   Node node;
-  node.low.setConstant(kInfinity);
-  node.high = -node.low;
   for (auto f = begin; f != end; ++f) {
-    for (const VertexId v : mesh_->vertices(*f)) {
-      node.low = node.low.cwiseMin(mesh_->position(v));
-      node.high = node.high.cwiseMax(mesh_->position(v));
-    }
+    for (const VertexId v : mesh_->vertices(*f)) node.box.extend(mesh_->position(v));
   }
   node.first = first;
   node.count = count <= kLeafFaces ? count : 0;
   nodes_.push_back(node);
   if (node.count > 0) return;
   Eigen::Index axis = 0;
-  (node.high - node.low).maxCoeff(&axis);
+  node.box.sizes().maxCoeff(&axis);
   std::nth_element(begin, begin + count / 2, end, [&](FaceId f, FaceId g) {
     const double at_f = centres[f.index()][axis], at_g = centres[g.index()][axis];
     return at_f < at_g || (at_f == at_g && f < g);
@@ -147,44 +142,35 @@ double ClosestPointTree::distance(const Vec3& query, FaceId f) const {
 /// The two children of an inner node by the square distances of their boxes, the nearer first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {
-    const Node& box = nodes_[child];
-    return std::pair(square_distance_to_box(box.low, box.high, query), child);
+    return std::pair(square_distance_to_box(nodes_[child].box, query), child);
   };
   std::array<std::pair<double, std::int32_t>, 2> both{square(index + 1), square(nodes_[index].right)};
   if (both[1].first < both[0].first) std::swap(both[0], both[1]);
   return both;
 }
 
-/// Here `best.distance` is a square.
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, NearestFace& best) const {
+/// Calls try_face(i) for the faces_ of the leaves below a node, nearer boxes first. Boxes at a square distance for
+/// which may_hold is false are skipped.
+template <class TryFace, class MayHold>
+void ClosestPointTree::search(std::int32_t index, const Vec3& query, const TryFace& try_face,
+                              const MayHold& may_hold) const {
   const Node& node = nodes_[index];
-  for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-    const double square = square_distance(triangles_[i], query);
-    if (square < best.distance) best = {faces_[i], square};
-  }
+  for (std::int32_t i = node.first; i < node.first + node.count; ++i) try_face(i);
   if (node.count > 0) return;
   for (const auto& [near, child] : children(index, query)) {
-    if (near < best.distance) visit(child, query, best);
+    if (may_hold(near)) search(child, query, try_face, may_hold);
   }
 }
 
 NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) const {
-  NearestFace best{guess, square_distance(triangle(guess), query)};
-  visit(0, query, best);
+  NearestFace best{guess, square_distance(triangle(guess), query)};  // with the square until the end
+  const auto try_face = [&](std::int32_t i) {
+    const double square = square_distance(triangles_[i], query);
+    if (square < best.distance) best = {faces_[i], square};
+  };
+  search(0, query, try_face, [&](double near) { return near < best.distance; });
   best.distance = std::sqrt(best.distance);
   return best;
-}
-
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, ClosestPoint& best) const {
-  const Node& node = nodes_[index];
-  for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-    const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
-    if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
-  }
-  if (node.count > 0) return;
-  for (const auto& [near, child] : children(index, query)) {
-    if (std::sqrt(near) <= best.distance * (1 + kPruneSlack)) visit(child, query, best);
-  }
 }
 
 /// The nearest face bounds the search from the start; it may not be the one that wins.
@@ -192,9 +178,13 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   ClosestPoint best;
   best.distance = kInfinity;
   if (query.allFinite() && !nodes_.empty()) {
-    const ClosestPoint near = closest_point_on_face(*mesh_, nearest_face(query).face, query);
-    if (std::isfinite(near.distance)) best = near;
-    visit(0, query, best);
+    const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
+    if (std::isfinite(guess.distance)) best = guess;
+    const auto try_face = [&](std::int32_t i) {
+      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
+      if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
+    };
+    search(0, query, try_face, [&](double near) { return std::sqrt(near) <= best.distance * (1 + kPruneSlack); });
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,

@@ -41,8 +41,6 @@ double signed_area(const Bary& a, const Bary& b, const Bary& c) {
   return twice_signed_area({a[i], a[k]}, {b[i], b[k]}, {c[i], c[k]});
 }
 
-constexpr std::array<Bary, 3> kWhole{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
-
 void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   if (generators.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
   for (std::size_t i = 0; i < generators.size(); ++i) {
@@ -140,10 +138,6 @@ void WorkingMesh::check_inserted() {
   }
 }
 
-WorkingMesh::Corners WorkingMesh::corners(FaceId f) const {
-  return child_slot_[f] < 0 ? kWhole : child_corners_[child_slot_[f]];
-}
-
 void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
   if (f.index() >= parent_.size()) {
     parent_.resize(f.index() + 1);
@@ -159,13 +153,7 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
 }
 
 Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
-  if (!is_split(f)) return bary;
-  const Corners c = corners(f);
-  Bary result{0, 0, 0};
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) result[k] += bary[i] * c[i][k];
-  }
-  return result;
+  return is_split(f) ? compose(corners(f), bary) : bary;
 }
 
 void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress) {

@@ -19,7 +19,10 @@ namespace {
 
 /// The first vertex at the position of each vertex. Positions are compared as numbers: -0 equals 0.
 std::vector<std::int32_t> weld_all(const std::vector<Vec3>& positions) {
-  const std::vector<PlacedVertex> sorted = sort_by_position(positions);
+  std::vector<PlacedVertex> sorted;
+  sorted.reserve(positions.size());
+  for (const Vec3& p : positions) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, sorted.size());
+  std::sort(sorted.begin(), sorted.end());
   std::vector<std::int32_t> weld(positions.size());
   std::size_t leader = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {

@@ -244,7 +244,7 @@ void cut_vertices(WorkFaces& work, const std::vector<Vec3>& positions, const std
 void split_touching_edges(WorkFaces& work, DefectLog& log) {
   if (log.report().count(DefectKind::nonmanifold_edges) == 0) return;
   EdgeTable touching;
-  visit_edges(work, work.positions.size(), [&](const EdgeHalfedges& edge) {
+  visit_edges(work.faces, work.positions.size(), [&](const EdgeHalfedges& edge) {
     if (edge.size() == 1 || (edge.size() == 2 && work.from(edge[0]) != work.from(edge[1]))) return;  // an ordinary edge
     touching.push_back(edge.list());
   });

@@ -151,7 +151,7 @@ void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, std
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
   EdgeTable nonmanifold_edges;
   work.twin.assign(work.halfedge_count(), -1);
-  visit_edges(work, vertex_count, [&](const EdgeHalfedges& edge) {
+  visit_edges(work.faces, vertex_count, [&](const EdgeHalfedges& edge) {
     if (edge.size() > 2) nonmanifold_edges.push_back(edge.list());
     if (edge.size() == 2) work.link(edge[0], edge[1]);
   });

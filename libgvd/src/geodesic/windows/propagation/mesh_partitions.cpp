@@ -26,13 +26,10 @@ std::size_t scatter(std::uint64_t i, std::size_t count) {
 
 template <class Samples>
 int longest_axis(const Samples& samples) {
-  Vec3 low = samples.front().point, high = low;
-  for (const auto& s : samples) {
-    low = low.cwiseMin(s.point);
-    high = high.cwiseMax(s.point);
-  }
+  Eigen::AlignedBox3d box;
+  for (const auto& s : samples) box.extend(s.point);
   Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
+  box.sizes().maxCoeff(&axis);
   return static_cast<int>(axis);
 }
 
