@@ -14,7 +14,6 @@
 #include "io/view/region_colors.hpp"
 #include "io/view/scene_entry.hpp"
 #include "io/view/view_steps.hpp"
-#include "io/view/view_template.hpp"
 
 namespace gvd {
 namespace {

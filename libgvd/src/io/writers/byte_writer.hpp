@@ -53,6 +53,11 @@ class ByteWriter {
     write_if_full();
   }
 
+  /// Three numbers as 32-bit floats.
+  template <class Vector>
+  void floats(const Vector& v) {
+    for (int i = 0; i < 3; ++i) binary(static_cast<float>(v[i]));
+  }
   /// Writes what is left and checks the stream. To be called once, at the end. Throws Error{unwritable_output}.
   void finish() {
     write_buffer();

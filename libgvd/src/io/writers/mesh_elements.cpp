@@ -178,8 +178,7 @@ std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
     line.right = bisector.right;
     const auto add = [&](const SurfacePoint& point) {
       line.points.push_back(position(surface, point));
-      line.distance.push_back(distance.empty() ? std::numeric_limits<double>::infinity()
-                                               : interpolate_at(surface, distance, point));
+      line.distance.push_back(distance.empty() ? kInfinity : interpolate_at(surface, distance, point));
     };
     for (const SurfacePoint& point : bisector.points) add(point);
     if (bisector.closed) add(bisector.points.front());

@@ -73,23 +73,13 @@ std::optional<PointFormat> parse_point_format(std::string_view extension) {
   const std::string bare = io::bare_extension(extension);
   if (bare == "ply") return PointFormat::ply;
   if (bare == "xyz") return PointFormat::xyz;
-  if (bare == "npy") return PointFormat::npy;
-  return std::nullopt;
+  return bare == "npy" ? std::optional(PointFormat::npy) : std::nullopt;
 }
 
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
+  constexpr std::array kWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
   ByteWriter writer(out);
-  switch (format) {
-    case PointFormat::ply:
-      write_ply(writer, mesh, samples);
-      break;
-    case PointFormat::xyz:
-      write_xyz(writer, mesh, samples);
-      break;
-    case PointFormat::npy:
-      write_npy(writer, mesh, samples);
-      break;
-  }
+  kWriters[static_cast<std::size_t>(format)](writer, mesh, samples);
   writer.finish();
 }
 

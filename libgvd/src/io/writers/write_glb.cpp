@@ -182,15 +182,9 @@ class GlbWriter {
         Json::array({make_primitive({{"POSITION", positions}}, add_accessor(view, 0, 2 * segments, kScalar), kLines)}));
   }
 
-  static void write_point(ByteWriter& out, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
-  }
-
   void write_surface(ByteWriter& out) const {
-    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) write_point(out, position_of(i));
-    for (const ShadingVertex& vertex : surface_.vertices) {
-      for (int i = 0; i < 3; ++i) out.binary(vertex.normal[i]);
-    }
+    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) out.floats(position_of(i));
+    for (const ShadingVertex& vertex : surface_.vertices) out.floats(vertex.normal);
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       for (const FaceId f : regions_[r].faces) {
         for (int i = 0; i < 3; ++i) out.binary(surface_.of_corner[Mesh::halfedge(f, i)] - surface_.first[r]);
@@ -200,7 +194,7 @@ class GlbWriter {
 
   void write_bisectors(ByteWriter& out) const {
     for (const BisectorLine& line : lines_) {
-      for (const Vec3& p : line.points) write_point(out, p);
+      for (const Vec3& p : line.points) out.floats(p);
     }
     std::uint32_t next = 0;
     for (const BisectorLine& line : lines_) {
