@@ -161,14 +161,8 @@ class Resolver {
   [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
 
   SurfacePoint resolve(const GeneratorEntry& entry) {
-    switch (entry.kind) {
-      case Kind::vertex:
-        return resolve_vertex(entry.index);
-      case Kind::face:
-        return resolve_face(entry);
-      case Kind::position:
-        break;
-    }
+    if (entry.kind == Kind::vertex) return resolve_vertex(entry.index);
+    if (entry.kind == Kind::face) return resolve_face(entry);
     return snap({entry.values[0], entry.values[1], entry.values[2]});
   }
 

@@ -5,8 +5,6 @@
 // normal changes, and at borders between regions, where it does not: shading runs on over a border.
 // Invariant: the order of regions, lines and vertices depends on the mesh alone, and colours on the label alone, so
 // that all formats agree and the same input gives the same bytes.
-#include "io/writers/mesh_elements.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +16,7 @@
 
 #include "gvd/io/label_color.hpp"
 #include "gvd/surface_point.hpp"
+#include "io/writers/format_writers.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
