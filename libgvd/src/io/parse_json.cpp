@@ -2,6 +2,8 @@
 //
 // The parser tells the line of a syntax error only by what it has read so far, and no line of an element. So it reads a
 // stream whose position gives the line, and a callback notes where each generator begins.
+// An element is a face with coordinates, or else a vertex, or else a position, as in a row of comma-separated values.
+// Source: RFC 8259, as the library nlohmann/json reads it. Cost: O(length), counting each line once.
 // Invariant: every message names list and line, and is printable whatever the file holds.
 #include <fmt/format.h>
 

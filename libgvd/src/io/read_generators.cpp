@@ -2,6 +2,7 @@
 //
 // The extension of a file picks its format, else its content does: JSON begins with a brace or bracket, and CSV has a
 // comma in its first line, or the header `vertex`.
+// Text keeps face and coordinates alone; the other formats write the position beside them, for other programs to read.
 // Invariant: a written list reads back bit by bit, in any locale. fmt writes a double with the fewest digits that read
 // back to the same bits.
 #include <fmt/format.h>

@@ -2,8 +2,10 @@
 //
 // Positions are snapped to the closest point of the surface. Two points coincide where they are close along the
 // surface: two sheets that touch hold different points at one position. Near each other, points lie in faces with a
-// common vertex, whose fan is unrolled into a plane to measure the distance. Invariant: barycentric coordinates of a
-// surface point are kept bit by bit, so that a written list comes back unchanged.
+// common vertex, whose fan is unrolled into a plane to measure the distance.
+// A grid of cubes, whose side is the tolerance, finds the points so far that are near in space: those of 27 cubes.
+// Invariant: barycentric coordinates of a surface point are kept bit by bit, so that a written list comes back
+// unchanged. An entry is refused with its name and line, whichever step finds out.
 #include <fmt/format.h>
 
 #include <algorithm>

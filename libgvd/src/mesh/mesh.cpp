@@ -2,6 +2,8 @@
 //
 // Halfedge 3 f + i runs from corner i of face f to the next corner, so only twins and edges need tables. `visit_edges`
 // lists the halfedges of each edge by a counting sort. Edges get their numbers in the order of their first halfedge.
+// A vertex keeps its boundary halfedge where it has one: so one direction suffices to walk round every vertex. Lengths
+// and areas of a face lie together, as distances read them. Cost: O(n) time, about 100 bytes a face.
 // Invariant: a mesh that breaks one of the properties in mesh.hpp is refused here, so no later step checks them again.
 #include "gvd/mesh.hpp"
 

@@ -3,6 +3,7 @@
 // Arrays are little-endian in Base64, floats of 32 bits and integers of the narrowest width that holds them. Equal
 // arrays are stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which
 // keeps a mesh of any size and place within the precision of 32-bit floats.
+// Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include "io/view/scene_entry.hpp"
 

@@ -3,6 +3,8 @@
 // The energy of a cell is integrated face by face, where the squared distance is a quadratic function of barycentric
 // coordinates; the midpoints of the sides of a triangle integrate it exactly. The Euler count compares the graph of the
 // bisectors with the topology of the cells, which were found independently.
+// Source: the rule of the midpoints is exact to degree 2; V - E + F over branch points, bisectors and cells is Euler's.
+// Invariant: a scene refers to its mesh and copies all else, so the diagram may go before the page is made.
 #include <fmt/format.h>
 
 #include <algorithm>

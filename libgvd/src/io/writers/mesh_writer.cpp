@@ -2,6 +2,7 @@
 //
 // An OBJ with labels is two files. The materials are written while the geometry is complete but has no name yet, so
 // both files are complete before either gets its name.
+// A format has one writer in a file of its own; none of them checks the arrays again. JSON holds a diagram, not a mesh.
 // Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too.
 #include "gvd/io/mesh_writer.hpp"
 

@@ -1,7 +1,9 @@
 // Points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
 //
-// PLY and NPY have the same numbers in the same order; XYZ has position and normal only. Invariant: numbers are
-// complete, so the same doubles are read back, in any locale.
+// PLY and NPY have the same numbers in the same order; XYZ has position and normal only.
+// An NPY begins with a magic number, the length of its header, and the header: a dictionary of Python, padded with
+// blanks so that the numbers begin at a multiple of 64 bytes. The face is a double there, since an array has one type.
+// Invariant: numbers are complete, so the same doubles are read back, in any locale.
 #include "gvd/io/point_writer.hpp"
 
 #include <array>

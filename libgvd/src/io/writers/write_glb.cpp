@@ -1,8 +1,10 @@
 // Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 //
 // The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the bisectors
-// are described first, which adds up the bytes, and then written in the same order. Invariant: every view begins where
-// the one before it ends, so that the description and the numbers agree.
+// are described first, which adds up the bytes, and then written in the same order.
+// Each region is a primitive with a material, and with vertices of its own: a vertex on a border or a crease comes once
+// for each region and normal. Positions are 32-bit floats, which `check_single_precision` has allowed.
+// Invariant: every view begins where the one before it ends, so that the description and the numbers agree.
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -3,6 +3,8 @@
 // A region is a group with a material. Bisectors are lines, whose vertices follow those of the mesh, so the numbers of
 // the mesh's vertices are those of the input. OBJ counts from 1, and shares texture coordinates between faces by
 // number.
+// Source: Wavefront's Advanced Visualizer manual, appendix B1, for the statements v, vt, f, l, g, mtllib and usemtl.
+// Invariant: the vertices of the mesh keep their numbers with and without bisectors, groups and texture.
 #include <algorithm>
 #include <array>
 #include <cmath>

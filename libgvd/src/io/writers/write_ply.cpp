@@ -3,6 +3,8 @@
 // VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
 // one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
 // faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// Source: G. Turk, The PLY polygon file format, 1994. Integers of further properties are rounded and clamped to their
+// types; distances are floats unless a float would turn one into infinity or 0.
 // Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>

@@ -2,6 +2,9 @@
 //
 // STL has neither shared vertices nor labels. The colour of a label goes into the attribute, by the convention of
 // VisCAM and SolidView that most programs read.
+// Source: 3D Systems' StereoLithography Interface Specification, for all but the colours.
+// Invariant: a face has 50 bytes, so that the length follows from the number of faces, by which readers tell it from
+// text.
 #include <cstdint>
 #include <string>
 

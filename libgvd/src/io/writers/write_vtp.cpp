@@ -1,8 +1,9 @@
 // VTK PolyData in XML, with arrays in Base64 (VTK File Formats, version 4.2).
 //
 // Points are the vertices of the mesh, then those of the bisectors. Cells are the bisectors as lines, then the faces:
-// VTK numbers lines before polygons. Invariant: an array has one value for each point or cell in that order, and -1
-// where an element has none.
+// VTK numbers lines before polygons.
+// Each array is encoded number by number, so none is held in memory a second time. Its length comes first, in bytes.
+// Invariant: an array has one value for each point or cell in that order, and -1 where an element has none.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -3,6 +3,7 @@
 //
 // `read_element` goes through the properties of an element and asks its caller for each whether it takes it; all others
 // are skipped. So the soup, single properties and attributes come from one walk, and a damaged file fails alike.
+// Source: G. Turk, The PLY polygon file format, 1994; strips of triangles as the files of the Stanford scans have them.
 // Invariant: no count in the file reserves memory before it is compared with the number of bytes that are left.
 #include <fmt/format.h>
 

@@ -2,6 +2,8 @@
 //
 // A file of exactly the length that its triangle count asks for is binary, whatever its first word: many binary files
 // begin with "solid". Otherwise a file is text if it begins with "solid" and has no zero byte near its start.
+// Source: 3D Systems' StereoLithography Interface Specification. A text is a nest of solids, facets and loops, whose
+// level alone decides which statement may come next; normals are skipped, since the corners give them.
 // Invariant: the soup is marked as unwelded, so that the repair joins vertices at one position.
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 //
 // The steps are those of repair_steps.hpp, in the order of `build_mesh` at the end. Welding comes first, because all
 // later steps know vertices by their numbers alone. Faces are oriented before edges are cut, because the inside of the
-// surface decides which faces of an edge stay together.
+// surface decides which faces of an edge stay together. A step that finds nothing changes nothing and logs nothing.
+// Under DefectPolicy::error the log throws at the first defect.
 // Invariant: a soup of triangles without a defect becomes the mesh with the same vertices and faces in the same order.
 #include <fmt/format.h>
 

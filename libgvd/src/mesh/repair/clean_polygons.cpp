@@ -3,6 +3,8 @@
 // An STL's triangles share no vertices, so all vertices at one position become one. Elsewhere two vertices at one place
 // may be meant as two, and only those at the ends of a polygon edge of length 0 are welded. Duplicates are found by an
 // order-independent hash of their corners, then compared in a canonical order.
+// Two faces back to back that no other face touches are a closed surface without volume, and stay.
+// Source: the hash of a corner is the finalizer of splitmix64 (Steele, Lea and Flood, 2014).
 // Invariant: polygons keep their order, and each keeps the order of the corners that are left.
 #include <fmt/format.h>
 

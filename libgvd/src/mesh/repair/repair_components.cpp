@@ -2,6 +2,7 @@
 //
 // A breadth-first search gives each face of a component the orientation that its neighbours ask for, relative to the
 // first face; the majority decides. A face that would need both belongs to a surface with one side only.
+// The largest component is that of the largest area; of equal ones the first is kept. Cost: O(n).
 // Invariant: edges of three or more faces connect nothing here. They are cut apart later, when all faces that they join
 // are oriented.
 #include <fmt/format.h>
