@@ -108,7 +108,7 @@ TEST_CASE("box tree: visit_overlaps gives each overlapping pair once, smaller it
 
 TEST_CASE("box tree: build replaces what the tree held") {
   BoxTree tree = tree_of(random_boxes(50, 1));
-  const std::vector<Box2> boxes{{{5, 5}, {6, 6}}};
+  const std::vector<Box2> boxes{box_of({5, 5}, {6, 6})};
   tree.build(1, [&](std::size_t i) { return boxes[i]; });
   CHECK(tree.find(0, [](const Box2& box) { return box.max().x() >= 5; }) == 0);
   CHECK(tree.find(1, [](const Box2&) { return true; }) == BoxTree::kNone);

@@ -1,11 +1,11 @@
 // Closest points of a mesh to points in space: on one face, and on all faces by a tree of bounding boxes.
 //
+// The tree halves the faces at the median of their centres along the longest axis of their box. Its leaves have at most
+// four faces. A search goes to the nearer box first, with the nearest face as a first bound.
 // Source: the tree's quick distance from a triangle is that of C. Ericson, Real-time collision detection, 2005, section
 // 5.1.5: the region of the plane, then the projection. `closest_point_on_face` is slower and decides.
-// The tree halves the faces at the median of their centres along the longest axis of their box, down to leaves of at
-// most four. A search goes to the nearer box first, with the nearest face as a first bound. Cost: O(log n) near the
-// surface. Invariant: `query` skips a box only where it is farther than the best face by more than rounding. So its
-// result does not depend on the shape of the tree: the least distance wins, then the smallest face.
+// Invariant: `query` skips a box only where it is farther than the best face by more than rounding. So its result does
+// not depend on the shape of the tree: the least distance wins, then the smallest face.
 #include "gvd/closest_point.hpp"
 
 #include <algorithm>
