@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -48,7 +49,7 @@ class ClosestPointTree {
   NearestFace nearest_face(const Vec3& query, FaceId guess = FaceId(0)) const;
 
   /// Distance from one face, mesh units, as nearest_face measures it. Cost: O(1).
-  double distance(const Vec3& query, FaceId f) const;
+  double distance(const Vec3& query, FaceId f) const { return std::sqrt(square_distance(triangle(f), query)); }
 
  private:
   /// A face from its corner 0, and the products of its sides.

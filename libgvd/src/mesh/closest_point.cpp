@@ -137,10 +137,6 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   return least;
 }
 
-double ClosestPointTree::distance(const Vec3& query, FaceId f) const {
-  return std::sqrt(square_distance(triangle(f), query));
-}
-
 /// The two children of an inner node by the square distances of their boxes, the nearer first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {

@@ -23,18 +23,6 @@ FaceId MeshEditor::add_face() {
   return mesh_.faces_.push_back({});
 }
 
-EdgeId MeshEditor::add_edge() { return mesh_.edge_halfedge_.push_back(HalfedgeId()); }
-
-VertexId MeshEditor::add_vertex(const Vec3& position) {
-  mesh_.vertex_halfedge_.push_back(HalfedgeId());
-  return mesh_.positions_.push_back(position);
-}
-
-void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) {
-  mesh_.faces_[f] = {a, b, c};
-  mesh_.measure_face(f);
-}
-
 void MeshEditor::link(HalfedgeId h, HalfedgeId t, EdgeId e) {
   mesh_.twin_[h] = t;
   mesh_.halfedge_edge_[h] = e;

@@ -154,10 +154,6 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
   }
 }
 
-Bary WorkingMesh::parent_bary(FaceId f, const Bary& bary) const {
-  return is_split(f) ? compose(corners(f), bary) : bary;
-}
-
 void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress) {
   HalfedgeId current, rest;  // the input's halfedge at work, and the copy's for the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins

@@ -57,7 +57,7 @@ class WorkingMesh {
   }
 
   /// Barycentric coordinates in parent(f) of a point of f.
-  Bary parent_bary(FaceId f, const Bary& bary) const;
+  Bary parent_bary(FaceId f, const Bary& bary) const { return is_split(f) ? compose(corners(f), bary) : bary; }
 
  private:
   using Corners = std::array<Bary, 3>;

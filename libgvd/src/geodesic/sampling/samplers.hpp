@@ -93,7 +93,6 @@ class SamplingMesh {
   };
 
   double share_done(const SplitOptions& options, double longest) const;
-  void copy_input();
   void split(EdgeId e);
   void split_subface(HalfedgeId h, FaceId appended);
 

@@ -29,7 +29,10 @@ struct LongEdge {
 
 SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress) : input_(&input) {
   if (longest_edge(input) <= options.max_edge_length && input.vertex_count() >= options.min_vertices) return;
-  copy_input();
+  split_ = true;
+  copy_ = input;
+  subfaces_.reserve(copy_.face_count());
+  for (const FaceId f : copy_.faces()) subfaces_.push_back({f, kWholeTriangle});
   std::vector<LongEdge> edges;
   edges.reserve(input.edge_count());
   for (const EdgeId e : input.edges()) edges.push_back({input.length(e), e});
@@ -55,13 +58,6 @@ double SamplingMesh::share_done(const SplitOptions& options, double longest) con
   const double by_length = std::pow(std::min(1.0, options.max_edge_length / longest), 2);
   const double asked = double(options.min_vertices - input_->vertex_count());
   return std::min(by_length, asked > 0 ? std::min(1.0, added / asked) : 1.0);
-}
-
-void SamplingMesh::copy_input() {
-  split_ = true;
-  copy_ = *input_;
-  subfaces_.resize(copy_.face_count());
-  for (const FaceId f : copy_.faces()) subfaces_[f] = {f, kWholeTriangle};
 }
 
 void SamplingMesh::split(EdgeId e) {

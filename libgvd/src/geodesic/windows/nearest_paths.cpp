@@ -81,11 +81,6 @@ std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distan
   return best;
 }
 
-std::size_t NearestPaths::nearest_image(const Vec2& p) const {
-  double distance = kInfinity;
-  return search(p, GeneratorId(), distance);
-}
-
 NearestPath NearestPaths::at(const Vec2& p, GeneratorId only) {
   NearestPath nearest{GeneratorId(), kInfinity, Vec2::Zero()};
   const std::size_t best = search(p, only, nearest.distance);

@@ -121,10 +121,6 @@ void MeshPartitions::add_copies(const std::vector<ForeignCorner>& corners,
   }
 }
 
-void MeshPartitions::add_copy(VertexCopyId vertex, PartitionId partition) {
-  shared_[vertex] = copies_.push_back({vertex, partition});
-}
-
 void MeshPartitions::enter_copies(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {
   const std::size_t vertices = frames.kind.size();
   frames.kind.reserve(shared_.size());  // `resize` alone would take twice as much
