@@ -176,8 +176,8 @@ std::string fill_template(std::string_view page, const std::string& title, const
 }  // namespace
 
 const char* to_text(UpAxis axis) {
-  constexpr std::array<const char*, 6> kNames{"x", "y", "z", "-x", "-y", "-z"};
-  return kNames.at(static_cast<std::size_t>(axis));
+  constexpr std::array<const char*, 6> kAxisNames{"x", "y", "z", "-x", "-y", "-z"};
+  return kAxisNames.at(static_cast<std::size_t>(axis));
 }
 
 bool has_viewer() { return !io::view_template().empty(); }

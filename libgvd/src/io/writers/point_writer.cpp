@@ -79,9 +79,9 @@ std::optional<PointFormat> parse_point_format(std::string_view extension) {
 }
 
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
-  constexpr std::array kWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
+  constexpr std::array kPointWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
   ByteWriter writer(out);
-  kWriters[static_cast<std::size_t>(format)](writer, mesh, samples);
+  kPointWriters[static_cast<std::size_t>(format)](writer, mesh, samples);
   writer.finish();
 }
 
