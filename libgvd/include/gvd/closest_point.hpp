@@ -69,8 +69,8 @@ class ClosestPointTree {
   Triangle make_triangle(FaceId f) const;
   void build(std::int32_t first, std::int32_t count, const std::vector<Vec3>& centres);
   std::array<std::pair<double, std::int32_t>, 2> children(std::int32_t index, const Vec3& query) const;
-  template <class TryFace, class MayHold>
-  void search(std::int32_t index, const Vec3& query, const TryFace& try_face, const MayHold& may_hold) const;
+  template <class Best>
+  void visit(std::int32_t index, const Vec3& query, Best& best) const;
 
   const Mesh* mesh_;
   std::vector<FaceId> faces_;             ///< in the order of the leaves

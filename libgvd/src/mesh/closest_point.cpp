@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <type_traits>
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
@@ -147,26 +148,30 @@ std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::i
   return both;
 }
 
-/// Calls try_face(i) for the faces_ of the leaves below a node, nearer boxes first. Boxes at a square distance for
-/// which may_hold is false are skipped.
-template <class TryFace, class MayHold>
-void ClosestPointTree::search(std::int32_t index, const Vec3& query, const TryFace& try_face,
-                              const MayHold& may_hold) const {
+/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here.
+template <class Best>
+void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) const {
+  constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
   const Node& node = nodes_[index];
-  for (std::int32_t i = node.first; i < node.first + node.count; ++i) try_face(i);
+  for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+    if constexpr (kDecides) {
+      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
+      if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
+    } else {
+      const double square = square_distance(triangles_[i], query);
+      if (square < best.distance) best = {faces_[i], square};
+    }
+  }
   if (node.count > 0) return;
   for (const auto& [near, child] : children(index, query)) {
-    if (may_hold(near)) search(child, query, try_face, may_hold);
+    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack) : near < best.distance;
+    if (may_hold) visit(child, query, best);
   }
 }
 
 NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) const {
-  NearestFace best{guess, square_distance(triangle(guess), query)};  // with the square until the end
-  const auto try_face = [&](std::int32_t i) {
-    const double square = square_distance(triangles_[i], query);
-    if (square < best.distance) best = {faces_[i], square};
-  };
-  search(0, query, try_face, [&](double near) { return near < best.distance; });
+  NearestFace best{guess, square_distance(triangle(guess), query)};
+  visit(0, query, best);
   best.distance = std::sqrt(best.distance);
   return best;
 }
@@ -178,11 +183,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   if (query.allFinite() && !nodes_.empty()) {
     const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
     if (std::isfinite(guess.distance)) best = guess;
-    const auto try_face = [&](std::int32_t i) {
-      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
-      if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
-    };
-    search(0, query, try_face, [&](double near) { return std::sqrt(near) <= best.distance * (1 + kPruneSlack); });
+    visit(0, query, best);
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,
