@@ -15,15 +15,13 @@ using Edge = std::pair<int, int>;
 /// The edges in the order of the visit, with their halfedges.
 std::vector<std::pair<Edge, std::vector<int>>> visited(const Triangles& faces, std::size_t vertices) {
   std::vector<std::pair<Edge, std::vector<int>>> result;
-  visit_edges(
-      faces, vertices, [](int v) { return static_cast<std::uint64_t>(v); },
-      [&](const EdgeHalfedges& edge) {
-        std::vector<int> halfedges;
-        for (std::size_t i = 0; i < edge.size(); ++i) halfedges.push_back(edge[i]);
-        const auto& face = faces[std::size_t(edge[0] / 3)];
-        const Edge ends = std::minmax(face[std::size_t(edge[0] % 3)], face[std::size_t((edge[0] + 1) % 3)]);
-        result.emplace_back(ends, halfedges);
-      });
+  visit_edges(faces, vertices, [&](const EdgeHalfedges& edge) {
+    std::vector<int> halfedges;
+    for (std::size_t i = 0; i < edge.size(); ++i) halfedges.push_back(edge[i]);
+    const auto& face = faces[std::size_t(edge[0] / 3)];
+    const Edge ends = std::minmax(face[std::size_t(edge[0] % 3)], face[std::size_t((edge[0] + 1) % 3)]);
+    result.emplace_back(ends, halfedges);
+  });
   return result;
 }
 

@@ -90,12 +90,6 @@ std::vector<SurfacePoint> middles_of_squares(const Mesh& mesh) {
   return points;
 }
 
-double longest_edge(const Mesh& mesh) {
-  double longest = 0;
-  for (int e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
-  return longest;
-}
-
 /// Crossings keep 2e-12 of their edge from its ends. Branch points whose order a tie has reversed lie up to 4.8e-12 of
 /// the face's size on the wrong side. Over such a length the difference of two distances changes by up to twice as
 /// much.

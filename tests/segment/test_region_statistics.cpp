@@ -24,12 +24,6 @@ double total_boundary(const Mesh& mesh) {
   return sum;
 }
 
-double longest_edge(const Mesh& mesh) {
-  double longest = 0;
-  for (int e = 0; e < mesh.edge_count(); ++e) longest = std::max(longest, mesh.length(EdgeId(e)));
-  return longest;
-}
-
 TEST_CASE("region statistics: one cell that is the whole surface") {
   const Mesh mesh = test::make_tetrahedron();
   const auto regions = compute_region_statistics(mesh, compute_diagram(mesh, {vertex_point(mesh, VertexId(0))}));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -48,7 +49,7 @@ class ClosestPointTree {
   NearestFace nearest_face(const Vec3& query, FaceId guess = FaceId(0)) const;
 
   /// Distance from one face, mesh units, as nearest_face measures it. Cost: O(1).
-  double distance(const Vec3& query, FaceId f) const;
+  double distance(const Vec3& query, FaceId f) const { return std::sqrt(square_distance(triangle(f), query)); }
 
  private:
   /// A face from its corner 0, and the products of its sides.
@@ -57,7 +58,7 @@ class ClosestPointTree {
     double uu = 0, uv = 0, vv = 0;
   };
   struct Node {
-    Vec3 low, high;
+    Eigen::AlignedBox3d box;
     std::int32_t first = 0;   ///< a leaf's first face, into faces_
     std::int32_t count = 0;   ///< of a leaf's faces; 0 for an inner node
     std::int32_t right = -1;  ///< second child of an inner node; the first one follows its parent
@@ -68,8 +69,8 @@ class ClosestPointTree {
   Triangle make_triangle(FaceId f) const;
   void build(std::int32_t first, std::int32_t count, const std::vector<Vec3>& centres);
   std::array<std::pair<double, std::int32_t>, 2> children(std::int32_t index, const Vec3& query) const;
-  void visit(std::int32_t index, const Vec3& query, ClosestPoint& best) const;
-  void visit(std::int32_t index, const Vec3& query, NearestFace& best) const;
+  template <class Best>
+  void visit(std::int32_t index, const Vec3& query, Best& best) const;
 
   const Mesh* mesh_;
   std::vector<FaceId> faces_;             ///< in the order of the leaves

@@ -94,7 +94,6 @@ class Mesh {
   void number_edges();
   void find_vertex_halfedges();
   void measure();
-  void measure_bounds();
   void measure_face(FaceId f);
 
   IdVector<VertexId, Vec3> positions_;
@@ -111,6 +110,9 @@ class Mesh {
 
 /// The area of all faces, summed in the order of their ids; square mesh units. Cost: O(n).
 double compute_area(const Mesh& mesh);
+
+/// Length of the longest edge, in mesh units; 0 without edges. Cost: O(n).
+double longest_edge(const Mesh& mesh);
 
 /// Topology and size of a mesh as a whole.
 struct MeshSummary {

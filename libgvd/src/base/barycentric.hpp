@@ -12,6 +12,18 @@ namespace gvd {
 /// Barycentric coordinates in a triangle: the weights of its three corners. They sum to 1 within rounding.
 using Bary = std::array<double, 3>;
 
+/// The corners of a triangle in its own coordinates.
+inline constexpr std::array<Bary, 3> kWholeTriangle{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
+
+/// A point of a triangle in the coordinates of another one, in which the triangle's corners are given.
+inline Bary compose(const std::array<Bary, 3>& corners, const Bary& bary) {
+  Bary result{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[k] += bary[i] * corners[i][k];
+  }
+  return result;
+}
+
 /// (1 - t) a + t b.
 inline Bary mix(const Bary& a, const Bary& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};

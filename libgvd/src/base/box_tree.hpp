@@ -50,12 +50,12 @@ class BoxTree {
     std::size_t first, last, from;
   };
 
-  void unite_children(std::size_t node) { boxes_[node] = unite(boxes_[2 * node], boxes_[2 * node + 1]); }
+  void unite_children(std::size_t node) { boxes_[node] = boxes_[2 * node].merged(boxes_[2 * node + 1]); }
   bool is_leaf(std::size_t node) const { return node >= leaves_; }
 
   template <class Test>
   std::size_t find_below(std::size_t node, const Range& range, const Test& test) const {
-    if (range.last <= range.from || boxes_[node].is_empty() || !test(boxes_[node])) return kNone;
+    if (range.last <= range.from || boxes_[node].isEmpty() || !test(boxes_[node])) return kNone;
     if (is_leaf(node)) return range.first;
     const std::size_t middle = (range.first + range.last) / 2;
     const std::size_t found = find_below(2 * node, {range.first, middle, range.from}, test);
@@ -73,7 +73,7 @@ class BoxTree {
   /// `left` and `right` are different nodes of one level, in this order.
   template <class Visit>
   void visit_between(std::size_t left, std::size_t right, const Visit& visit) const {
-    if (!overlap(boxes_[left], boxes_[right])) return;
+    if (!boxes_[left].intersects(boxes_[right])) return;
     if (is_leaf(left)) return visit(left - leaves_, right - leaves_);
     for (const std::size_t child : {2 * left, 2 * left + 1}) {
       visit_between(child, 2 * right, visit);

@@ -40,7 +40,8 @@ struct ThickTriangle {
   bool may_contain(const Box2& box) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec2 &from = corners[i], &to = corners[(i + 1) % 3];
-      const Vec2 inmost(to.y() > from.y() ? box.low.x() : box.high.x(), to.x() > from.x() ? box.high.y() : box.low.y());
+      const Vec2 inmost((to.y() > from.y() ? box.min() : box.max()).x(),
+                        (to.x() > from.x() ? box.max() : box.min()).y());
       if (twice_signed_area(from, to, inmost) < slack) return false;
     }
     return true;
@@ -51,7 +52,7 @@ class EarClipper {
  public:
   explicit EarClipper(const std::vector<Vec2>& corners)
       : corners_(corners), ring_(corners.size()), searches_(corners.size()) {
-    boxes_.build(corners.size(), [&](std::size_t i) { return Box2{corners[i], corners[i]}; });
+    boxes_.build(corners.size(), [&](std::size_t i) { return Box2(corners[i]); });
     for (std::size_t i = 0; i < corners.size(); ++i) enqueue(i);
   }
 

@@ -58,24 +58,11 @@ inline double apex_foot_by_inverse(double base, double inverse_base, double firs
   return 0.5 * (base + (first_side - second_side) * (first_side + second_side) * inverse_base);
 }
 
-/// An axis-aligned box of the plane, with its border. Empty where low > high.
-struct Box2 {
-  Vec2 low = Vec2::Constant(kInfinity);
-  Vec2 high = Vec2::Constant(-kInfinity);
-
-  bool is_empty() const { return low.x() > high.x(); }
-};
+/// An axis-aligned box of the plane, with its border; empty at first.
+using Box2 = Eigen::AlignedBox2d;
 
 /// The box of two points.
 inline Box2 bounding_box(const Vec2& a, const Vec2& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
-
-/// The box of two boxes.
-inline Box2 unite(const Box2& a, const Box2& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
-
-/// Whether two boxes have a point in common; never true of an empty one.
-inline bool overlap(const Box2& a, const Box2& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
 
 /// A straight line segment in the plane.
 struct PlaneSegment {
@@ -99,7 +86,7 @@ inline LineIntersection intersect_lines(const Vec2& p, const Vec2& d, const Vec2
 /// Whether two segments cross or touch elsewhere than at a common end, or rounding leaves that open. For a search that
 /// must not miss a crossing. Never false of segments that cross.
 inline bool may_intersect(const PlaneSegment& a, const PlaneSegment& b) {
-  if (!overlap(bounding_box(a.from, a.to), bounding_box(b.from, b.to))) return false;
+  if (!bounding_box(a.from, a.to).intersects(bounding_box(b.from, b.to))) return false;
   if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return false;
   return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) <= 0 &&
          orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) <= 0;

@@ -1,23 +1,14 @@
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "gvd/generator_list.hpp"
 
 // Lists as text, comma-separated values and JSON. `name` is the list's in all messages.
 namespace gvd::detail {
-
-/// Reads the content of a file that holds a list. `what` names its elements for messages: "generators".
-/// Throws Error{unreadable_input}.
-std::string read_list_file(const std::filesystem::path& path, std::string_view what);
 
 /// A line of a list, for messages. `name` must outlive it.
 struct ListLocation {
@@ -41,21 +32,6 @@ std::vector<ListLine> split_lines(std::string_view content);
 
 /// The fields of a line between blanks, and between any number of `separator`.
 std::vector<std::string_view> split_fields(std::string_view text, char separator = ' ');
-
-/// The number that `text` spells in full, in any locale.
-template <class T>
-std::optional<T> parse_field(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// An index >= 0. `what` names the element: "vertex". Throws Error{unreadable_input}.
-std::int64_t parse_index(std::string_view field, std::string_view what, const ListLocation& location);
-
-/// Three finite numbers. Throws Error{unreadable_input}.
-std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields, const ListLocation& location);
 
 /// A line as its fields.
 struct ListRow {

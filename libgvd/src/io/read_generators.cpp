@@ -2,26 +2,45 @@
 //
 // The extension of a file picks its format, else its content does: JSON begins with a brace or bracket, and CSV has a
 // comma in its first line, or the header `vertex`.
+// Text keeps face and coordinates alone; the other formats write the position beside them, for other programs to read.
 // Invariant: a written list reads back bit by bit, in any locale. fmt writes a double with the fewest digits that read
 // back to the same bits.
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <iterator>
 
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
+#include "io/writers/format_writers.hpp"
 
 namespace gvd {
 namespace {
 
+/// The content of a file that holds a list. `what` names its elements for messages: "generators".
+std::string read_list_file(const std::filesystem::path& path, std::string_view what) {
+  const auto refuse = [&](std::string_view message) {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", path.string(), message));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse(fmt::format("is a directory; name a list of {}", what));
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(fmt::format("{}; name a list of {}", std::strerror(errno), what));
+  std::string content = read_to_end(file);
+  if (file.bad()) refuse("could not be read to its end");
+  return content;
+}
+
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (extension == ".json") return GeneratorFormat::json;
-  if (extension == ".csv") return GeneratorFormat::csv;
-  return extension == ".txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
+  const std::string extension = io::bare_extension(path.extension().string());
+  if (extension == "json") return GeneratorFormat::json;
+  if (extension == "csv") return GeneratorFormat::csv;
+  return extension == "txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
 }
 
 std::string text_of(const std::vector<SurfacePoint>& points) {
@@ -65,46 +84,31 @@ GeneratorFormat detect_generator_format(std::string_view content) {
 }
 
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name) {
-  GeneratorList list{name, {}};
-  switch (format) {
-    case GeneratorFormat::text:
-      list.entries = detail::parse_text(content, name);
-      break;
-    case GeneratorFormat::csv:
-      list.entries = detail::parse_csv(content, name);
-      break;
-    case GeneratorFormat::json:
-      list.entries = detail::parse_json(content, name);
-      break;
-  }
+  const auto parse = format == GeneratorFormat::json  ? detail::parse_json
+                     : format == GeneratorFormat::csv ? detail::parse_csv
+                                                      : detail::parse_text;
+  GeneratorList list{name, parse(content, name)};
   if (list.entries.empty())
     throw Error(ErrorCode::unreadable_input, name + ":1: the list holds no generator; write at least one");
   return list;
 }
 
 GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format) {
-  const std::string content = detail::read_list_file(path, "generators");
+  const std::string content = read_list_file(path, "generators");
   if (!format) format = format_of_extension(path);
   return parse_generators(content, format ? *format : detect_generator_format(content), path.string());
 }
 
 std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format) {
-  switch (format) {
-    case GeneratorFormat::csv:
-      return csv_of(mesh, points);
-    case GeneratorFormat::json:
-      return json_of(mesh, points);
-    case GeneratorFormat::text:
-      break;
-  }
-  return text_of(points);
+  if (format == GeneratorFormat::text) return text_of(points);
+  return format == GeneratorFormat::csv ? csv_of(mesh, points) : json_of(mesh, points);
 }
 
 std::vector<double> parse_numbers(std::string_view content, const std::string& name) {
   std::vector<double> numbers;
   for (const auto& [text, line] : detail::split_lines(content)) {
     for (const std::string_view field : detail::split_fields(text, ',')) {
-      const auto number = detail::parse_field<double>(field);
+      const auto number = parse_number<double>(field);
       if (!number) detail::ListLocation{name, line}.refuse(fmt::format("{} is no number", quoted(field)));
       numbers.push_back(*number);
     }
@@ -113,7 +117,7 @@ std::vector<double> parse_numbers(std::string_view content, const std::string& n
 }
 
 std::vector<double> read_numbers(const std::filesystem::path& path) {
-  return parse_numbers(detail::read_list_file(path, "numbers"), path.string());
+  return parse_numbers(read_list_file(path, "numbers"), path.string());
 }
 
 }  // namespace gvd

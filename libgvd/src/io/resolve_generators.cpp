@@ -2,8 +2,10 @@
 //
 // Positions are snapped to the closest point of the surface. Two points coincide where they are close along the
 // surface: two sheets that touch hold different points at one position. Near each other, points lie in faces with a
-// common vertex, whose fan is unrolled into a plane to measure the distance. Invariant: barycentric coordinates of a
-// surface point are kept bit by bit, so that a written list comes back unchanged.
+// common vertex, whose fan is unrolled into a plane to measure the distance.
+// A grid of cubes, whose side is the tolerance, finds the points so far that are near in space: those of 27 cubes.
+// Invariant: barycentric coordinates of a surface point are kept bit by bit, so that a written list comes back
+// unchanged. An entry is refused with its name and line, whichever step finds out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,12 +43,6 @@ struct Polar {
   }
 };
 
-double angle_between_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
-  const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
-  const Vec3 other = mesh.position(mesh.from(Mesh::previous(outgoing))) - apex;
-  return std::atan2(side.cross(other).norm(), side.dot(other));
-}
-
 /// Distance from p, in the face of a halfedge, to q in face g, counter-clockwise through the fan of the vertex that the
 /// halfedge leaves; infinite where the fan does not lead there.
 double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, FaceId g, const Vec3& q) {
@@ -54,11 +50,11 @@ double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, Fa
   double turn = 0;
   for (HalfedgeId h = from; h.valid();) {
     if (Mesh::face(h) == g) return start.distance(Polar(mesh, h, q), turn);
-    turn += angle_between_outgoing(mesh, h);
+    turn += corner_angle(mesh, h);
     h = next_outgoing(mesh, h);
     if (h == from) break;
   }
-  return std::numeric_limits<double>::infinity();
+  return kInfinity;
 }
 
 /// Distance of two points along the surface, through the fans of the vertices that their faces have in common: exact
@@ -66,7 +62,7 @@ double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, Fa
 double distance_along_surface(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   const Vec3 p = position(mesh, a), q = position(mesh, b);
   if (a.face == b.face) return (p - q).norm();
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (int i = 0; i < 3; ++i) {
     const HalfedgeId h = Mesh::halfedge(a.face, i);
     least = std::min(least, distance_through_fan(mesh, h, p, b.face, q));
@@ -167,14 +163,8 @@ class Resolver {
   [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
 
   SurfacePoint resolve(const GeneratorEntry& entry) {
-    switch (entry.kind) {
-      case Kind::vertex:
-        return resolve_vertex(entry.index);
-      case Kind::face:
-        return resolve_face(entry);
-      case Kind::position:
-        break;
-    }
+    if (entry.kind == Kind::vertex) return resolve_vertex(entry.index);
+    if (entry.kind == Kind::face) return resolve_face(entry);
     return snap({entry.values[0], entry.values[1], entry.values[2]});
   }
 

@@ -1,5 +1,7 @@
 // Closest points of a mesh to points in space: on one face, and on all faces by a tree of bounding boxes.
 //
+// The tree halves the faces at the median of their centres along the longest axis of their box. Its leaves have at most
+// four faces. A search goes to the nearer box first, with the nearest face as a first bound.
 // Source: the tree's quick distance from a triangle is that of C. Ericson, Real-time collision detection, 2005, section
 // 5.1.5: the region of the plane, then the projection. `closest_point_on_face` is slower and decides.
 // Invariant: `query` skips a box only where it is farther than the best face by more than rounding. So its result does
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <type_traits>
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
@@ -51,8 +54,8 @@ Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) 
   return {bary, (interpolate(bary, corners[0], corners[1], corners[2]) - query).norm()};
 }
 
-double square_distance_to_box(const Vec3& low, const Vec3& high, const Vec3& query) {
-  return (low - query).cwiseMax(query - high).cwiseMax(0.0).squaredNorm();
+double square_distance_to_box(const Eigen::AlignedBox3d& box, const Vec3& query) {
+  return (box.min() - query).cwiseMax(query - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
 /// The parameter in [0, 1] of the point of a segment that is nearest: its projection, from the products.
@@ -99,20 +102,15 @@ void ClosestPointTree::build(std::int32_t first, std::int32_t count, const std::
   const std::size_t index = nodes_.size();
   const auto begin = faces_.begin() + first, end = begin + count;
   Node node;
-  node.low.setConstant(kInfinity);
-  node.high = -node.low;
   for (auto f = begin; f != end; ++f) {
-    for (const VertexId v : mesh_->vertices(*f)) {
-      node.low = node.low.cwiseMin(mesh_->position(v));
-      node.high = node.high.cwiseMax(mesh_->position(v));
-    }
+    for (const VertexId v : mesh_->vertices(*f)) node.box.extend(mesh_->position(v));
   }
   node.first = first;
   node.count = count <= kLeafFaces ? count : 0;
   nodes_.push_back(node);
   if (node.count > 0) return;
   Eigen::Index axis = 0;
-  (node.high - node.low).maxCoeff(&axis);
+  node.box.sizes().maxCoeff(&axis);
   std::nth_element(begin, begin + count / 2, end, [&](FaceId f, FaceId g) {
     const double at_f = centres[f.index()][axis], at_g = centres[g.index()][axis];
     return at_f < at_g || (at_f == at_g && f < g);
@@ -140,31 +138,34 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   return least;
 }
 
-double ClosestPointTree::distance(const Vec3& query, FaceId f) const {
-  return std::sqrt(square_distance(triangle(f), query));
-}
-
 /// The two children of an inner node by the square distances of their boxes, the nearer first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {
-    const Node& box = nodes_[child];
-    return std::pair(square_distance_to_box(box.low, box.high, query), child);
+    return std::pair(square_distance_to_box(nodes_[child].box, query), child);
   };
   std::array<std::pair<double, std::int32_t>, 2> both{square(index + 1), square(nodes_[index].right)};
   if (both[1].first < both[0].first) std::swap(both[0], both[1]);
   return both;
 }
 
-/// Here `best.distance` is a square.
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, NearestFace& best) const {
+/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here.
+template <class Best>
+void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) const {
+  constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
   const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-    const double square = square_distance(triangles_[i], query);
-    if (square < best.distance) best = {faces_[i], square};
+    if constexpr (kDecides) {
+      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
+      if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
+    } else {
+      const double square = square_distance(triangles_[i], query);
+      if (square < best.distance) best = {faces_[i], square};
+    }
   }
   if (node.count > 0) return;
   for (const auto& [near, child] : children(index, query)) {
-    if (near < best.distance) visit(child, query, best);
+    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack) : near < best.distance;
+    if (may_hold) visit(child, query, best);
   }
 }
 
@@ -175,25 +176,13 @@ NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) cons
   return best;
 }
 
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, ClosestPoint& best) const {
-  const Node& node = nodes_[index];
-  for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-    const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
-    if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
-  }
-  if (node.count > 0) return;
-  for (const auto& [near, child] : children(index, query)) {
-    if (std::sqrt(near) <= best.distance * (1 + kPruneSlack)) visit(child, query, best);
-  }
-}
-
 /// The nearest face bounds the search from the start; it may not be the one that wins.
 ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   ClosestPoint best;
   best.distance = kInfinity;
   if (query.allFinite() && !nodes_.empty()) {
-    const ClosestPoint near = closest_point_on_face(*mesh_, nearest_face(query).face, query);
-    if (std::isfinite(near.distance)) best = near;
+    const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
+    if (std::isfinite(guess.distance)) best = guess;
     visit(0, query, best);
   }
   if (!best.point.face.valid()) {

@@ -2,6 +2,8 @@
 //
 // Halfedge 3 f + i runs from corner i of face f to the next corner, so only twins and edges need tables. `visit_edges`
 // lists the halfedges of each edge by a counting sort. Edges get their numbers in the order of their first halfedge.
+// A vertex keeps its boundary halfedge where it has one: so one direction suffices to walk round every vertex. Lengths
+// and areas of a face lie together, as distances read them. Cost: O(n) time, about 100 bytes a face.
 // Invariant: a mesh that breaks one of the properties in mesh.hpp is refused here, so no later step checks them again.
 #include "gvd/mesh.hpp"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/union_find.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "mesh/visit_edges.hpp"
@@ -71,8 +74,7 @@ Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> fac
 
 void Mesh::link_twins() {
   twin_.assign(halfedge_count(), HalfedgeId());
-  const auto number = [](VertexId v) { return static_cast<std::uint64_t>(v.value()); };
-  visit_edges(faces_, positions_.size(), number, [this](const EdgeHalfedges& edge) {
+  visit_edges(faces_, positions_.size(), [this](const EdgeHalfedges& edge) {
     const HalfedgeId h(edge[0]);
     if (edge.size() > 2) {
       refuse(fmt::format("edge {} has {} faces, first face {}", edge_name(*this, h), edge.size(), face(h).value()),
@@ -131,18 +133,11 @@ void Mesh::measure() {
     sum += length;
   }
   mean_edge_length_ = edge_count() > 0 ? sum / edge_count() : 0;
-  if (vertex_count() > 0) measure_bounds();
-}
-
-void Mesh::measure_bounds() {
-  Vec3 low = positions_[VertexId(0)];
-  Vec3 high = low;
-  for (const Vec3& p : positions_) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  bbox_diagonal_ = (high - low).stableNorm();
-  largest_coordinate_ = std::max(high.maxCoeff(), -low.minCoeff());
+  if (vertex_count() == 0) return;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions_) box.extend(p);
+  bbox_diagonal_ = box.sizes().stableNorm();
+  largest_coordinate_ = std::max(box.max().maxCoeff(), -box.min().minCoeff());
 }
 
 // stableNorm scales first, so that the squares of very large or very small coordinates neither overflow nor underflow.
@@ -158,25 +153,22 @@ double compute_area(const Mesh& mesh) {
   return area;
 }
 
+double longest_edge(const Mesh& mesh) {
+  double longest = 0;
+  for (const EdgeId e : mesh.edges()) longest = std::max(longest, mesh.length(e));
+  return longest;
+}
+
 IdVector<FaceId, std::int32_t> compute_face_components(const Mesh& mesh) {
-  IdVector<FaceId, std::int32_t> component(mesh.face_count(), -1);
+  UnionFind sets(mesh.face_count());
+  for (const HalfedgeId h : mesh.halfedges()) {
+    if (mesh.twin(h).valid()) sets.unite(Mesh::face(h).value(), Mesh::face(mesh.twin(h)).value());
+  }
+  IdVector<FaceId, std::int32_t> component(mesh.face_count());
   std::int32_t count = 0;
-  std::vector<FaceId> stack;
-  for (const FaceId start : mesh.faces()) {
-    if (component[start] >= 0) continue;
-    component[start] = count;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const FaceId f = stack.back();
-      stack.pop_back();
-      for (const HalfedgeId h : Mesh::halfedges(f)) {
-        const HalfedgeId twin = mesh.twin(h);
-        if (!twin.valid() || component[Mesh::face(twin)] >= 0) continue;
-        component[Mesh::face(twin)] = count;
-        stack.push_back(Mesh::face(twin));
-      }
-    }
-    ++count;
+  for (const FaceId f : mesh.faces()) {
+    const FaceId first(sets.find(f.value()));  // the smallest of its component
+    component[f] = first == f ? count++ : component[first];
   }
   return component;
 }

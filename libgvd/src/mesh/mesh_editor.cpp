@@ -1,8 +1,10 @@
 // Splits and flips on the flat arrays of a built mesh.
 //
 // Each operation first reads the twins and edges outside of the faces that it rewrites, then writes the faces, then
-// links their halfedges again. Invariant: at a boundary vertex, the stored halfedge is the boundary one, as the walk in
-// vertex_ring.hpp needs it; `set_halfedge` restores that for every vertex of the rewritten faces.
+// links their halfedges again.
+// A split of an edge is a split of the face on each of its sides, so that the boundary needs no case of its own.
+// Invariant: at a boundary vertex, the stored halfedge is the boundary one, as the walk in vertex_ring.hpp needs it;
+// `set_halfedge` restores that for every vertex of the rewritten faces. Faces that an operation leaves keep their ids.
 #include "mesh/mesh_editor.hpp"
 
 #include <array>
@@ -19,18 +21,6 @@ FaceId MeshEditor::add_face() {
   }
   mesh_.shape_.push_back({});
   return mesh_.faces_.push_back({});
-}
-
-EdgeId MeshEditor::add_edge() { return mesh_.edge_halfedge_.push_back(HalfedgeId()); }
-
-VertexId MeshEditor::add_vertex(const Vec3& position) {
-  mesh_.vertex_halfedge_.push_back(HalfedgeId());
-  return mesh_.positions_.push_back(position);
-}
-
-void MeshEditor::set_face(FaceId f, VertexId a, VertexId b, VertexId c) {
-  mesh_.faces_[f] = {a, b, c};
-  mesh_.measure_face(f);
 }
 
 void MeshEditor::link(HalfedgeId h, HalfedgeId t, EdgeId e) {

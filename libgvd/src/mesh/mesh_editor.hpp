@@ -32,9 +32,15 @@ class MeshEditor {
   /// v-q, which have no twins yet.
   std::pair<HalfedgeId, HalfedgeId> split_side(HalfedgeId side, VertexId v);
   FaceId add_face();
-  EdgeId add_edge();
-  VertexId add_vertex(const Vec3& position);
-  void set_face(FaceId f, VertexId a, VertexId b, VertexId c);
+  EdgeId add_edge() { return mesh_.edge_halfedge_.push_back(HalfedgeId()); }
+  VertexId add_vertex(const Vec3& position) {
+    mesh_.vertex_halfedge_.push_back(HalfedgeId());
+    return mesh_.positions_.push_back(position);
+  }
+  void set_face(FaceId f, VertexId a, VertexId b, VertexId c) {
+    mesh_.faces_[f] = {a, b, c};
+    mesh_.measure_face(f);
+  }
   /// Makes h and t the two halfedges of edge e. On the boundary t is invalid.
   void link(HalfedgeId h, HalfedgeId t, EdgeId e);
   /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it.

@@ -1,5 +1,7 @@
 // Shape figures of triangles and valences, as section 5 of the paper tabulates them for remeshes.
 //
+// Q compares the area with the half perimeter and the longest edge, and is 1 for equilateral triangles alone. Angles
+// come from atan2 of cross and dot product, which keeps the digits of very small and very flat ones.
 // Invariant: sums run over the faces in the order of their ids, so that a figure has the same last digit on every run.
 #include "gvd/quality.hpp"
 

@@ -27,9 +27,7 @@ class SplitFaces {
   /// Cost: O(n), and O(k log k) for k parts.
   explicit SplitFaces(const WorkingMesh& working) {
     for (const FaceId face : working.mesh().faces()) {
-      if (!working.is_split(face)) continue;
-      const auto corner = [&](const Bary& bary) { return working.parent_bary(face, bary); };
-      parts_.push_back({working.parent(face), face, {corner({1, 0, 0}), corner({0, 1, 0}), corner({0, 0, 1})}});
+      if (working.is_split(face)) parts_.push_back({working.parent(face), face, working.corners(face)});
     }
     std::sort(parts_.begin(), parts_.end(),
               [](const Part& a, const Part& b) { return std::pair(a.parent, a.face) < std::pair(b.parent, b.face); });

@@ -1,5 +1,7 @@
 // Points of the surface: their kinds, positions, normals, and how they look from each face that contains them.
 //
+// A point on an edge lies in two faces, and one at a vertex in all faces round it. Its view in each of them names the
+// same point; the canonical one is that of the face with the smallest id.
 // Invariant: a barycentric coordinate is exactly 0 where a point lies on an edge or a vertex, so its kind is a fact and
 // no later step needs a tolerance. A point on an edge has the same two weights seen from both faces, and each view of a
 // vertex has one weight of 1: so equal points have equal canonical forms.

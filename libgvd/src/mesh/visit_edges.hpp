@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "gvd/ids.hpp"
+
 namespace gvd {
 
 /// The halfedges of one edge, ascending.
@@ -27,17 +29,21 @@ class EdgeHalfedges {
   std::span<const std::uint64_t> keys_;
 };
 
+inline std::uint64_t vertex_number(std::int32_t v) { return static_cast<std::uint64_t>(v); }
+inline std::uint64_t vertex_number(VertexId v) { return v.index(); }
+
 /// Calls visit(EdgeHalfedges) for each edge of a list of triangles, whatever the direction of its halfedges, in the
 /// order of its smaller vertex, then of its larger one. Halfedge 3 f + i runs from corner i of face f to the next.
-/// `number(vertex)` is the number of a vertex in the list; those of a face are three different ones.
+/// Vertices are numbers or ids; those of a face are three different ones.
+///
 /// A counting sort on the smaller vertex, then a short sort in each bucket. Cost: O(n) time where degrees are bounded,
 /// O(n log n) at worst; 8 bytes a halfedge and 4 a vertex meanwhile.
-template <class Faces, class VertexNumber, class Visit>
-void visit_edges(const Faces& faces, std::size_t vertex_count, const VertexNumber& number, const Visit& visit) {
+template <class Faces, class Visit>
+void visit_edges(const Faces& faces, std::size_t vertex_count, const Visit& visit) {
   const auto for_each_halfedge = [&](const auto& take) {
     std::uint64_t h = 0;
     for (const auto& face : faces) {
-      const std::uint64_t a = number(face[0]), b = number(face[1]), c = number(face[2]);
+      const std::uint64_t a = vertex_number(face[0]), b = vertex_number(face[1]), c = vertex_number(face[2]);
       take(a, b, h++);
       take(b, c, h++);
       take(c, a, h++);

@@ -51,8 +51,13 @@ class WorkingMesh {
   /// The input's face that contains face f of mesh().
   FaceId parent(FaceId f) const { return split_ ? parent_[f] : f; }
   bool is_split(FaceId f) const { return split_ && child_slot_[f] >= 0; }
+  /// The corners of f in the barycentric coordinates of parent(f).
+  const std::array<Bary, 3>& corners(FaceId f) const {
+    return is_split(f) ? child_corners_[child_slot_[f]] : kWholeTriangle;
+  }
+
   /// Barycentric coordinates in parent(f) of a point of f.
-  Bary parent_bary(FaceId f, const Bary& bary) const;
+  Bary parent_bary(FaceId f, const Bary& bary) const { return is_split(f) ? compose(corners(f), bary) : bary; }
 
  private:
   using Corners = std::array<Bary, 3>;
@@ -76,7 +81,6 @@ class WorkingMesh {
   std::pair<FaceId, FaceId> split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary);
   void make_delaunay(const std::vector<FaceId>& children);
   bool flip_if_not_delaunay(HalfedgeId h);
-  Corners corners(FaceId f) const;
   void set_corners(FaceId f, FaceId parent, const Corners& corners);
   void claim(VertexId v, GeneratorId g);
   void check_inserted();

@@ -2,7 +2,6 @@
 #include <numbers>
 
 #include "geodesic/sampling/samplers.hpp"
-#include "geodesic/sampling/sampling_mesh.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "support/catch.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "geodesic/sampling/sampling_random.hpp"
+#include "geodesic/sampling/samplers.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

@@ -7,7 +7,7 @@
 
 #include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
-#include "io/writers/mesh_elements.hpp"
+#include "io/writers/format_writers.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

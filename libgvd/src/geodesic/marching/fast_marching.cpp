@@ -58,11 +58,9 @@ class Marcher {
   static constexpr std::int64_t kProgressStride = 1 << 15;
 
   static std::size_t bucket_count(const Mesh& mesh) {
-    double longest = 0;
-    for (const EdgeId e : mesh.edges()) longest = std::max(longest, mesh.length(e));
     // One event raises a key by at most three edges.
     return static_cast<std::size_t>(
-        std::min(kMostMarchBuckets, 3 * longest / (kMarchBucketWidth * mesh.mean_edge_length()) + 3));
+        std::min(kMostMarchBuckets, 3 * longest_edge(mesh) / (kMarchBucketWidth * mesh.mean_edge_length()) + 3));
   }
 
   /// Gives every generator its distances on the faces round its vertex, along their edges.

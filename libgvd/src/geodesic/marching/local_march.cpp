@@ -62,15 +62,6 @@ void LocalMarch::place_start(const SurfacePoint& start) {
   }
 }
 
-bool LocalMarch::below_bound(VertexId v) const {
-  const double d = distance(v);
-  return d < limit_ && (upper_ == nullptr || d < (*upper_)[v]);
-}
-
-bool LocalMarch::is_start_corner(VertexId v) const {
-  return std::find(start_corners_.begin(), start_corners_.end(), v) != start_corners_.end();
-}
-
 void LocalMarch::reach(VertexId v, double distance) {
   Node& node = nodes_[v];
   if (node.run != run_) {
@@ -98,7 +89,12 @@ double LocalMarch::update(HalfedgeId h) const {
 /// neighbour that is below its own. The corners of the start's faces always propagate: the cell of a generator can
 /// leave its face through the inside of an edge.
 void LocalMarch::relax(VertexId v) {
-  const bool propagates = below_bound(v) || is_start_corner(v);
+  const auto is_below_bound = [this](VertexId u) {
+    const double d = distance(u);
+    return d < limit_ && (upper_ == nullptr || d < (*upper_)[u]);
+  };
+  const bool propagates =
+      is_below_bound(v) || std::find(start_corners_.begin(), start_corners_.end(), v) != start_corners_.end();
   for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
     const HalfedgeId before = Mesh::previous(h);  // from c to v
     const VertexId b = mesh_.to(h), c = mesh_.from(before);
@@ -107,12 +103,12 @@ void LocalMarch::relax(VertexId v) {
     // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
     // degenerate face).
     const double along_b = d + mesh_.length(h), along_c = d + mesh_.length(before);
-    if (has_b && (propagates || below_bound(b))) {
+    if (has_b && (propagates || is_below_bound(b))) {
       reach(c, std::min(along_c, update(h)));
     } else if (propagates) {
       reach(c, along_c);
     }
-    if (has_c && (propagates || below_bound(c))) {
+    if (has_c && (propagates || is_below_bound(c))) {
       reach(b, std::min(along_b, update(before)));
     } else if (propagates) {
       reach(b, along_b);

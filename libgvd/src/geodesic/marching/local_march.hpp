@@ -53,8 +53,6 @@ class LocalMarch {
   };
 
   void place_start(const SurfacePoint& start);
-  bool below_bound(VertexId v) const;
-  bool is_start_corner(VertexId v) const;
   void reach(VertexId v, double distance);
   void relax(VertexId v);
   /// Distance at the corner opposite h, from those at the ends of h. Both must be reached.

@@ -3,16 +3,104 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <utility>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "geodesic/marching/local_march.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/surface_point.hpp"
 
+// The ways of `sample_generators`, and what they share: random numbers, a mesh with short edges, and a field of the
+// nearest generators.
 namespace gvd {
+
+/// Least distance between two points of a sampling, as a fraction of the bounding box's diagonal. Below kCoincidence,
+/// which has the same value, the library takes two generators for one.
+inline constexpr double kMinSampleSpacing = 1e-12;
+
+/// Random numbers that are the same on every platform. The C++ standard specifies the output of the engine, but not
+/// that of the distributions.
+class SeededRandom {
+ public:
+  explicit SeededRandom(std::uint64_t seed) : engine_(seed) {}
+  /// A number in [0, 1), a multiple of 2^-53.
+  double real() { return double(engine_() >> 11) * 0x1p-53; }
+  /// A number in [0, n), for n > 0; uniform up to a relative 2^-64 n.
+  std::size_t below(std::size_t n) { return engine_() % n; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Draws faces with a probability proportional to their area.
+class AreaSampler {
+ public:
+  /// Draws from all faces of `mesh`, in the order of `faces`.
+  AreaSampler(const Mesh& mesh, std::vector<FaceId> faces);
+
+  /// One of the faces [first, last) of the list; the last one if all their areas are 0.
+  FaceId draw_face(SeededRandom& random, std::size_t first, std::size_t last) const;
+  /// A point inside any face, uniform by area.
+  SurfacePoint draw_point(SeededRandom& random) const;
+
+ private:
+  std::vector<FaceId> faces_;
+  std::vector<double> sums_;  // sums_[i]: area of the faces before faces_[i]; back(): of all faces
+};
+
+/// `count` points inside faces, uniform by area, no two closer than kMinSampleSpacing.
+/// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
+std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
+
+/// All faces in order.
+std::vector<FaceId> list_faces(const Mesh& mesh);
+
+/// The area of the mesh, which must be finite and > 0. Throws Error{precondition} otherwise.
+double require_area(const Mesh& mesh);
+
+struct SplitOptions {
+  double max_edge_length;     ///< longer edges are split; mesh units, > 0
+  std::int64_t min_vertices;  ///< the longest edges are split until the mesh has this many vertices
+  std::int64_t max_added;     ///< splitting edges for their length adds at most this many vertices
+};
+
+/// The mesh that a sampling works on: the input, or a copy whose long edges are split at their midpoints.
+///
+/// The surface does not change. Each split halves the longest edge of the mesh, which is the longest of its faces, too.
+/// Every angle therefore stays at least half of the smallest angle of its parent face (Rosenberg and Stenger, 1975).
+/// If no edge needs to be split, mesh() is the input and nothing is allocated.
+class SamplingMesh {
+ public:
+  /// Splits the longest edge, the one with the least id among equals, until the options are satisfied.
+  /// Cost: O((n + k) log n) for k vertices added.
+  SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress);
+
+  const Mesh& mesh() const { return split_ ? copy_ : *input_; }
+  /// The same point on the input.
+  SurfacePoint to_input(const SurfacePoint& point) const;
+  SurfacePoint to_input(VertexId v) const;
+
+ private:
+  /// A face of the copy.
+  struct SubFace {
+    FaceId parent;                // the input face that contains it
+    std::array<Bary, 3> corners;  // in the parent's barycentric coordinates
+  };
+
+  double share_done(const SplitOptions& options, double longest) const;
+  void split(EdgeId e);
+  void split_subface(HalfedgeId h, FaceId appended);
+
+  const Mesh* input_;
+  bool split_ = false;
+  Mesh copy_;
+  IdVector<FaceId, SubFace> subfaces_;
+};
 
 /// Edges longer than this many even spacings are split before sampling: then a generator fits between their ends, and
 /// a face holds only a few candidates.

@@ -1,7 +1,12 @@
-// Spreads generators over the surface: checks the options, and calls the sampler that they name.
+// Spreads generators over the surface: checks the options, calls the sampler that they name, and draws random points.
 //
-// Source: the papers named in gvd/sampling.hpp; drawing vertices is the beginning of a shuffle by Fisher and Yates.
-// Invariant: a sampler gets options in their ranges, so that it throws only where the mesh has no room.
+// Idea: the sums of the faces' areas cut an interval into pieces. A uniform number in it draws a face, two more a point
+// of the face. Points that coincide within rounding are drawn again. Vertices are the beginning of a shuffle.
+// Source: G. Turk, Generating random points in triangles, 1990; the shuffle of Fisher and Yates. The other samplers are
+// those of the papers that gvd/sampling.hpp names.
+// Invariant: a sampler gets options in their ranges, so that it throws only where the mesh has no room. All numbers
+// come from one engine, in an order that depends on the mesh and the count alone. So the same seed gives the same
+// points on every platform.
 #include "gvd/sampling.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +18,6 @@
 #include <utility>
 
 #include "geodesic/sampling/samplers.hpp"
-#include "geodesic/sampling/sampling_random.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -36,6 +40,29 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
     throw Error(ErrorCode::precondition,
                 fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, maximum));
   }
+}
+
+/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Nearly always no point is.
+constexpr int kMaxRedraws = 64;
+
+/// The later point of each pair that is too close. The distance is Euclidean on purpose, so that points on two sheets
+/// that touch are kept apart, too.
+std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, double least) {
+  // Sweep along a direction to which faces of ordinary models are not perpendicular.
+  const Vec3 direction = Vec3(0.6180339887, 0.3819660113, 0.2360679775).normalized();
+  std::vector<std::pair<double, std::size_t>> order(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) order[i] = {direction.dot(positions[i]), i};
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> too_close;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= least; ++k) {
+      const auto [earlier, later] = std::minmax(order[i].second, order[k].second);
+      if ((positions[earlier] - positions[later]).norm() <= least) too_close.push_back(later);
+    }
+  }
+  std::sort(too_close.begin(), too_close.end());
+  too_close.erase(std::unique(too_close.begin(), too_close.end()), too_close.end());
+  return too_close;
 }
 
 }  // namespace
@@ -90,6 +117,62 @@ std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, 
   std::vector<SurfacePoint> points;
   for (const VertexId v : draw_vertices(mesh, count, seed)) points.push_back(vertex_point(mesh, v));
   return points;
+}
+
+std::vector<FaceId> list_faces(const Mesh& mesh) {
+  const IdRange<FaceId> faces = mesh.faces();
+  return {faces.begin(), faces.end()};
+}
+
+double require_area(const Mesh& mesh) {
+  const double area = compute_area(mesh);
+  if (area > 0 && std::isfinite(area)) return area;
+  throw Error(ErrorCode::precondition,
+              "random points need a surface whose area is finite and not 0; take farthest points, or scale the mesh");
+}
+
+AreaSampler::AreaSampler(const Mesh& mesh, std::vector<FaceId> faces) : faces_(std::move(faces)) {
+  sums_.reserve(faces_.size() + 1);
+  sums_.push_back(0);
+  for (const FaceId f : faces_) sums_.push_back(sums_.back() + mesh.area(f));
+}
+
+FaceId AreaSampler::draw_face(SeededRandom& random, std::size_t first, std::size_t last) const {
+  const double target = sums_[first] + random.real() * (sums_[last] - sums_[first]);
+  // The first face whose cumulated area exceeds the target; a face with zero area is never chosen.
+  const double* const sums = sums_.data();
+  return faces_[std::upper_bound(sums + first + 1, sums + last, target) - sums - 1];
+}
+
+SurfacePoint AreaSampler::draw_point(SeededRandom& random) const {
+  for (;;) {
+    const FaceId f = draw_face(random, 0, faces_.size());
+    // Uniform in the triangle, by Turk.
+    const double root = std::sqrt(random.real()), along = random.real();
+    const std::array<double, 3> bary{1 - root, root * (1 - along), root * along};
+    if (*std::min_element(bary.begin(), bary.end()) > kBarycentricSnap) return make_surface_point(f, bary);
+  }
+}
+
+std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
+  require_area(mesh);
+  const AreaSampler sampler(mesh, list_faces(mesh));
+  SeededRandom random(seed);
+  std::vector<SurfacePoint> points(count);
+  std::vector<Vec3> positions(count);
+  const auto draw = [&](std::size_t i) {
+    points[i] = sampler.draw_point(random);
+    positions[i] = position(mesh, points[i]);
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) draw(i);
+  for (int round = 0; round < kMaxRedraws; ++round) {
+    const auto too_close = find_too_close(positions, kMinSampleSpacing * mesh.bbox_diagonal());
+    if (too_close.empty()) return points;
+    for (const std::size_t i : too_close) draw(i);
+  }
+  throw Error(ErrorCode::precondition, fmt::format("the surface is too small beside its bounding box for {} different "
+                                                   "points; ask for fewer, or remove far parts",
+                                                   count));
 }
 
 }  // namespace gvd

@@ -14,12 +14,8 @@
 #include "base/lazy_max_heap.hpp"
 #include "base/plane.hpp"
 #include "geodesic/sampling/samplers.hpp"
-#include "geodesic/sampling/sampling_mesh.hpp"
-#include "geodesic/sampling/sampling_random.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/text.hpp"
-#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {

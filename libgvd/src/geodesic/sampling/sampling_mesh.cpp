@@ -6,13 +6,12 @@
 // 1975.
 // Invariant: each face of the copy lies in its parent, where its corners have barycentric coordinates that are exact
 // binary fractions.
-#include "geodesic/sampling/sampling_mesh.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <queue>
 #include <tuple>
 
+#include "geodesic/sampling/samplers.hpp"
 #include "mesh/mesh_editor.hpp"
 
 namespace gvd {
@@ -28,15 +27,12 @@ struct LongEdge {
 
 }  // namespace
 
-double longest_edge(const Mesh& mesh) {
-  double longest = 0;
-  for (const EdgeId e : mesh.edges()) longest = std::max(longest, mesh.length(e));
-  return longest;
-}
-
 SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress) : input_(&input) {
   if (longest_edge(input) <= options.max_edge_length && input.vertex_count() >= options.min_vertices) return;
-  copy_input();
+  split_ = true;
+  copy_ = input;
+  subfaces_.reserve(copy_.face_count());
+  for (const FaceId f : copy_.faces()) subfaces_.push_back({f, kWholeTriangle});
   std::vector<LongEdge> edges;
   edges.reserve(input.edge_count());
   for (const EdgeId e : input.edges()) edges.push_back({input.length(e), e});
@@ -64,13 +60,6 @@ double SamplingMesh::share_done(const SplitOptions& options, double longest) con
   return std::min(by_length, asked > 0 ? std::min(1.0, added / asked) : 1.0);
 }
 
-void SamplingMesh::copy_input() {
-  split_ = true;
-  copy_ = *input_;
-  subfaces_.resize(copy_.face_count());
-  for (const FaceId f : copy_.faces()) subfaces_[f] = {f, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-}
-
 void SamplingMesh::split(EdgeId e) {
   const HalfedgeId h = copy_.halfedge(e), twin = copy_.twin(h);
   const Vec3 middle = 0.5 * copy_.position(copy_.from(h)) + 0.5 * copy_.position(copy_.to(h));
@@ -94,11 +83,7 @@ void SamplingMesh::split_subface(HalfedgeId h, FaceId appended) {
 SurfacePoint SamplingMesh::to_input(const SurfacePoint& point) const {
   if (!split_) return point;
   const SubFace& subface = subfaces_[point.face];
-  Bary bary{0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) bary[k] += point.bary[i] * subface.corners[i][k];
-  }
-  return make_surface_point(subface.parent, bary);
+  return make_surface_point(subface.parent, compose(subface.corners, point.bary));
 }
 
 SurfacePoint SamplingMesh::to_input(VertexId v) const {

@@ -11,12 +11,8 @@
 #include <cmath>
 
 #include "base/lazy_max_heap.hpp"
-#include "geodesic/marching/local_march.hpp"
 #include "geodesic/sampling/samplers.hpp"
-#include "geodesic/sampling/sampling_mesh.hpp"
-#include "geodesic/sampling/sampling_random.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {

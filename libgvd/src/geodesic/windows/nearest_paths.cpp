@@ -19,13 +19,9 @@ namespace {
 double tangent_angle(const WorkingMesh& working, const TangentFan& fan, HalfedgeId h) {
   const FaceId face = Mesh::face(h), parent = working.parent(face);
   const FaceLayout layout(working.input(), parent);
-  const auto at = [&](int i) {
-    Bary corner{0, 0, 0};
-    corner[i] = 1;
-    return layout.at(working.is_split(face) ? working.parent_bary(face, corner) : corner);
-  };
+  const std::array<Bary, 3>& corners = working.corners(face);
   const int from = Mesh::corner(h);
-  return fan.angle(parent, at((from + 1) % 3) - at(from));
+  return fan.angle(parent, layout.at(corners[(from + 1) % 3]) - layout.at(corners[from]));
 }
 
 /// The number of windows by which the cache is filled ahead: those of one or two faces.
@@ -83,11 +79,6 @@ std::size_t NearestPaths::search(const Vec2& p, GeneratorId only, double& distan
     best = i;
   }
   return best;
-}
-
-std::size_t NearestPaths::nearest_image(const Vec2& p) const {
-  double distance = kInfinity;
-  return search(p, GeneratorId(), distance);
 }
 
 NearestPath NearestPaths::at(const Vec2& p, GeneratorId only) {

@@ -72,7 +72,10 @@ class NearestPaths {
   static constexpr std::size_t kNoImage = static_cast<std::size_t>(-1);
   /// The image that the shortest path to a point of the face comes from; kNoImage if no generator reaches it.
   /// Cost: O(windows on the face).
-  std::size_t nearest_image(const Vec2& p) const;
+  std::size_t nearest_image(const Vec2& p) const {
+    double distance = kInfinity;
+    return search(p, GeneratorId(), distance);
+  }
   /// The square length of the straight way from an image to a point of its plane, through its opening or not, with the
   /// way to the image.
   double square_distance(std::size_t image, const Vec2& p) const {

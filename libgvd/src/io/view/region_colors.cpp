@@ -58,6 +58,16 @@ Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std:
   return uses;
 }
 
+/// The first of the `count` colours of least cost.
+template <class Cost>
+std::size_t find_cheapest(std::size_t count, const Cost& cost) {
+  std::size_t best = 0;
+  for (std::size_t c = 1; c < count; ++c) {
+    if (cost(c) < cost(best)) best = c;
+  }
+  return best;
+}
+
 /// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
 /// degree first.
 std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
@@ -129,12 +139,8 @@ class Adaptation {
   /// it; otherwise colours would be passed round for ever.
   std::size_t choose(std::size_t label) const {
     const Uses around = count_around(label);
-    const auto cost = [&](std::size_t c) { return std::tuple(around[c] + tries_[label][c], uses_[c]); };
-    std::size_t best = 0;
-    for (std::size_t c = 1; c < kUsualColors; ++c) {
-      if (cost(c) < cost(best)) best = c;
-    }
-    return best;
+    return find_cheapest(kUsualColors,
+                         [&](std::size_t c) { return std::tuple(around[c] + tries_[label][c], uses_[c]); });
   }
   void take(std::size_t label, std::size_t c) {
     if (choice_[label] != kUncoloured) --uses_[choice_[label]];
@@ -186,13 +192,9 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>
   Uses uses{};
   for (const std::size_t label : order_smallest_last(neighbours)) {
     const Uses around = count_colors(choice, neighbours[label]);
-    const auto cost = [&](std::size_t c) { return std::tuple(around[c], c >= kUsualColors, uses[c]); };
-    std::size_t best = 0;
-    for (std::size_t c = 1; c < kColors; ++c) {
-      if (cost(c) < cost(best)) best = c;
-    }
-    choice[label] = best;
-    ++uses[best];
+    choice[label] =
+        find_cheapest(kColors, [&](std::size_t c) { return std::tuple(around[c], c >= kUsualColors, uses[c]); });
+    ++uses[choice[label]];
   }
   return to_colors(choice);
 }

@@ -3,6 +3,7 @@
 // Arrays are little-endian in Base64, floats of 32 bits and integers of the narrowest width that holds them. Equal
 // arrays are stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which
 // keeps a mesh of any size and place within the precision of 32-bit floats.
+// Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include "io/view/scene_entry.hpp"
 
@@ -13,8 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/barycentric.hpp"
 #include "base/ear_clipping.hpp"
-#include "base/plane.hpp"
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {
@@ -140,7 +141,7 @@ class SceneEncoder {
     for (const FacePiece& piece : scene_.pieces) {
       std::vector<Vec2> polygon;
       for (const auto& b : piece.corners) {
-        polygon.emplace_back(b[1], b[2]);
+        polygon.push_back(affine_point(b));
         corners.insert(corners.end(), {float(b[1]), float(b[2])});
       }
       const auto clipped = triangulate_polygon(polygon);
@@ -197,21 +198,18 @@ class SceneEncoder {
 }  // namespace
 
 ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
-  Vec3 low = scenes.front().mesh->positions().front(), high = low;
+  Eigen::AlignedBox3d box;
   const auto include = [&](const Mesh& mesh) {
-    for (const Vec3& p : mesh.positions()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    for (const Vec3& p : mesh.positions()) box.extend(p);
   };
   for (const ViewScene& scene : scenes) {
     include(*scene.mesh);
     if (scene.overlay) include(*scene.overlay->mesh);
   }
   // Halved before they are added: the sum of two large coordinates may overflow.
-  const Vec3 half = high / 2 - low / 2;
+  const Vec3 half = box.max() / 2 - box.min() / 2;
   const double radius = half.stableNorm();
-  return {low / 2 + high / 2, radius > 0 && std::isfinite(radius) ? radius : 1};
+  return {box.min() / 2 + box.max() / 2, radius > 0 && std::isfinite(radius) ? radius : 1};
 }
 
 nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
@@ -249,7 +247,7 @@ std::string ViewBlobs::html() const {
 std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const auto& [a, b, c] : triangulate_plane_polygon(corners)) {
-    if (cross(corners[b] - corners[a], corners[c] - corners[a]) <= kShareLeftOut) continue;
+    if (twice_signed_area(corners[a], corners[b], corners[c]) <= kShareLeftOut) continue;
     triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
   }
   return triangles;

@@ -3,6 +3,8 @@
 // The energy of a cell is integrated face by face, where the squared distance is a quadratic function of barycentric
 // coordinates; the midpoints of the sides of a triangle integrate it exactly. The Euler count compares the graph of the
 // bisectors with the topology of the cells, which were found independently.
+// Source: the rule of the midpoints is exact to degree 2; V - E + F over branch points, bisectors and cells is Euler's.
+// Invariant: a scene refers to its mesh and copies all else, so the diagram may go before the page is made.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ class SquaredDistance {
   }
 
   double operator()(const Bary& b) const {
-    const double value = b[0] * corner_[0] + b[1] * corner_[1] + b[2] * corner_[2] -
+    const double value = interpolate(b, corner_[0], corner_[1], corner_[2]) -
                          (b[0] * b[1] * side_[0] + b[1] * b[2] * side_[1] + b[2] * b[0] * side_[2]);
     return value > 0 ? value : 0;
   }
@@ -40,16 +42,14 @@ class SquaredDistance {
   Bary corner_{}, side_{};
 };
 
-Bary midpoint(const Bary& a, const Bary& b) { return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; }
-
 /// Integral over a polygon of a face of area `area`: a fan of triangles with signed areas, each by the midpoints of its
 /// sides, which is exact for quadratic functions.
 double integrate(const SquaredDistance& squared, double area, const std::vector<Bary>& polygon) {
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Bary &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
-    const double share = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-    sum += area * share * (squared(midpoint(a, b)) + squared(midpoint(b, c)) + squared(midpoint(c, a))) / 3;
+    const double share = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
+    sum += area * share * (squared(mix(a, b, 0.5)) + squared(mix(b, c, 0.5)) + squared(mix(c, a, 0.5))) / 3;
   }
   return sum;
 }
@@ -125,7 +125,7 @@ IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diag
     const double energy = integrate(SquaredDistance(mesh, diagram, f), mesh.area(f), polygon);
     if (std::isfinite(energy)) energies[cell] += energy;
   };
-  const std::vector<Bary> whole{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Bary> whole(kWholeTriangle.begin(), kWholeTriangle.end());
   for (const FaceId f : diagram.face_label.ids()) {
     if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], whole);
   }

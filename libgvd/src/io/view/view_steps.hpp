@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/view.hpp"
@@ -20,5 +22,12 @@ IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diag
 /// Throws Error{precondition} where a scene has no faces, an array has not the size of the mesh, or a value is out of
 /// its range. Cost: O(n).
 void check_view_scene(const ViewScene& scene);
+
+/// The page without its data, which the build makes of web/ (cmake/embed_viewer.cmake). It holds each of the two marks
+/// below once. It is empty where GVD_WITH_VIEWER is off.
+std::string_view view_template();
+
+inline constexpr std::string_view kViewTitleMark = "<!--gvd:title-->";
+inline constexpr std::string_view kViewDataMark = "<!--gvd:data-->";
 
 }  // namespace gvd::io

@@ -35,10 +35,11 @@ class ByteWriter {
  public:
   explicit ByteWriter(std::ostream& out) : out_(out) {}
 
-  void text(std::string_view bytes) {
-    buffer_.append(bytes.data(), bytes.data() + bytes.size());
+  void append(const char* bytes, std::size_t count) {
+    buffer_.append(bytes, bytes + count);
     write_if_full();
   }
+  void text(std::string_view bytes) { append(bytes.data(), bytes.size()); }
 
   template <class... Args>
   void print(fmt::format_string<Args...> format, Args&&... args) {
@@ -49,10 +50,14 @@ class ByteWriter {
   template <class T>
   void binary(T value) {
     const auto bytes = little_endian(value);
-    buffer_.append(bytes.data(), bytes.data() + bytes.size());
-    write_if_full();
+    append(bytes.data(), bytes.size());
   }
 
+  /// Three numbers as 32-bit floats.
+  template <class Vector>
+  void floats(const Vector& v) {
+    for (int i = 0; i < 3; ++i) binary(static_cast<float>(v[i]));
+  }
   /// Writes what is left and checks the stream. To be called once, at the end. Throws Error{unwritable_output}.
   void finish() {
     write_buffer();
@@ -79,8 +84,8 @@ class ByteWriter {
   fmt::memory_buffer buffer_;
 };
 
-/// Base64 of RFC 4648, with padding, of bytes that come one by one or as little-endian numbers. `Sink` has
-/// `text(std::string_view)`, which takes the digits in fours.
+/// Base64 of RFC 4648, with padding, of bytes that come one by one or as little-endian numbers. `Sink` has `append`, as
+/// std::string does; it takes the digits in fours.
 template <class Sink>
 class Base64Writer {
  public:
@@ -108,7 +113,7 @@ class Base64Writer {
     const std::uint32_t group = group_ << 8 * (3 - count_);
     std::array<char, 4> quad{'=', '=', '=', '='};
     for (int i = 0; i <= count_; ++i) quad[i] = kDigits[group >> (18 - 6 * i) & 63];
-    out_.text({quad.data(), quad.size()});
+    out_.append(quad.data(), quad.size());
     group_ = 0;
     count_ = 0;
   }
@@ -120,15 +125,12 @@ class Base64Writer {
 
 /// All of `bytes` in Base64. Cost: O(n).
 inline std::string encode_base64(std::string_view bytes) {
-  struct {
-    void text(std::string_view digits) { string.append(digits); }
-    std::string string;
-  } sink;
-  sink.string.reserve((bytes.size() + 2) / 3 * 4);
-  Base64Writer writer(sink);
+  std::string digits;
+  digits.reserve((bytes.size() + 2) / 3 * 4);
+  Base64Writer writer(digits);
   for (const char byte : bytes) writer.byte(static_cast<unsigned char>(byte));
   writer.finish();
-  return std::move(sink.string);
+  return digits;
 }
 
 /// The shortest digits that bring the same double back; null for infinity and NaN, which JSON does not have.

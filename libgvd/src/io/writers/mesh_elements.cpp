@@ -5,8 +5,6 @@
 // normal changes, and at borders between regions, where it does not: shading runs on over a border.
 // Invariant: the order of regions, lines and vertices depends on the mesh alone, and colours on the label alone, so
 // that all formats agree and the same input gives the same bytes.
-#include "io/writers/mesh_elements.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +16,7 @@
 
 #include "gvd/io/label_color.hpp"
 #include "gvd/surface_point.hpp"
+#include "io/writers/format_writers.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -178,8 +177,7 @@ std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
     line.right = bisector.right;
     const auto add = [&](const SurfacePoint& point) {
       line.points.push_back(position(surface, point));
-      line.distance.push_back(distance.empty() ? std::numeric_limits<double>::infinity()
-                                               : interpolate_at(surface, distance, point));
+      line.distance.push_back(distance.empty() ? kInfinity : interpolate_at(surface, distance, point));
     };
     for (const SurfacePoint& point : bisector.points) add(point);
     if (bisector.closed) add(bisector.points.front());

@@ -2,6 +2,7 @@
 //
 // An OBJ with labels is two files. The materials are written while the geometry is complete but has no name yet, so
 // both files are complete before either gets its name.
+// A format has one writer in a file of its own; none of them checks the arrays again. JSON holds a diagram, not a mesh.
 // Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too.
 #include "gvd/io/mesh_writer.hpp"
 
@@ -23,13 +24,8 @@
 namespace gvd {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, OutputFormat>, 7> kExtensions{{{"ply", OutputFormat::ply},
-                                                                                {"obj", OutputFormat::obj},
-                                                                                {"off", OutputFormat::off},
-                                                                                {"stl", OutputFormat::stl},
-                                                                                {"vtp", OutputFormat::vtp},
-                                                                                {"glb", OutputFormat::glb},
-                                                                                {"json", OutputFormat::json}}};
+/// In the order of OutputFormat.
+constexpr std::array<std::string_view, 7> kExtensions{"ply", "obj", "off", "stl", "vtp", "glb", "json"};
 
 void check_count(std::size_t count, std::int32_t expected, const char* what) {
   if (std::cmp_equal(count, expected)) return;
@@ -63,44 +59,24 @@ void write_json(std::ostream& out, const LabelledMesh& mesh) {
   write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
 }
 
-void write_format(std::ostream& out, const LabelledMesh& mesh, OutputFormat format,
-                  const std::string& material_library) {
-  check_lengths(mesh);
-  check_format(mesh.mesh, format);
-  switch (format) {
-    case OutputFormat::ply:
-      return io::write_ply(out, mesh);
-    case OutputFormat::obj:
-      return io::write_obj(out, mesh, material_library);
-    case OutputFormat::off:
-      return io::write_off(out, mesh);
-    case OutputFormat::stl:
-      return io::write_stl(out, mesh);
-    case OutputFormat::vtp:
-      return io::write_vtp(out, mesh);
-    case OutputFormat::glb:
-      return io::write_glb(out, mesh);
-    case OutputFormat::json:
-      return write_json(out, mesh);
-  }
-}
+void write_bare_obj(std::ostream& out, const LabelledMesh& mesh) { io::write_obj(out, mesh, ""); }
+
+/// In the order of OutputFormat.
+constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_stl,
+                                  io::write_vtp, io::write_glb,  write_json};
 
 }  // namespace
 
 std::optional<OutputFormat> parse_output_format(std::string_view extension) {
-  const std::string bare = io::bare_extension(extension);
-  for (const auto& [name, format] : kExtensions) {
-    if (bare == name) return format;
-  }
-  return std::nullopt;
+  const auto found = std::find(kExtensions.begin(), kExtensions.end(), io::bare_extension(extension));
+  if (found == kExtensions.end()) return std::nullopt;
+  return static_cast<OutputFormat>(found - kExtensions.begin());
 }
 
 OutputFormat output_format(const std::filesystem::path& path) {
   if (const auto format = parse_output_format(path.extension().string())) return *format;
-  std::string known;
-  for (const auto& [name, format] : kExtensions) known += fmt::format("{}.{}", known.empty() ? "" : ", ", name);
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("'{}': no output format has this extension; use one of {}", path.string(), known));
+  throw Error(ErrorCode::invalid_option, fmt::format("'{}': no output format has this extension; use one of .{}",
+                                                     path.string(), fmt::join(kExtensions, ", .")));
 }
 
 void check_format(const Mesh& mesh, OutputFormat format) {
@@ -109,7 +85,9 @@ void check_format(const Mesh& mesh, OutputFormat format) {
 }
 
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format) {
-  write_format(out, mesh, format, "");
+  check_lengths(mesh);
+  check_format(mesh.mesh, format);
+  kMeshWriters[static_cast<std::size_t>(format)](out, mesh);
 }
 
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress) {
@@ -120,7 +98,8 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
   }
   const std::filesystem::path materials = std::filesystem::path(path).replace_extension(".mtl");
   const auto write_both = [&](std::ostream& out) {
-    write_format(out, mesh, format, materials.filename().string());
+    check_lengths(mesh);
+    io::write_obj(out, mesh, materials.filename().string());
     write_file(
         materials, [&](std::ostream& other) { io::write_materials(other, mesh); }, progress);
   };

@@ -1,7 +1,9 @@
 // Points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
 //
-// PLY and NPY have the same numbers in the same order; XYZ has position and normal only. Invariant: numbers are
-// complete, so the same doubles are read back, in any locale.
+// PLY and NPY have the same numbers in the same order; XYZ has position and normal only.
+// An NPY begins with a magic number, the length of its header, and the header: a dictionary of Python, padded with
+// blanks so that the numbers begin at a multiple of 64 bytes. The face is a double there, since an array has one type.
+// Invariant: numbers are complete, so the same doubles are read back, in any locale.
 #include "gvd/io/point_writer.hpp"
 
 #include <array>
@@ -73,23 +75,13 @@ std::optional<PointFormat> parse_point_format(std::string_view extension) {
   const std::string bare = io::bare_extension(extension);
   if (bare == "ply") return PointFormat::ply;
   if (bare == "xyz") return PointFormat::xyz;
-  if (bare == "npy") return PointFormat::npy;
-  return std::nullopt;
+  return bare == "npy" ? std::optional(PointFormat::npy) : std::nullopt;
 }
 
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
+  constexpr std::array kPointWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
   ByteWriter writer(out);
-  switch (format) {
-    case PointFormat::ply:
-      write_ply(writer, mesh, samples);
-      break;
-    case PointFormat::xyz:
-      write_xyz(writer, mesh, samples);
-      break;
-    case PointFormat::npy:
-      write_npy(writer, mesh, samples);
-      break;
-  }
+  kPointWriters[static_cast<std::size_t>(format)](writer, mesh, samples);
   writer.finish();
 }
 

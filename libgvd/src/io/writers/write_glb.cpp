@@ -1,8 +1,10 @@
 // Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 //
 // The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the bisectors
-// are described first, which adds up the bytes, and then written in the same order. Invariant: every view begins where
-// the one before it ends, so that the description and the numbers agree.
+// are described first, which adds up the bytes, and then written in the same order.
+// Each region is a primitive with a material, and with vertices of its own: a vertex on a border or a crease comes once
+// for each region and normal. Positions are 32-bit floats, which `check_single_precision` has allowed.
+// Invariant: every view begins where the one before it ends, so that the description and the numbers agree.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,7 +17,6 @@
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
-#include "io/writers/mesh_elements.hpp"
 
 namespace gvd::io {
 namespace {
@@ -130,17 +131,17 @@ class GlbWriter {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "libgvd"}};
     gltf_["scene"] = 0;
     const std::uint64_t vertex_bytes = 12 * std::uint64_t{surface_.vertices.size()};
-    surface_views_.positions = add_view(vertex_bytes, kVertexBuffer);
-    surface_views_.normals = add_view(vertex_bytes, kVertexBuffer);
-    surface_views_.indices = add_view(12 * std::uint64_t(mesh_.face_count()), kIndexBuffer);
+    const std::size_t positions = add_view(vertex_bytes, kVertexBuffer),
+                      normals = add_view(vertex_bytes, kVertexBuffer);
+    const std::size_t corners = add_view(12 * std::uint64_t(mesh_.face_count()), kIndexBuffer);
     Json primitives = Json::array();
     std::uint64_t index_offset = 0;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       const Region& region = regions_[r];
       gltf_["materials"].push_back(
           make_material(has_labels_ ? region_name(region.label) : "surface", label_color(region.label)));
-      Json attributes = add_region_vertices(r);
-      const std::size_t indices = add_accessor(surface_views_.indices, index_offset, 3 * region.faces.size(), kScalar);
+      Json attributes = add_region_vertices(r, positions, normals);
+      const std::size_t indices = add_accessor(corners, index_offset, 3 * region.faces.size(), kScalar);
       primitives.push_back(make_primitive(std::move(attributes), indices, kTriangles));
       if (has_labels_) primitives.back()["extras"] = {{"label", region.label.value()}};
       index_offset += 12 * region.faces.size();
@@ -148,15 +149,15 @@ class GlbWriter {
     add_node("surface", std::move(primitives));
   }
 
-  /// Appends the accessors of region r's positions and normals; returns the attributes of its primitive.
-  Json add_region_vertices(std::size_t r) {
+  /// Appends the accessors of region r's positions and normals in these views; returns the attributes of its primitive.
+  Json add_region_vertices(std::size_t r, std::size_t position_view, std::size_t normal_view) {
     const std::uint64_t offset = 12 * std::uint64_t{surface_.first[r]};
     const std::size_t count = surface_.first[r + 1] - surface_.first[r];
-    const std::size_t positions = add_accessor(surface_views_.positions, offset, count, kVector);
+    const std::size_t positions = add_accessor(position_view, offset, count, kVector);
     set_bounds(positions, [&](auto visit) {
       for (std::size_t i = surface_.first[r]; i < surface_.first[r + 1]; ++i) visit(position_of(i));
     });
-    return {{"POSITION", positions}, {"NORMAL", add_accessor(surface_views_.normals, offset, count, kVector)}};
+    return {{"POSITION", positions}, {"NORMAL", add_accessor(normal_view, offset, count, kVector)}};
   }
 
   const Vec3& position_of(std::size_t shading_vertex) const {
@@ -182,15 +183,9 @@ class GlbWriter {
         Json::array({make_primitive({{"POSITION", positions}}, add_accessor(view, 0, 2 * segments, kScalar), kLines)}));
   }
 
-  static void write_point(ByteWriter& out, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
-  }
-
   void write_surface(ByteWriter& out) const {
-    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) write_point(out, position_of(i));
-    for (const ShadingVertex& vertex : surface_.vertices) {
-      for (int i = 0; i < 3; ++i) out.binary(vertex.normal[i]);
-    }
+    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) out.floats(position_of(i));
+    for (const ShadingVertex& vertex : surface_.vertices) out.floats(vertex.normal);
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       for (const FaceId f : regions_[r].faces) {
         for (int i = 0; i < 3; ++i) out.binary(surface_.of_corner[Mesh::halfedge(f, i)] - surface_.first[r]);
@@ -200,7 +195,7 @@ class GlbWriter {
 
   void write_bisectors(ByteWriter& out) const {
     for (const BisectorLine& line : lines_) {
-      for (const Vec3& p : line.points) write_point(out, p);
+      for (const Vec3& p : line.points) out.floats(p);
     }
     std::uint32_t next = 0;
     for (const BisectorLine& line : lines_) {
@@ -216,10 +211,6 @@ class GlbWriter {
   bool has_labels_;
   std::vector<Region> regions_;
   ShadingVertices surface_;
-  struct Views {
-    std::size_t positions = 0, normals = 0, indices = 0;
-  };
-  Views surface_views_;
   std::vector<BisectorLine> lines_;
   Json gltf_;
   std::uint64_t binary_bytes_ = 0;

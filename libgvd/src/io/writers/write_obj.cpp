@@ -3,6 +3,8 @@
 // A region is a group with a material. Bisectors are lines, whose vertices follow those of the mesh, so the numbers of
 // the mesh's vertices are those of the input. OBJ counts from 1, and shares texture coordinates between faces by
 // number.
+// Source: Wavefront's Advanced Visualizer manual, appendix B1, for the statements v, vt, f, l, g, mtllib and usemtl.
+// Invariant: the vertices of the mesh keep their numbers with and without bisectors, groups and texture.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,6 @@
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
-#include "io/writers/mesh_elements.hpp"
 
 namespace gvd::io {
 namespace {
@@ -41,34 +42,24 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   return numbers;
 }
 
-/// Faces without texture coordinates, or with those of their corners. OBJ counts from 1.
-class FacePrinter {
- public:
-  FacePrinter(ByteWriter& out, const LabelledMesh& mesh)
-      : out_(out), mesh_(mesh.mesh), texture_(print_texture(out, mesh)) {}
-
-  void print(FaceId f) {
-    const auto& [a, b, c] = mesh_.vertices(f);
-    const std::size_t* t = texture_.empty() ? nullptr : texture_.data() + 3 * f.index();
-    if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
-      out_.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
-    } else {
-      out_.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
-    }
+/// A face without texture coordinates, or with those of its corners. `texture`: what print_texture gave.
+void print_face(ByteWriter& out, const Mesh& mesh, const std::vector<std::size_t>& texture, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  const std::size_t* t = texture.empty() ? nullptr : texture.data() + 3 * f.index();
+  if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
+    out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+  } else {
+    out.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
   }
+}
 
- private:
-  ByteWriter& out_;
-  const Mesh& mesh_;
-  std::vector<std::size_t> texture_;  // number of the coordinates of each corner
-};
-
-void print_regions(ByteWriter& out, FacePrinter& faces, const LabelledMesh& mesh, bool with_materials) {
+void print_regions(ByteWriter& out, const LabelledMesh& mesh, const std::vector<std::size_t>& texture,
+                   bool with_materials) {
   for (const Region& region : collect_regions(mesh)) {
     const std::string name = region_name(region.label);
     out.print("g {}\n", name);
     if (with_materials) out.print("usemtl {}\n", name);
-    for (const FaceId f : region.faces) faces.print(f);
+    for (const FaceId f : region.faces) print_face(out, mesh.mesh, texture, f);
   }
 }
 
@@ -98,11 +89,11 @@ void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string
   ByteWriter out(stream);
   if (!material_library.empty()) out.print("mtllib {}\n", material_library);
   for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
-  FacePrinter faces(out, mesh);
+  const std::vector<std::size_t> texture = print_texture(out, mesh);
   if (mesh.face_label != nullptr) {
-    print_regions(out, faces, mesh, !material_library.empty());
+    print_regions(out, mesh, texture, !material_library.empty());
   } else {
-    for (const FaceId f : mesh.mesh.faces()) faces.print(f);
+    for (const FaceId f : mesh.mesh.faces()) print_face(out, mesh.mesh, texture, f);
   }
   print_lines(out, mesh);
   out.finish();

@@ -3,6 +3,8 @@
 // A coloured OFF has the header COFF. Four numbers from 0 to 1 follow each vertex, as Geomview specifies, and three
 // from 0 to 255 each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as the
 // next face.
+// Source: the Geomview manual, section OFF.
+// Invariant: a file has colours of all vertices and faces, or of none.
 #include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"

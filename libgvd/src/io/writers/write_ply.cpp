@@ -3,6 +3,8 @@
 // VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
 // one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
 // faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// Source: G. Turk, The PLY polygon file format, 1994. Integers of further properties are rounded and clamped to their
+// types; distances are floats unless a float would turn one into infinity or 0.
 // Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>
@@ -30,8 +32,8 @@ bool needs_doubles(const LabelledMesh& mesh) {
          std::any_of(mesh.vertex_distance->begin(), mesh.vertex_distance->end(), leaves_float);
 }
 
-void print_color_properties(ByteWriter& out) {
-  out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+void print_label_properties(ByteWriter& out) {
+  out.text("property int label\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
 }
 
 /// Properties of vertices, or of faces.
@@ -58,19 +60,13 @@ void print_vertex_properties(ByteWriter& out, const LabelledMesh& mesh, bool dou
   out.print("element vertex {}\n", mesh.mesh.vertex_count());
   out.text("property double x\nproperty double y\nproperty double z\n");
   if (mesh.vertex_distance != nullptr) out.print("property {} distance\n", doubles ? "double" : "float");
-  if (mesh.vertex_label != nullptr) {
-    out.text("property int label\n");
-    print_color_properties(out);
-  }
+  if (mesh.vertex_label != nullptr) print_label_properties(out);
   print_further_properties(out, mesh, true);
 }
 
 void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   out.print("element face {}\nproperty list uchar int vertex_indices\n", mesh.mesh.face_count());
-  if (mesh.face_label != nullptr) {
-    out.text("property int label\n");
-    print_color_properties(out);
-  }
+  if (mesh.face_label != nullptr) print_label_properties(out);
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
   if (mesh.corner_texture != nullptr) out.text("property list uchar float texcoord\n");

@@ -2,6 +2,9 @@
 //
 // STL has neither shared vertices nor labels. The colour of a label goes into the attribute, by the convention of
 // VisCAM and SolidView that most programs read.
+// Source: 3D Systems' StereoLithography Interface Specification, for all but the colours.
+// Invariant: a face has 50 bytes, so that the length follows from the number of faces, by which readers tell it from
+// text.
 #include <cstdint>
 #include <string>
 
@@ -21,10 +24,6 @@ std::uint16_t attribute(const Rgb& color) {
   return std::uint16_t(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
 }
 
-void write_vector(ByteWriter& out, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) out.binary(float(p[i]));
-}
-
 }  // namespace
 
 void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
@@ -40,8 +39,8 @@ void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
     // Normalized first: the product of two short edges can underflow. A face without area gets the normal 0.
     const Vec3 u = (mesh.position(b) - origin).stableNormalized();
     const Vec3 v = (mesh.position(c) - origin).stableNormalized();
-    write_vector(out, u.cross(v).normalized());
-    for (const VertexId corner : {a, b, c}) write_vector(out, mesh.position(corner));
+    out.floats(u.cross(v).normalized());
+    for (const VertexId corner : {a, b, c}) out.floats(mesh.position(corner));
     out.binary(labelled.face_label != nullptr ? attribute(label_color((*labelled.face_label)[f])) : std::uint16_t{0});
   }
   out.finish();

@@ -1,15 +1,15 @@
 // VTK PolyData in XML, with arrays in Base64 (VTK File Formats, version 4.2).
 //
 // Points are the vertices of the mesh, then those of the bisectors. Cells are the bisectors as lines, then the faces:
-// VTK numbers lines before polygons. Invariant: an array has one value for each point or cell in that order, and -1
-// where an element has none.
+// VTK numbers lines before polygons.
+// Each array is encoded number by number, so none is held in memory a second time. Its length comes first, in bytes.
+// Invariant: an array has one value for each point or cell in that order, and -1 where an element has none.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
-#include "io/writers/mesh_elements.hpp"
 
 namespace gvd::io {
 namespace {
@@ -92,20 +92,19 @@ class VtpWriter {
   }
 
   void write_cell_data() {
-    const auto none_of_line = [](const BisectorLine&) { return std::int32_t{-1}; };
-    const auto none_of_face = [](FaceId) { return std::int32_t{-1}; };
+    const auto none = [](const auto&) { return std::int32_t{-1}; };
     out_.text(labelled_.face_label != nullptr ? "<CellData Scalars=\"Label\">\n" : "<CellData>\n");
     if (labelled_.face_label != nullptr) {
-      write_cell_array("Label", none_of_line, [&](FaceId f) { return (*labelled_.face_label)[f].value(); });
+      write_cell_array("Label", none, [&](FaceId f) { return (*labelled_.face_label)[f].value(); });
     }
     if (labelled_.face_parent != nullptr) {
-      write_cell_array("Parent", none_of_line, [&](FaceId f) { return (*labelled_.face_parent)[f].value(); });
+      write_cell_array("Parent", none, [&](FaceId f) { return (*labelled_.face_parent)[f].value(); });
     }
     if (labelled_.diagram != nullptr) {
       write_cell_array(
-          "Left", [](const BisectorLine& line) { return line.left.value(); }, none_of_face);
+          "Left", [](const BisectorLine& line) { return line.left.value(); }, none);
       write_cell_array(
-          "Right", [](const BisectorLine& line) { return line.right.value(); }, none_of_face);
+          "Right", [](const BisectorLine& line) { return line.right.value(); }, none);
     }
     out_.text("</CellData>\n");
   }

@@ -2,6 +2,8 @@
 //
 // A face may refer to vertices that come later in the file. Such references are kept and checked at the end, so that a
 // message names the line of the face. Indices are 1-based, or negative and counted back from the last vertex so far.
+// Groups, normals, materials and curves are skipped. A texture is kept only where it is asked for.
+// Source: Wavefront's Advanced Visualizer manual, appendix B1.
 // Invariant: every index that was stored fits 32 bits, whatever the file says.
 #include <fmt/format.h>
 

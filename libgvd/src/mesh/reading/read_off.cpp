@@ -2,6 +2,7 @@
 //
 // The keyword is optional, and the counts may follow on its line. Numbers of an element may continue on the next lines,
 // but what follows them on the last line (a normal, a colour) is skipped.
+// Source: the Geomview manual, section OFF. Binary files and those of other dimensions are refused by their keyword.
 // Invariant: counts are compared with the bytes that are left before they reserve memory.
 #include <fmt/format.h>
 

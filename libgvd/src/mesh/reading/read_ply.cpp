@@ -3,6 +3,7 @@
 //
 // `read_element` goes through the properties of an element and asks its caller for each whether it takes it; all others
 // are skipped. So the soup, single properties and attributes come from one walk, and a damaged file fails alike.
+// Source: G. Turk, The PLY polygon file format, 1994; strips of triangles as the files of the Stanford scans have them.
 // Invariant: no count in the file reserves memory before it is compared with the number of bytes that are left.
 #include <fmt/format.h>
 
@@ -246,7 +247,9 @@ class BodyParser {
       read_element(element, i, [&](int p) {
         if (p != list) return false;
         const std::int64_t size = read_count(property, i);
-        for (std::int64_t c = 0; c < size; ++c) soup_.corners.push_back(read_index(property, i));
+        for (std::int64_t c = 0; c < size; ++c) {
+          soup_.corners.push_back(require_index(source_.read(property.type, property), i, "face"));
+        }
         return true;
       });
       soup_.close_polygon();
@@ -283,10 +286,6 @@ class BodyParser {
     if (a == b || b == c || c == a) return;
     for (const std::int32_t corner : {a, b, c}) soup_.corners.push_back(corner);
     soup_.close_polygon();
-  }
-
-  std::int32_t read_index(const PlyProperty& property, std::int64_t face) {
-    return require_index(source_.read(property.type, property), face, "face");
   }
 
   std::int32_t require_index(double index, std::int64_t face, const char* kind) {

@@ -2,6 +2,7 @@
 //
 // The content decides on the format before the name does, because files with a wrong extension are common. A binary STL
 // has no mark of its own; its length must be the one that its triangle count asks for.
+// Words decide between the text formats: OFF and solid are keywords, and an OBJ begins with one of eleven statements.
 // Invariant: no count in a header reserves memory that the rest of the file could not fill.
 #include "gvd/read_soup.hpp"
 

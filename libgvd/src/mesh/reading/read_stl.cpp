@@ -2,6 +2,8 @@
 //
 // A file of exactly the length that its triangle count asks for is binary, whatever its first word: many binary files
 // begin with "solid". Otherwise a file is text if it begins with "solid" and has no zero byte near its start.
+// Source: 3D Systems' StereoLithography Interface Specification. A text is a nest of solids, facets and loops, whose
+// level alone decides which statement may come next; normals are skipped, since the corners give them.
 // Invariant: the soup is marked as unwelded, so that the repair joins vertices at one position.
 #include <fmt/format.h>
 
@@ -30,6 +32,9 @@ std::uint32_t little_endian(const char* bytes) {
 /// The count in a binary STL's header. The file must hold kStlHeader bytes.
 std::uint32_t stl_triangle_count(std::string_view bytes) { return little_endian(bytes.data() + 80); }
 
+/// The length of a binary STL with that count.
+std::uint64_t stl_length(std::string_view bytes) { return kStlHeader + kStlTriangle * stl_triangle_count(bytes); }
+
 Vec3 binary_position(std::string_view bytes, std::size_t offset, std::string_view name, std::int64_t triangle) {
   Vec3 p;
   for (int i = 0; i < 3; ++i) p[i] = std::bit_cast<float>(little_endian(bytes.data() + offset + 4 * i));
@@ -49,7 +54,7 @@ void check_binary_length(std::string_view bytes, std::string_view name) {
                             counted(std::ssize(bytes), "byte is", "bytes are")));
   }
   const std::uint64_t count = stl_triangle_count(bytes);
-  const std::uint64_t wanted = kStlHeader + kStlTriangle * count;
+  const std::uint64_t wanted = stl_length(bytes);
   if (bytes.size() < wanted) {
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: the file does not start with 'solid', and as a binary STL of {} it should have {} "
@@ -62,7 +67,7 @@ void check_binary_length(std::string_view bytes, std::string_view name) {
 PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
   check_binary_length(bytes, name);
   const std::uint64_t count = stl_triangle_count(bytes);
-  const std::uint64_t wanted = kStlHeader + kStlTriangle * count;
+  const std::uint64_t wanted = stl_length(bytes);
   check_counts(3 * count, count, name);
   PolygonSoup soup;
   soup.unwelded = true;
@@ -164,8 +169,7 @@ bool is_text(std::string_view bytes) {
 
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kStlHeader) return false;
-  const std::uint64_t count = stl_triangle_count(bytes);
-  return count > 0 && bytes.size() == kStlHeader + kStlTriangle * count;
+  return stl_triangle_count(bytes) > 0 && bytes.size() == stl_length(bytes);
 }
 
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name) {

@@ -2,6 +2,7 @@
 //
 // Numbers are read by std::from_chars, which knows no locale. It does not tell overflow from underflow; the decimal
 // exponent does. Texts with lone CR as line ends are copied once, so that all others are read in place.
+// The readers of all formats share them, so a wrong token, a missing number and an early end read alike in all formats.
 // Invariant: an element that lacks a number is refused on its own line, before the next one's numbers are taken for it.
 #include "mesh/reading/read_text.hpp"
 

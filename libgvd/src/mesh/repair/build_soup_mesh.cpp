@@ -2,7 +2,8 @@
 //
 // The steps are those of repair_steps.hpp, in the order of `build_mesh` at the end. Welding comes first, because all
 // later steps know vertices by their numbers alone. Faces are oriented before edges are cut, because the inside of the
-// surface decides which faces of an edge stay together.
+// surface decides which faces of an edge stay together. A step that finds nothing changes nothing and logs nothing.
+// Under DefectPolicy::error the log throws at the first defect.
 // Invariant: a soup of triangles without a defect becomes the mesh with the same vertices and faces in the same order.
 #include <fmt/format.h>
 
@@ -21,18 +22,16 @@ constexpr std::array<std::string_view, 10> kKindNames = {
 
 void examine_positions(const PolygonSoup& soup) {
   if (soup.positions.empty()) refuse_soup("the soup has no vertices", -1);
-  Vec3 low = soup.positions.front();
-  Vec3 high = low;
+  Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     const Vec3& p = soup.positions[v];
     if (!p.allFinite()) refuse_soup(fmt::format("vertex {} has a coordinate that is not finite", v), v);
     if (p.cwiseAbs().maxCoeff() > kLargestCoordinate) {
       refuse_soup(fmt::format("vertex {} has a coordinate beyond {:g}; scale the mesh down", v, kLargestCoordinate), v);
     }
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    box.extend(p);
   }
-  const double extent = (high - low).maxCoeff();
+  const double extent = box.sizes().maxCoeff();
   if (extent == 0) refuse_soup("all vertices are at one position, that of vertex 0: there is no surface", 0);
   if (extent < kSmallestExtent) {
     refuse_soup(fmt::format("the whole mesh is smaller than {:g}; scale it up", kSmallestExtent), 0);
@@ -171,21 +170,9 @@ void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, con
   report_.messages.push_back(message);
 }
 
-std::vector<PlacedVertex> sort_by_position(const std::vector<Vec3>& positions) {
-  std::vector<PlacedVertex> sorted;
-  sorted.reserve(positions.size());
-  for (const Vec3& p : positions) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, sorted.size());
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-void examine_soup(const PolygonSoup& soup) {
+CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   examine_polygons(soup);
   examine_positions(soup);
-}
-
-CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
-  examine_soup(soup);
   DefectLog log(policy);
   log.report().messages = soup.notes;
   const std::vector<std::int32_t> weld = weld_vertices(soup, log);

@@ -3,6 +3,8 @@
 // An STL's triangles share no vertices, so all vertices at one position become one. Elsewhere two vertices at one place
 // may be meant as two, and only those at the ends of a polygon edge of length 0 are welded. Duplicates are found by an
 // order-independent hash of their corners, then compared in a canonical order.
+// Two faces back to back that no other face touches are a closed surface without volume, and stay.
+// Source: the hash of a corner is the finalizer of splitmix64 (Steele, Lea and Flood, 2014).
 // Invariant: polygons keep their order, and each keeps the order of the corners that are left.
 #include <fmt/format.h>
 
@@ -19,7 +21,10 @@ namespace {
 
 /// The first vertex at the position of each vertex. Positions are compared as numbers: -0 equals 0.
 std::vector<std::int32_t> weld_all(const std::vector<Vec3>& positions) {
-  const std::vector<PlacedVertex> sorted = sort_by_position(positions);
+  std::vector<PlacedVertex> sorted;
+  sorted.reserve(positions.size());
+  for (const Vec3& p : positions) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, sorted.size());
+  std::sort(sorted.begin(), sorted.end());
   std::vector<std::int32_t> weld(positions.size());
   std::size_t leader = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {

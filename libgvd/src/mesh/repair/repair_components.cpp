@@ -2,6 +2,7 @@
 //
 // A breadth-first search gives each face of a component the orientation that its neighbours ask for, relative to the
 // first face; the majority decides. A face that would need both belongs to a surface with one side only.
+// The largest component is that of the largest area; of equal ones the first is kept. Cost: O(n).
 // Invariant: edges of three or more faces connect nothing here. They are cut apart later, when all faces that they join
 // are oriented.
 #include <fmt/format.h>
@@ -151,7 +152,7 @@ void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, std
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
   EdgeTable nonmanifold_edges;
   work.twin.assign(work.halfedge_count(), -1);
-  visit_edges(work, vertex_count, [&](const EdgeHalfedges& edge) {
+  visit_edges(work.faces, vertex_count, [&](const EdgeHalfedges& edge) {
     if (edge.size() > 2) nonmanifold_edges.push_back(edge.list());
     if (edge.size() == 2) work.link(edge[0], edge[1]);
   });

@@ -1,18 +1,87 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "mesh/repair/work_soup.hpp"
+#include "gvd/error.hpp"
+#include "gvd/soup.hpp"
+#include "mesh/visit_edges.hpp"
+
+// The steps of `build_mesh`, and the data that they hand on: polygons, then triangles, and the log of defects.
+namespace gvd {
+
+/// Throws Error{precondition}. `element` is the polygon or the vertex of the soup that the message names.
+[[noreturn]] inline void refuse_soup(const std::string& message, std::int64_t element) {
+  throw Error(ErrorCode::precondition, message, element);
+}
+
+/// Collects the defects of a soup in a report. Under DefectPolicy::error it throws on the first one.
+class DefectLog {
+ public:
+  explicit DefectLog(DefectPolicy policy) : policy_(policy) {}
+
+  /// Adds a defect. `what` says what is wrong and where first, `action` how it was repaired. Does nothing where `count`
+  /// is 0.
+  void add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what, const std::string& action);
+  DefectPolicy policy() const { return policy_; }
+  DefectReport& report() { return report_; }
+
+ private:
+  DefectPolicy policy_;
+  DefectReport report_;
+};
+
+/// A position and its vertex, to sort vertices by their positions, then by their numbers.
+using PlacedVertex = std::pair<std::array<double, 3>, std::int32_t>;
+
+/// The polygons of a soup while they are cleaned. Corners are vertices of the soup.
+struct WorkPolygons {
+  std::vector<std::int32_t> corners;         ///< of all polygons, one after the other
+  std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
+  std::vector<std::int32_t> origin;          ///< per polygon, its polygon in the soup
+
+  std::size_t count() const { return origin.size(); }
+  std::span<const std::int32_t> polygon(std::size_t p) const {
+    return {corners.data() + first_corner[p], first_corner[p + 1] - first_corner[p]};
+  }
+  /// Makes a polygon of the corners that were appended last; `from` is its polygon in the soup.
+  void close(std::int32_t from) {
+    first_corner.push_back(corners.size());
+    origin.push_back(from);
+  }
+};
+
+/// Triangles while they are oriented and cut. Halfedge 3 f + i runs from corner i of face f to the next corner.
+struct WorkFaces {
+  std::vector<std::array<std::int32_t, 3>> faces;  ///< vertices of the soup, until `cut_vertices` appends copies
+  std::vector<std::int32_t> origin;                ///< per face, its polygon in the soup
+  std::vector<std::int32_t> twin;                  ///< per halfedge, -1 where there is none
+  std::vector<std::int32_t> source;  ///< after `cut_vertices`: per vertex, its vertex in the soup, -1 for a midpoint
+  std::vector<Vec3> positions;       ///< after `cut_vertices`: per vertex, in mesh units
+
+  std::int32_t from(std::int32_t h) const { return faces[h / 3][h % 3]; }
+  std::int32_t to(std::int32_t h) const { return from(next(h)); }
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::int32_t face_count() const { return static_cast<std::int32_t>(faces.size()); }
+  std::int32_t halfedge_count() const { return 3 * face_count(); }
+  /// Makes two halfedges each other's twins.
+  void link(std::int32_t a, std::int32_t b) {
+    twin[a] = b;
+    twin[b] = a;
+  }
+};
+
+/// Edges of three or more faces: the halfedges of each, ascending, whatever their direction.
+using EdgeTable = std::vector<std::vector<std::int32_t>>;
 
 // The steps of `build_mesh` in their order. Each one logs the defects that it repairs, and the log throws under
 // DefectPolicy::error. All of them are deterministic. `positions` are those of the soup.
-namespace gvd {
-
-/// Throws Error{precondition} unless every index is in range, there is a face, and every coordinate is finite and of a
-/// size that can be computed with (kLargestCoordinate, kSmallestExtent). Cost: O(n).
-void examine_soup(const PolygonSoup& soup);
 
 /// Welds vertices at one position: all of them in an STL, elsewhere those that a polygon edge joins.
 /// Returns per input vertex the vertex that replaces it: itself, or an earlier one at the same position.
@@ -29,9 +98,23 @@ void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, De
 
 /// Cuts polygons into triangles: quadrilaterals along their better diagonal, larger ones by clipping ears. `twin` is
 /// left empty. A quadrilateral that crosses itself is a defect, and is cut where a diagonal leaves two triangles with
-/// area. Throws Error{precondition} for any other polygon that crosses itself, or is too complex. Cost: that of
-/// `triangulate_polygon` for each.
+/// area. Throws Error{precondition} for any other polygon that crosses itself, or is too complex.
+/// Cost: O(n log n + n r) for each polygon of n corners, r of them not convex.
 WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions, DefectLog& log);
+
+/// The corners of a polygon in space, and their projection to a plane.
+struct ProjectedPolygon {
+  std::vector<Vec3> space;  ///< relative to the first corner, scaled so that the largest coordinate is 1
+  std::vector<Vec2> plane;  ///< of `space`, along the polygon's normal; all y are 0 where it lies on a line
+  bool is_on_line = false;
+  /// Whether the projection turns by 2 pi once round, as that of every simple polygon does. False where there is no
+  /// normal either, although the corners do not lie on a line: then the polygon crosses itself.
+  bool turns_once = false;
+};
+
+/// Projects a polygon along its normal by Newell's formula, so that the orientation becomes counter-clockwise.
+/// Input: three or more corners, indices into `positions`, not all at one position. Cost: O(n).
+ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions);
 
 /// Sets `twin` of the two halfedges of each edge with two faces, whatever their direction. Returns the edges of three
 /// or more faces, in the order of `visit_edges`. Cost: that of `visit_edges`.

@@ -2,17 +2,26 @@
 //
 // A second edge between two vertices of the mesh would count as the same edge, with four faces. So a diagonal that is
 // an edge already is the last choice. Quadrilaterals, the most frequent polygons, are cut along the better diagonal;
-// larger polygons by clipping ears.
+// larger polygons are projected along their normal and cut by clipping ears. Nobody knows whether a polygon is simple:
+// where no ear is left, it crosses itself. Ears come by four rules, from good ones to flat ones along existing edges.
+// Source: Newell's formula for the normal (M. E. Newell, R. G. Newell and T. L. Sancha, A solution to the hidden surface
+// problem, 1972); ear clipping (G. H. Meisters, Polygons have ears, 1975).
 // Invariant: each triangle but the last of its polygon was cut off along the side from its third corner to its first.
+// Only corners that are not convex at the start can lie in an ear, then or later, so only they are tested.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <queue>
 #include <unordered_set>
 
+#include "base/ear_clipping.hpp"
+#include "base/plane.hpp"
 #include "gvd/text.hpp"
 #include "mesh/repair/repair_steps.hpp"
-#include "mesh/repair/triangulate_soup_polygon.hpp"
 
 namespace gvd {
 namespace {
@@ -20,6 +29,69 @@ namespace {
 /// The second diagonal of a quadrilateral is taken only if it is better by more than this fraction. So rounding does
 /// not decide between those of a square. Dimensionless; far above the rounding of a few operations.
 constexpr double kBetterDiagonal = 1e-6;
+
+/// The sine of an angle at or below this counts as 0. Coordinates scaled to 1 carry a rounding error of about 1e-16
+/// each. The sine of a corner between sides a thousandth as long has one of about 1e-13; this is ten times as much.
+constexpr double kFlatSine = 1e-12;
+
+/// Largest number of point-in-triangle tests for one polygon: they take about a second. Concave polygons of about
+/// 20,000 corners reach it.
+constexpr std::int64_t kMostEarTests = 100'000'000;
+
+enum class PolygonShape {
+  simple,         ///< cut into triangles
+  self_crossing,  ///< in the projection along its normal; no triangle was added
+  too_complex,    ///< more than kMostEarTests would be needed; no triangle was added
+};
+
+/// Twice the area over the sum of the squared sides: largest for the equilateral triangle, 0 for a flat one.
+double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a).norm() / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+}
+
+/// Moves the first corner to the origin and the others into a unit box, so that no product overflows or underflows.
+std::vector<Vec3> scale(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
+  const Vec3& origin = positions[polygon[0]];
+  std::vector<Vec3> space;
+  double extent = 0;
+  for (const std::int32_t v : polygon) {
+    space.push_back(positions[v] - origin);
+    extent = std::max(extent, space.back().cwiseAbs().maxCoeff());
+  }
+  for (Vec3& p : space) p /= extent;
+  return space;
+}
+
+/// Fills `plane` and `is_on_line`. False where the polygon has no normal and does not lie on a line.
+bool project(ProjectedPolygon& polygon) {
+  const std::vector<Vec3>& space = polygon.space;
+  Vec3 normal = Vec3::Zero();
+  Vec3 far = Vec3::Zero();
+  double widest = 0;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    normal += space[i].cross(space[(i + 1) % space.size()]);
+    if (space[i].squaredNorm() > far.squaredNorm()) far = space[i];
+  }
+  for (const Vec3& p : space) widest = std::max(widest, p.cross(far).norm());
+  const bool on_line = widest <= kFlatSine * far.squaredNorm();
+  if (!on_line && normal.norm() <= kFlatSine) return false;
+  polygon.is_on_line = on_line;
+  const Vec3 z = on_line ? far.unitOrthogonal() : Vec3(normal.normalized());
+  const Vec3 x = on_line ? Vec3(far.normalized()) : z.unitOrthogonal();
+  const Vec3 y = z.cross(x);
+  for (const Vec3& p : space) polygon.plane.emplace_back(p.dot(x), on_line ? 0 : p.dot(y));
+  return true;
+}
+
+bool turns_once(const std::vector<Vec2>& corners) {
+  double sum = 0;
+  for (std::size_t i = 0, n = corners.size(); i < n; ++i) {
+    const Vec2 in = corners[i] - corners[(i + n - 1) % n];
+    const Vec2 out = corners[(i + 1) % n] - corners[i];
+    sum += std::atan2(cross(in, out), in.dot(out));
+  }
+  return std::abs(sum - 2 * std::numbers::pi) < 1;
+}
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
   return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
@@ -52,21 +124,175 @@ class KnownEdges {
   std::unordered_set<std::uint64_t> diagonals_;
 };
 
+class SoupEarClipper {
+ public:
+  SoupEarClipper(std::span<const std::int32_t> polygon, const ProjectedPolygon& projected, const KnownEdges& known)
+      : polygon_(polygon),
+        space_(projected.space),
+        plane_(projected.plane),
+        known_(known),
+        ring_(projected.plane.size()) {
+    for (std::size_t i = 0; i < ring_.corner_count(); ++i) {
+      if (turn(i) <= kFlatSine) blockers_.push_back(i);
+    }
+    queue_all(kRules[0]);
+  }
+
+  /// Appends the triangles; what it appended counts only where it returns PolygonShape::simple.
+  PolygonShape clip(std::vector<std::array<std::int32_t, 3>>& triangles) {
+    while (ring_.left_count() > 3) {
+      const std::optional<std::size_t> ear = take_ear();
+      if (tests_ > kMostEarTests) return PolygonShape::too_complex;
+      if (!ear) return PolygonShape::self_crossing;
+      triangles.push_back(vertices(*ear));
+      cut(*ear);
+    }
+    const std::size_t last = ring_.first_left();
+    const bool fits = has_distinct_vertices(last) && turn(last) >= -kFlatSine;
+    if (!fits) return PolygonShape::self_crossing;
+    triangles.push_back(vertices(last));
+    return PolygonShape::simple;
+  }
+
+ private:
+  /// A rule for ears. The rules are tried in this order, and from the first one again after every cut.
+  struct Rule {
+    bool flat;      // the ear may have no area
+    bool existing;  // the diagonal may be an edge already
+  };
+  static constexpr std::array<Rule, 4> kRules = {{{false, false}, {true, false}, {false, true}, {true, true}}};
+
+  /// Sine of the angle at a from b to p: positive where p is to the left of the line from a to b.
+  double side(std::size_t a, std::size_t b, std::size_t p) const {
+    return sine(plane_[b] - plane_[a], plane_[p] - plane_[a]);
+  }
+
+  /// Sine of the turn at a corner: positive where it is convex.
+  double turn(std::size_t i) const {
+    return sine(plane_[i] - plane_[ring_.before(i)], plane_[ring_.after(i)] - plane_[i]);
+  }
+
+  static double sine(const Vec2& u, const Vec2& v) {
+    const double lengths = u.norm() * v.norm();
+    return lengths > 0 ? cross(u, v) / lengths : 0;
+  }
+
+  /// The best ear; where no good one is left, a worse one by the next rule. Nothing where there is none at all.
+  std::optional<std::size_t> take_ear() {
+    while (!queue_.empty()) {
+      const EarCandidate best = queue_.top();
+      queue_.pop();
+      if (ring_.is_current(best)) return best.corner;
+    }
+    for (const Rule& rule : kRules) {
+      queue_all(rule);
+      if (queue_.empty()) continue;
+      const std::size_t ear = queue_.top().corner;
+      if (rule.flat || rule.existing)
+        queue_ = {};
+      else
+        queue_.pop();
+      return ear;
+    }
+    return std::nullopt;
+  }
+
+  void queue_all(const Rule& rule) {
+    for (std::size_t i = 0; i < ring_.corner_count(); ++i) {
+      if (ring_.is_left(i)) queue(i, rule);
+    }
+  }
+
+  void queue(std::size_t i, const Rule& rule) {
+    if (!is_ear(i, rule)) return;
+    queue_.push(ring_.candidate(i, triangle_quality(space_[ring_.before(i)], space_[i], space_[ring_.after(i)])));
+  }
+
+  bool is_ear(std::size_t i, const Rule& rule) {
+    const double sine = turn(i);
+    if (rule.flat ? sine < -kFlatSine : sine <= kFlatSine) return false;
+    const std::size_t a = ring_.before(i), b = ring_.after(i);
+    if (!has_distinct_vertices(i) || space_[a] == space_[b]) return false;
+    if (!rule.existing && known_.contains(polygon_[a], polygon_[b])) return false;
+    return !is_blocked(i);
+  }
+
+  /// Whether a corner that is not convex lies in the ear of corner i. A corner at the position of one of the ear's own
+  /// does not count.
+  bool is_blocked(std::size_t i) {
+    tests_ += std::ssize(blockers_);
+    const std::size_t a = ring_.before(i), b = ring_.after(i);
+    return std::any_of(blockers_.begin(), blockers_.end(), [&](std::size_t p) {
+      if (!ring_.is_left(p) || p == a || p == i || p == b) return false;
+      if (plane_[p] == plane_[a] || plane_[p] == plane_[i] || plane_[p] == plane_[b]) return false;
+      return side(a, i, p) >= -kFlatSine && side(i, b, p) >= -kFlatSine && side(b, a, p) >= -kFlatSine &&
+             is_in_box(i, p);
+    });
+  }
+
+  /// Whether p lies in the bounding box of the ear of corner i: for flat ears.
+  bool is_in_box(std::size_t i, std::size_t p) const {
+    const Vec2 &a = plane_[ring_.before(i)], &b = plane_[ring_.after(i)];
+    const Vec2 low = a.cwiseMin(plane_[i]).cwiseMin(b), high = a.cwiseMax(plane_[i]).cwiseMax(b);
+    return (plane_[p].array() >= low.array() - kFlatSine).all() &&
+           (plane_[p].array() <= high.array() + kFlatSine).all();
+  }
+
+  void cut(std::size_t ear) {
+    ring_.remove(ear);
+    for (const std::size_t i : {ring_.before(ear), ring_.after(ear)}) queue(i, kRules[0]);
+  }
+
+  std::array<std::int32_t, 3> vertices(std::size_t i) const {
+    return {polygon_[ring_.before(i)], polygon_[i], polygon_[ring_.after(i)]};
+  }
+
+  /// A vertex may come twice round the polygon.
+  bool has_distinct_vertices(std::size_t i) const {
+    const auto [a, v, b] = vertices(i);
+    return a != b && a != v && b != v;
+  }
+
+  std::span<const std::int32_t> polygon_;
+  const std::vector<Vec3>& space_;
+  const std::vector<Vec2>& plane_;
+  const KnownEdges& known_;
+  PolygonRing ring_;
+  std::int64_t tests_ = 0;             // of points in triangles
+  std::vector<std::size_t> blockers_;  // corners that are not convex at the start: only they can lie in an ear
+  std::priority_queue<EarCandidate> queue_;
+};
+
+/// Cuts a polygon in space into triangles of its own orientation by clipping ears, the best shaped ones first.
+///
+/// Inputs: four or more corners, neighbours at different positions; a vertex may come twice (a polygon with a bridge to
+/// its hole). A diagonal that is an edge already is used only where no other is left.
+/// Appends the triangles to `triangles`. Diagonals have a positive length. Deterministic.
+/// Cost: O(n log n + n r) time for n corners, r of them not convex.
+PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions,
+                                 const KnownEdges& known, std::vector<std::array<std::int32_t, 3>>& triangles) {
+  const ProjectedPolygon projected = project_polygon(polygon, positions);
+  if (!projected.turns_once) return PolygonShape::self_crossing;
+  const std::size_t before = triangles.size();
+  const PolygonShape shape = SoupEarClipper(polygon, projected, known).clip(triangles);
+  if (shape != PolygonShape::simple) triangles.resize(before);
+  return shape;
+}
+
 class Triangulator {
  public:
   Triangulator(const WorkPolygons& polygons, const std::vector<Vec3>& positions)
-      : positions_(positions), known_(polygons), is_edge_([this](auto a, auto b) { return known_.contains(a, b); }) {}
+      : positions_(positions), known_(polygons) {}
 
   void add(std::span<const std::int32_t> polygon, std::int32_t origin, WorkFaces& work) {
     const std::size_t begin = work.faces.size();
     if (polygon.size() == 3) {
       work.faces.push_back({polygon[0], polygon[1], polygon[2]});
     } else if (polygon.size() != 4 || !split_quad(polygon, work.faces, Quad::simple)) {
-      const PolygonShape shape = triangulate_polygon(polygon, positions_, is_edge_, work.faces);
+      const PolygonShape shape = triangulate_polygon(polygon, positions_, known_, work.faces);
       if (shape != PolygonShape::simple) cut_crossing_quad(shape, polygon, origin, work.faces);
     }
     work.origin.resize(work.faces.size(), origin);
-    // Each triangle but the last was cut off along the side from its third corner to its first.
     for (std::size_t f = begin; f + 1 < work.faces.size(); ++f) known_.add_diagonal(work.faces[f][2], work.faces[f][0]);
   }
 
@@ -80,18 +306,13 @@ class Triangulator {
 
   const Vec3& at(std::int32_t v) const { return positions_[v]; }
 
-  /// Quality of the diagonal a-c: that of the worse of its two triangles, twice the area over the sum of the squared
-  /// sides. 0 where a triangle is flat, the two of a simple quadrilateral face different ways, or the diagonal is an
-  /// edge already.
+  /// Quality of the diagonal a-c: that of the worse of its two triangles. 0 where a triangle is flat, the two of a
+  /// simple quadrilateral face different ways, or the diagonal is an edge already.
   double diagonal_quality(const std::array<std::int32_t, 4>& quad, Quad shape) const {
     const auto [a, b, c, d] = quad;
-    const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a));
-    const Vec3 normal_d = (at(c) - at(a)).cross(at(d) - at(a));
+    const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a)), normal_d = (at(c) - at(a)).cross(at(d) - at(a));
     if ((shape == Quad::simple && !(normal_b.dot(normal_d) > 0)) || known_.contains(a, c)) return 0;
-    const double diagonal = (at(c) - at(a)).squaredNorm();
-    const double squares_b = diagonal + (at(b) - at(a)).squaredNorm() + (at(c) - at(b)).squaredNorm();
-    const double squares_d = diagonal + (at(d) - at(a)).squaredNorm() + (at(c) - at(d)).squaredNorm();
-    return std::min(normal_b.norm() / squares_b, normal_d.norm() / squares_d);
+    return std::min(triangle_quality(at(a), at(b), at(c)), triangle_quality(at(a), at(c), at(d)));
   }
 
   bool split_quad(std::span<const std::int32_t> q, std::vector<std::array<std::int32_t, 3>>& faces, Quad shape) const {
@@ -129,12 +350,18 @@ class Triangulator {
 
   const std::vector<Vec3>& positions_;
   KnownEdges known_;
-  EdgeQuery is_edge_;
   std::int64_t crossing_quads_ = 0;
   std::int32_t first_crossing_quad_ = -1;
 };
 
 }  // namespace
+
+ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
+  ProjectedPolygon projected;
+  projected.space = scale(polygon, positions);
+  projected.turns_once = project(projected) && (projected.is_on_line || turns_once(projected.plane));
+  return projected;
+}
 
 WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions, DefectLog& log) {
   WorkFaces work;

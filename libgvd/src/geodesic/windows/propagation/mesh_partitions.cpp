@@ -26,13 +26,10 @@ std::size_t scatter(std::uint64_t i, std::size_t count) {
 
 template <class Samples>
 int longest_axis(const Samples& samples) {
-  Vec3 low = samples.front().point, high = low;
-  for (const auto& s : samples) {
-    low = low.cwiseMin(s.point);
-    high = high.cwiseMax(s.point);
-  }
+  Eigen::AlignedBox3d box;
+  for (const auto& s : samples) box.extend(s.point);
   Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
+  box.sizes().maxCoeff(&axis);
   return static_cast<int>(axis);
 }
 
@@ -122,10 +119,6 @@ void MeshPartitions::add_copies(const std::vector<ForeignCorner>& corners,
     }
     range_.resize(copies_.size(), {begin, copies_.count()});
   }
-}
-
-void MeshPartitions::add_copy(VertexCopyId vertex, PartitionId partition) {
-  shared_[vertex] = copies_.push_back({vertex, partition});
 }
 
 void MeshPartitions::enter_copies(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {

@@ -108,7 +108,9 @@ class MeshPartitions {
 
   std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh, const PartitionOfVertex& partition_of_vertex);
   void add_copies(const std::vector<ForeignCorner>& corners, const PartitionOfVertex& partition_of_vertex);
-  void add_copy(VertexCopyId vertex, PartitionId partition);
+  void add_copy(VertexCopyId vertex, PartitionId partition) {
+    shared_[vertex] = copies_.push_back({vertex, partition});
+  }
   void enter_copies(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const;
 
   std::int32_t count_;

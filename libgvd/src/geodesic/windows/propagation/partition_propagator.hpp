@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/bucket_queue.hpp"
-#include "base/prefetch.hpp"
 #include "geodesic/windows/block_list.hpp"
 #include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"

@@ -36,12 +36,8 @@ constexpr double kFineBucketWidth = 0.01;
 constexpr double kMaxBuckets = 1 << 16;
 
 std::size_t count_buckets(const Mesh& mesh, double width, std::int32_t partitions) {
-  double longest = 0;
-  for (const FaceId f : mesh.faces()) {
-    for (const double length : mesh.shape(f).length) longest = std::max(longest, length);
-  }
   // From a window to the next one, or to a vertex and its windows, the key rises by at most two edge lengths.
-  return static_cast<std::size_t>(std::min(kMaxBuckets / partitions, 3 * longest / width + 3));
+  return static_cast<std::size_t>(std::min(kMaxBuckets / partitions, 3 * longest_edge(mesh) / width + 3));
 }
 
 /// The propagation in all partitions.

@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/prefetch.hpp"
 #include "geodesic/windows/block_list.hpp"
 #include "geodesic/windows/window.hpp"
 
@@ -101,8 +100,7 @@ class WaitingWindows {
   /// Interval ends that differ by less than this fraction of the edge are the same.
   static constexpr double kSameEnd = 1e-9;
 
-  const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
-  Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
   std::int32_t take_slot() {
     if (free_ >= 0) {

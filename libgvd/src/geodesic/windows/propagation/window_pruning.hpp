@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/prefetch.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
 #include "geodesic/windows/vertex_fan.hpp"
@@ -135,8 +134,7 @@ class WindowPruning {
     return undecided;
   }
 
-  FaceState& state(FaceId f) { return state_[f.value()]; }
-  FaceState state(FaceId f) const { return state_[f.value()]; }
+  FaceState& state(FaceId f) const { return state_[f.value()]; }
 
   void mark_face(FaceId f) {
     if (exchange_.is_own(f)) {

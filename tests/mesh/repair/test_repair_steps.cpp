@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "gvd/error.hpp"
-#include "mesh/repair/work_soup.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test_work_soup {
+namespace gvd::test_repair_steps {
 
 std::vector<std::int32_t> corners_of(const WorkPolygons& work, std::size_t p) {
   const auto polygon = work.polygon(p);
@@ -81,4 +81,4 @@ TEST_CASE("defect kinds have names for reports") {
   CHECK(name_of(DefectKind::dropped_components) == "dropped_components");
 }
 
-}  // namespace gvd::test_work_soup
+}  // namespace gvd::test_repair_steps
