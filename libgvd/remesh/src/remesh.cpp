@@ -17,8 +17,7 @@
 #include <utility>
 
 #include "crease_defects.hpp"
-#include "dual/face_boxes.hpp"
-#include "dual/triangle_defects.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "base/parallel_chunks.hpp"
-#include "dual/face_boxes.hpp"
+#include "dual/dual_steps.hpp"
 
 namespace gvd {
 namespace {

@@ -13,7 +13,7 @@
 #include <array>
 #include <utility>
 
-#include "dual/triangle_defects.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
 
