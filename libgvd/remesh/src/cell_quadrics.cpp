@@ -15,7 +15,7 @@
 #include "crease_labels.hpp"
 #include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
-#include "repair/boundary_arcs.hpp"
+#include "repair/cell_topology.hpp"
 
 namespace gvd {
 

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "crease_labels.hpp"
-#include "repair/added_generators.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {

@@ -23,8 +23,7 @@
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "placement_steps.hpp"
-#include "repair/fewer_generators.hpp"
-#include "repair/propose_generators.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
