@@ -31,19 +31,10 @@ struct ForeignCells {
   std::size_t index = 0;              // of the first generator
   std::vector<LabelInterval> labels;  // one at least
 
-  double first() const {
-    const auto begins_before = [](const LabelInterval& a, const LabelInterval& b) { return a.begin < b.begin; };
-    return std::min_element(labels.begin(), labels.end(), begins_before)->begin;
-  }
-  double last() const {
-    const auto ends_before = [](const LabelInterval& a, const LabelInterval& b) { return a.end < b.end; };
-    return std::max_element(labels.begin(), labels.end(), ends_before)->end;
-  }
+  double first() const { return std::ranges::min(labels, {}, &LabelInterval::begin).begin; }
+  double last() const { return std::ranges::max(labels, {}, &LabelInterval::end).end; }
   GeneratorId longest() const {
-    const auto is_shorter = [](const LabelInterval& a, const LabelInterval& b) {
-      return a.end - a.begin < b.end - b.begin;
-    };
-    return std::max_element(labels.begin(), labels.end(), is_shorter)->cell;
+    return std::ranges::max_element(labels, {}, [](const LabelInterval& l) { return l.end - l.begin; })->cell;
   }
 };
 
@@ -53,8 +44,7 @@ std::vector<ForeignCells> list_foreign(const std::vector<LabelInterval>& labels,
   std::vector<ForeignCells> all(generators.empty() ? 0 : generators.size() - 1);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].index = i;
   for (const LabelInterval& label : labels) {
-    const auto after = std::upper_bound(generators.begin(), generators.end(), label.begin,
-                                        [](double at, const GeneratorOnCurve& g) { return at < g.at; });
+    const auto after = std::ranges::upper_bound(generators, label.begin, {}, &GeneratorOnCurve::at);
     std::size_t i = std::max<std::ptrdiff_t>(after - generators.begin() - 1, 0);
     for (; i + 1 < generators.size() && generators[i].at < label.end; ++i) {
       const GeneratorOnCurve &a = generators[i], &b = generators[i + 1];

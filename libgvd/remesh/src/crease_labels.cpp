@@ -131,8 +131,7 @@ class CurveLabeller {
       add_edge(i, labelled);
     }
     if (!curve.closed) labelled.ends_at_generator = add_vertex(curve.vertices.back(), labelled);
-    std::stable_sort(labelled.generators.begin(), labelled.generators.end(),
-                     [](const GeneratorOnCurve& a, const GeneratorOnCurve& b) { return a.at < b.at; });
+    std::ranges::stable_sort(labelled.generators, {}, &GeneratorOnCurve::at);
     return labelled;
   }
 

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
+#include "base/least.hpp"
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
 #include "map/map_steps.hpp"
@@ -62,24 +62,20 @@ Crossing find_crossing(const CellSurface& surface, const DualPolygons& polygons,
                        std::pair<GeneratorId, GeneratorId> cells) {
   const Mesh &mesh = surface.cut.mesh, &remesh = polygons.remesh();
   const Vec3& from = remesh.position(VertexId(std::min(cells.first, cells.second).value()));
-  const Vec3 along = remesh.position(VertexId(std::max(cells.first, cells.second).value())) - from;
+  const Vec3& to = remesh.position(VertexId(std::max(cells.first, cells.second).value()));
   std::size_t begin = 1, end = path.size() - 1;
   if (!polygons.at(path.front())) {
     begin = 0, end = 1;
   } else if (!polygons.at(path.back())) {
     begin = path.size() - 1, end = path.size();
   }
-  Crossing best;
-  std::tuple<double, VertexId> least(kInfinity, VertexId());
+  Least<Crossing, std::pair<double, VertexId>> nearest{{}, {kInfinity, {}}};
   for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 offset = mesh.position(path[i]) - from;
-    const double t = std::clamp(along.dot(offset) / along.squaredNorm(), kLeastCrossing, 1 - kLeastCrossing);
-    const std::tuple rank((offset - t * along).norm(), path[i]);
-    if (rank >= least) continue;
-    least = rank;
-    best = {i, t};
+    const Vec3& at = mesh.position(path[i]);
+    const double t = std::clamp(foot_on_line(from, to, at), kLeastCrossing, 1 - kLeastCrossing);
+    nearest.offer({(at - from - t * (to - from)).norm(), path[i]}, {i, t});
   }
-  return best;
+  return nearest.value;
 }
 
 class TargetCollector {

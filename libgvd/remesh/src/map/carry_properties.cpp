@@ -66,8 +66,7 @@ double weighted_mean(const std::vector<Share>& shares, const std::vector<double>
 
 /// The vertex with the largest share.
 std::int32_t largest_share(const std::vector<Share>& shares) {
-  const auto largest = std::max_element(shares.begin(), shares.end(),
-                                        [](const Share& a, const Share& b) { return a.weight < b.weight; });
+  const auto largest = std::ranges::max_element(shares, {}, &Share::weight);
   return largest == shares.end() ? 0 : largest->vertex;
 }
 
