@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-#include "crease_defects.hpp"
+#include "crease_steps.hpp"
 #include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
