@@ -83,15 +83,10 @@ class RoundMaker {
     round.defects = check_dual(mesh_, diagram, round.dual);
     const bool is_sound = round.defects.empty();
     if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
-    if (!is_sound && number > kRoundsWithoutFlips) {
-      for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
-        round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
-      }
-    }
-    if (!round.defects.empty()) return round;
-    build_mesh(diagram, round);
-    for (const FaceId f : find_flipped_faces(mesh_, round.mesh, diagram.generators, round.face_points)) {
-      round.defects.push_back(triangle_defect(diagram, round.dual, f.index(), "is flipped"));
+    if (round.defects.empty()) build_mesh(diagram, round);
+    if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
+    for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
+      round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
     }
     return round;
   }

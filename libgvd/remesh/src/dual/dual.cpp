@@ -15,6 +15,7 @@
 #include <set>
 #include <utility>
 
+#include "base/least.hpp"
 #include "dual/dual_steps.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/surface_point.hpp"
@@ -39,11 +40,11 @@ class DualBuilder {
 
   void cut(BranchPointId b, std::vector<GeneratorId> polygon) {
     while (polygon.size() > 3) {
-      const std::size_t ear = best_ear(polygon);
-      if (ear == polygon.size()) return;
-      const std::size_t n = polygon.size();
-      add(b, {polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
-      edges_.insert(std::minmax(polygon[(ear + n - 1) % n], polygon[(ear + 1) % n]));
+      const std::size_t n = polygon.size(), ear = best_ear(polygon);
+      if (ear == n) return;
+      const GeneratorId before = polygon[(ear + n - 1) % n], after = polygon[(ear + 1) % n];
+      add(b, {before, polygon[ear], after});
+      edges_.insert(std::minmax(before, after));
       polygon.erase(polygon.begin() + ear);
     }
     if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
@@ -53,18 +54,13 @@ class DualBuilder {
   /// none.
   std::size_t best_ear(const std::vector<GeneratorId>& polygon) const {
     const std::size_t n = polygon.size();
-    std::size_t best = n;
-    double best_q = -1;
+    Least<std::size_t> best{n};
     for (std::size_t i = 0; i < n; ++i) {
       const GeneratorId before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
       if (before == after || edges_.count(std::minmax(before, after)) > 0) continue;
-      const double q = compute_q(position_of(before), position_of(polygon[i]), position_of(after));
-      if (q > best_q) {
-        best_q = q;
-        best = i;
-      }
+      best.offer(-compute_q(position_of(before), position_of(polygon[i]), position_of(after)), i);
     }
-    return best;
+    return best.value;
   }
 
   void add(BranchPointId b, const std::array<GeneratorId, 3>& face) {
