@@ -2,10 +2,10 @@
 //
 // A change of the level of precision restates the last energy. Iterations that have not lowered the energy as it is
 // measured then count as one with the iteration before them, with the sum of their moves. So the energies still fall.
-#include "iteration_record.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "generator_moves.hpp"
 
 namespace gvd {
 

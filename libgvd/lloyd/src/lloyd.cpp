@@ -4,6 +4,7 @@
 // Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
 // energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
 // sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
+
 #include "gvd/lloyd.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@
 #include "diagram/diagram_windows.hpp"
 #include "generator_moves.hpp"
 #include "gvd/error.hpp"
-#include "iteration_record.hpp"
-#include "optimiser.hpp"
-#include "relaxation_state.hpp"
-#include "relocation.hpp"
 
 namespace gvd {
 namespace {

@@ -5,8 +5,6 @@
 // distance from all others saves, and what its old cell costs its neighbours. Cells that adjoin are not given up
 // together, so that no hole arises. Distances to places that were taken are computed when a place reaches the top of
 // its heap. Every generator stays in its component.
-#include "relocation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "base/lazy_max_heap.hpp"
+#include "generator_moves.hpp"
 
 namespace gvd {
 namespace {

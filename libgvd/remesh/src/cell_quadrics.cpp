@@ -13,7 +13,6 @@
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
 #include "crease_steps.hpp"
-#include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
 #include "repair/cell_topology.hpp"
 

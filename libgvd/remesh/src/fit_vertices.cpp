@@ -9,12 +9,9 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel_chunks.hpp"
-#include "gvd/mesh.hpp"
-#include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
 
 namespace gvd {

@@ -13,13 +13,11 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "crease_steps.hpp"
 #include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "placement_steps.hpp"

@@ -5,7 +5,6 @@
 // so that they compare with the samples of the cell, whatever its size.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "placement_steps.hpp"

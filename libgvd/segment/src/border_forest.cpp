@@ -9,8 +9,6 @@
 // docs/developer/segment-borders.md.
 #include "border_forest.hpp"
 
-#include <algorithm>
-
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 

@@ -15,7 +15,6 @@
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
 

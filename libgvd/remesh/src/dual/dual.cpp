@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -18,7 +17,6 @@
 #include "base/least.hpp"
 #include "dual/dual_steps.hpp"
 #include "gvd/quality.hpp"
-#include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {

@@ -5,7 +5,6 @@
 
 #include "gvd/self_intersections.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "base/parallel_chunks.hpp"

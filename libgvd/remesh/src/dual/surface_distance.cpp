@@ -14,7 +14,6 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 
 namespace gvd {
 namespace {

@@ -8,7 +8,6 @@
 #include "gvd/carry_properties.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -4,10 +4,6 @@
 // leaves no defect there is decided on the whole one, by the caller. Every change leaves one generator less, so the
 // search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
 
-#include <algorithm>
-#include <cstdint>
-#include <optional>
-
 #include "base/least.hpp"
 #include "repair/repair_steps.hpp"
 

@@ -7,10 +7,6 @@
 // In the part, faces keep their corners, so points go there and back by their face alone. Vertices are numbered anew,
 // one for each fan of connected faces: a vertex at which two fans meet would be no manifold.
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"

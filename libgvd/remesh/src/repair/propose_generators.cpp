@@ -5,7 +5,6 @@
 // one defect of each cell, because a repair often removes the cell's other defects too. Repairs near those just added
 // are computed on a part of the mesh, which saves rounds on all of it.
 
-#include <algorithm>
 #include <limits>
 
 #include "base/least.hpp"

@@ -6,7 +6,6 @@
 // circle is too short for three generators: such a tip is reported as narrow.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/least.hpp"
