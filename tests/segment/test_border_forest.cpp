@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "border_forest.hpp"
+#include "segment_steps.hpp"
 #include "gvd/segment.hpp"
 #include "segment/two_pieces.hpp"
 #include "support/catch.hpp"

@@ -10,9 +10,8 @@
 #include <tuple>
 
 #include "base/ear_clipping.hpp"
-#include "cut_triangles.hpp"
+#include "cut_steps.hpp"
 #include "face_shares.hpp"
-#include "face_tiling.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
