@@ -79,16 +79,6 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
-/// Keeps the state in which a relaxation ends.
-void keep(RelaxationState&& state, LloydResult& result) {
-  result.generators = std::move(state.generators);
-  result.diagram = std::move(state.diagram);
-  result.moments = std::move(state.moments);
-  result.final_energy = state.energy;
-  result.residual = state.residual;
-  result.mean_cell_radius = state.mean_cell_radius;
-}
-
 /// The rules of the iteration: what is tried, what is taken, and when to end.
 class Relaxer {
  public:
@@ -117,7 +107,12 @@ class Relaxer {
     result.initial_energy = record_.initial_energy;
     result.iterations = std::move(record_.iterations);
     result.diagrams = states_.diagrams();
-    keep(std::move(state), result);
+    result.generators = std::move(state.generators);
+    result.diagram = std::move(state.diagram);
+    result.moments = std::move(state.moments);
+    result.final_energy = state.energy;
+    result.residual = state.residual;
+    result.mean_cell_radius = state.mean_cell_radius;
     return result;
   }
 

@@ -99,32 +99,22 @@ class TargetCollector {
     }
     const std::size_t middle = find_crossing(surface_, polygons_, path, {cell_, r.other}).number;
     const auto at = path.begin() + middle;
-    if (before) add_half(*before, before->crossing(before->find(r.other)), {path.begin(), at + 1}, r.begin);
+    if (before) add_half(*before, r.other, space(mesh_, {path.begin(), at + 1}, kEvenShare), r.begin);
     if (!behind) return;
-    const std::size_t first = targets_.size();
-    add_half(*behind, behind->crossing(behind->find(cell_)), {path.rbegin(), std::make_reverse_iterator(at)},
-             r.begin + middle);
-    reverse_from(first, r.begin + middle);
+    std::vector<double> spaced = space(mesh_, {path.rbegin(), std::make_reverse_iterator(at)}, kEvenShare);
+    std::reverse(spaced.begin(), spaced.end());
+    add_half(*behind, cell_, spaced, r.begin + middle);
   }
 
-  /// `path` begins at the polygon's vertex.
-  void add_half(const DualPolygon& polygon, const Vec2& end, const Path& path, std::size_t first) {
-    const std::vector<double> at = space(mesh_, path, kEvenShare);
+  /// `at`: how far the vertices are from the polygon's centre. The bisector crosses the side behind the corner of
+  /// `side`.
+  void add_half(const DualPolygon& polygon, GeneratorId side, const std::vector<double>& at, std::size_t first) {
+    const Vec2 end = polygon.crossing(polygon.find(side)), apex = polygon.corner(polygon.find(cell_));
     const auto target = [&](std::size_t i) -> Vec2 {
       return at[i] == 1 ? end : Vec2(polygon.centre + at[i] * (end - polygon.centre));
     };
-    const Vec2 apex = polygon.corner(polygon.find(cell_));
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
       targets_.push_back({border_.loop[first + i], &polygon, apex, target(i), target(i + 1), at[i], at[i + 1]});
-    }
-  }
-
-  void reverse_from(std::size_t first, std::size_t halfedge) {
-    std::reverse(targets_.begin() + first, targets_.end());
-    for (std::size_t i = first; i < targets_.size(); ++i) {
-      std::swap(targets_[i].from, targets_[i].to);
-      std::swap(targets_[i].at_from, targets_[i].at_to);
-      targets_[i].halfedge = border_.loop[halfedge + i - first];
     }
   }
 
@@ -160,7 +150,12 @@ class BorderPlacer {
     const double largest = *std::max_element(radii_.begin(), radii_.end());
     for (double& radius : radii_) radius /= largest;
     const double even_share = is_star ? 0 : kEvenSector;
-    surface_.borders[cell_].at_boundary() ? place_sector(even_share) : place_round(even_share);
+    const bool is_sector = surface_.borders[cell_].at_boundary();
+    is_sector ? place_sector(even_share) : place_round(even_share);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
+    }
+    if (is_sector) place_sides();
     return std::move(border_);
   }
 
@@ -184,7 +179,6 @@ class BorderPlacer {
     scale_and_even(angles_, 2 * std::numbers::pi, even_share);
     for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
     border_.bases.push_back(border_.bases.front());
-    place_bases();
   }
 
   /// Places a sector in a frame of its two sides, so that points on them lie on one line without rounding.
@@ -197,14 +191,6 @@ class BorderPlacer {
     }
     border_.bases.front() = Vec2(radii_.front(), 0);
     border_.bases.back() = Vec2(0, radii_.back());
-    place_bases();
-    place_sides();
-  }
-
-  void place_bases() {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
-    }
   }
 
   void place_sides() {
