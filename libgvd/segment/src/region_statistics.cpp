@@ -82,9 +82,9 @@ class RegionMeter {
       if (g.valid() && !mesh_.twin(h).valid()) regions_[g].perimeter += mesh_.length(h);
     }
     for (const FacePiece& piece : diagram_.pieces) {
-      for (int side = 0; side < 3; ++side) {
-        const HalfedgeId h = Mesh::halfedge(piece.face, side);
-        if (!mesh_.twin(h).valid()) regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, side);
+      for (const HalfedgeId h : Mesh::halfedges(piece.face)) {
+        if (mesh_.twin(h).valid()) continue;
+        regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, Mesh::corner(h));
       }
     }
   }

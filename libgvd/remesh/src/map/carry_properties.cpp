@@ -76,24 +76,20 @@ MeshProperty without_values(const MeshProperty& property) {
   return empty;
 }
 
-void append_list(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
+/// Appends the value of an element, or its list.
+void append(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
+  if (!property.count_type) return carried.values.push_back(property.values[element]);
   const auto at = [&](std::size_t i) { return property.values.begin() + property.first_value[i]; };
   carried.values.insert(carried.values.end(), at(element), at(element + 1));
   carried.first_value.push_back(carried.values.size());
 }
 
-MeshProperty carry_lists(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
-  MeshProperty carried = without_values(property);
-  for (const std::vector<Share>& at : shares) append_list(property, largest_share(at), carried);
-  return carried;
-}
-
 MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
-  if (property.count_type) return carry_lists(shares, property);
   MeshProperty carried = without_values(property);
-  const bool smooth = !is_integer(property.type) || is_color(property);
+  const bool is_smooth = !property.count_type && (!is_integer(property.type) || is_color(property));
   for (const std::vector<Share>& at : shares) {
-    carried.values.push_back(smooth ? weighted_mean(at, property.values) : property.values[largest_share(at)]);
+    is_smooth ? carried.values.push_back(weighted_mean(at, property.values))
+              : append(property, largest_share(at), carried);
   }
   return carried;
 }
@@ -101,8 +97,7 @@ MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, co
 MeshProperty carry_to_faces(const CheckedMesh& input, const RemeshResult& result, const MeshProperty& property) {
   MeshProperty carried = without_values(property);
   for (const SurfacePoint& point : result.face_points) {
-    const std::int32_t polygon = input.input_polygon[point.face];
-    property.count_type ? append_list(property, polygon, carried) : carried.values.push_back(property.values[polygon]);
+    append(property, input.input_polygon[point.face], carried);
   }
   return carried;
 }
