@@ -3,9 +3,9 @@
 #include <limits>
 #include <map>
 
-#include "segment_steps.hpp"
 #include "segment/region_topology.hpp"
 #include "segment/two_pieces.hpp"
+#include "segment_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -1,6 +1,7 @@
 // The springs of a fit: they pull vertices towards better triangles where the samples of the surface leave them free.
 //
-// Along a smooth surface a vertex goes to where its triangles are nearly equilateral. Across the surface, at creases
+// Along a smooth surface a vertex goes to where its triangles are nearly equilateral: the mean of the apexes of
+// equilateral triangles over the opposite edges, in which bad triangles weigh more. Across the surface, at creases
 // and beside them the samples decide, and springs only keep the system regular. Weights are fractions of a cell's area,
 // so that they compare with the samples of the cell, whatever its size.
 

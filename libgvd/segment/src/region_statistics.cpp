@@ -2,7 +2,8 @@
 //
 // Area and Euler characteristic are the diagram's own; lengths are those of its polylines. A bisector counts in the
 // perimeter of both of its cells, and so twice where both are the same cell. The mesh's boundary counts where a cell's
-// faces and pieces lie on it. Sums run over bisectors, halfedges and pieces in their order.
+// faces and pieces lie on it. The radius is the largest distance that is known: at vertices, at branch points, and at
+// the corners of pieces in the faces of the generator. Sums run over bisectors, halfedges and pieces in their order.
 #include "gvd/region_statistics.hpp"
 
 #include <algorithm>

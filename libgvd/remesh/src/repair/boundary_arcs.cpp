@@ -2,6 +2,8 @@
 //
 // Bisectors that end on the boundary cut its loops into arcs. The ends on each halfedge are sorted along it. A walk
 // round each loop then begins a new arc at every end; what comes before the first end belongs to the last arc.
+// A cell with several arcs breaks property (3) of gvd/dual.hpp. Arcs also tell quadrics which parts of the boundary lie
+// in a cell. Each boundary halfedge is passed once.
 
 #include <algorithm>
 #include <map>
