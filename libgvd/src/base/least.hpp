@@ -7,7 +7,7 @@ namespace gvd {
 /// A search for the value of least rank: the first one offered of those with the same rank. Ranks are compared by `<`.
 template <class Value, class Rank = double>
 struct Least {
-  Value value{};         ///< the default value as long as no offer has had a rank below the first one
+  Value value{};  ///< the default value as long as no offer has had a rank below the first one
   Rank rank = kInfinity;
 
   /// Takes the value if its rank is below the least so far.
