@@ -44,11 +44,9 @@ struct CellPoints {
 class OneToOneMapper {
  public:
   OneToOneMapper(const Mesh& surface, const RemeshResult& result)
-      : surface_(surface),
-        result_(result),
-        cells_(cut_into_cells(surface, result)),
+      : cells_(cut_into_cells(surface, result)),
         polygons_(cells_.cut.mesh, cells_.cut.label, result.mesh),
-        input_{surface_, result_, cells_, polygons_},
+        input_{surface, result, cells_, polygons_},
         faces_(result.generators.size()) {
     place_crossings(cells_, polygons_);
     for (const FaceId f : cells_.cut.label.ids()) faces_[cells_.cut.label[f]].push_back(f);
@@ -65,7 +63,7 @@ class OneToOneMapper {
       return found;
     });
     MapPoints points;
-    points.images.resize(surface_.vertex_count());
+    points.images.resize(input_.surface.vertex_count());
     for (const CellPoints& cell : cells) {
       points.origins.push_back(cell.origin);
       for (const Image& image : cell.images) points.images[image.vertex] = image.point;
@@ -80,20 +78,18 @@ class OneToOneMapper {
     CellPoints cell{plane.origin, {}};
     for (std::size_t i = 0; i < plane.disc.vertices.size(); ++i) {
       const VertexId v = plane.disc.vertices[i];
-      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
+      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
     }
     for (const BorderTarget& t : plane.targets) {
       const VertexId v = cells_.cut.mesh.from(t.halfedge);
-      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
+      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
     }
     if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
-      cell.images.push_back({vertex(surface_, plane.origin), vertex_point(result_.mesh, plane.vertex)});
+      cell.images.push_back({vertex(input_.surface, plane.origin), vertex_point(input_.result.mesh, plane.vertex)});
     }
     return cell;
   }
 
-  const Mesh& surface_;
-  const RemeshResult& result_;
   CellSurface cells_;
   DualPolygons polygons_;
   CellMapInput input_;

@@ -1,9 +1,9 @@
 // The search for generators that were added in vain.
 //
 // Leaving out one added generator, or putting one in the place of two, is tried on a part of the mesh first. What
-// leaves no defect there is decided on the whole one, by the caller. One in the place of two is tried only if few defects
-// remain without the two; candidates for it are the points that would repair these. Every change leaves one generator
-// less, so the search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
+// leaves no defect there is decided on the whole one, by the caller. One in the place of two is tried only if few
+// defects remain without the two; candidates for it are the points that would repair these. Every change leaves one
+// generator less, so the search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
 
 #include "base/least.hpp"
 #include "repair/repair_steps.hpp"
