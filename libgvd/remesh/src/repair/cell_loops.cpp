@@ -119,8 +119,8 @@ std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
 }
 
 std::vector<FaceId> CellLoops::faces_of(GeneratorId cell) const {
-  const auto range = std::ranges::equal_range(by_label_, cell, {}, [&](FaceId f) { return cut_.label[f]; });
-  return {range.begin(), range.end()};
+  const auto label = [&](FaceId f) { return cut_.label[f]; };
+  return {std::ranges::lower_bound(by_label_, cell, {}, label), std::ranges::upper_bound(by_label_, cell, {}, label)};
 }
 
 /// The corner of the cell's faces that is nearest to the generator.
