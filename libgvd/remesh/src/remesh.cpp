@@ -159,6 +159,7 @@ class RoundMaker {
 /// The rounds of a remesh; then the search for fewer generators, and the certificate.
 class Remesher {
  public:
+  /// Mesh and options must outlive this.
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
       : mesh_(mesh),
         options_(options),
@@ -166,11 +167,6 @@ class Remesher {
         creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0,
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
-  }
-
-  RemeshResult run() {
-    enter(RemeshStage::diagram);
-    return run(compute_diagram(mesh_, result_.generators, options_.diagram));
   }
 
   /// `first`: the diagram of the given generators.
@@ -321,7 +317,8 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) 
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
   check_options(options, generators.size());
-  return Remesher(mesh, generators, options).run();
+  if (options.on_stage) options.on_stage(RemeshStage::diagram);
+  return remesh(mesh, compute_diagram(mesh, generators, options.diagram), options);
 }
 
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
