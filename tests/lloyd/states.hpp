@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "optimiser.hpp"
 #include "relaxation_state.hpp"
-#include "tangent_field.hpp"
 
 namespace gvd::test {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell_sums.hpp"
+#include "cell_integrals.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

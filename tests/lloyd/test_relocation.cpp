@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "generator_moves.hpp"
 #include "gvd/check.hpp"
 #include "gvd/lloyd.hpp"
 #include "lloyd/states.hpp"
-#include "relocation.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/plane.hpp"
+#include "cell_integrals.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "support/catch.hpp"
@@ -9,7 +10,6 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 #include "support/tiny_meshes.hpp"
-#include "window_integrals.hpp"
 
 namespace gvd::test_window_integrals {
 

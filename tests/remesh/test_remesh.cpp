@@ -11,7 +11,7 @@
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/sampling.hpp"
-#include "repair/added_generators.hpp"
+#include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

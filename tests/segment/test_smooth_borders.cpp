@@ -3,10 +3,9 @@
 #include <limits>
 #include <map>
 
-#include "border_forest.hpp"
 #include "segment/region_topology.hpp"
 #include "segment/two_pieces.hpp"
-#include "segment_faces.hpp"
+#include "segment_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

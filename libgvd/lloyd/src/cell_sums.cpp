@@ -2,11 +2,12 @@
 //
 // Each thread sums over its own part of the surface. Points of one cell mostly follow each other, so a part has a list
 // of short sums and no table of all cells. The parts are joined in their order, and sorting is stable: the result does
-// not depend on the number of threads.
-#include "cell_sums.hpp"
-
+// not depend on the number of threads. Two counting sorts, by the second cell and then by the first one, order the
+// segments of bisectors in linear time.
 #include <algorithm>
 #include <numeric>
+
+#include "cell_integrals.hpp"
 
 namespace gvd {
 namespace {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/least.hpp"
 #include "constraints.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -84,17 +85,14 @@ void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, Fea
 VertexId nearest_crease_vertex(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
                                double distance) {
   const Vec3 at = position(mesh, point);
-  VertexId nearest;
-  double least = distance;
+  Least<VertexId> nearest;
   for (const FaceId f : faces_around(mesh, point)) {
     for (const VertexId v : mesh.vertices(f)) {
       const double here = (mesh.position(v) - at).norm();
-      if (here > least || (nearest.valid() && here == least) || network.leaving(v).empty()) continue;
-      nearest = v;
-      least = here;
+      if (here <= distance && !network.leaving(v).empty()) nearest.offer(here, v);
     }
   }
-  return nearest;
+  return nearest.value;
 }
 
 /// The nearest point on the creases in the faces of a point, within a distance; else the point itself.
@@ -104,8 +102,7 @@ SurfacePoint nearest_on_edges(const Mesh& mesh, const CreaseNetwork& network, co
   SurfacePoint nearest = point;
   double least = distance;
   for (const FaceId f : faces_around(mesh, point)) {
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = Mesh::halfedge(f, k);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
       if (!network.is_crease(mesh.edge(h))) continue;
       const SurfacePoint foot = edge_point(h, std::clamp(foot_on_edge(mesh, h, at), 0.0, 1.0));
       const double here = (position(mesh, foot) - at).norm();

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "gvd/geodesic_tracing.hpp"
-#include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {

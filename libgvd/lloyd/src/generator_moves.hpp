@@ -1,16 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "constraints.hpp"
-#include "gvd/lloyd.hpp"
-#include "gvd/mesh.hpp"
-#include "gvd/surface_point.hpp"
+#include "optimiser.hpp"
 #include "relaxation_state.hpp"
-#include "tangent_field.hpp"
+
+// Moves of all generators: along steps, by relocations, and the record of a relaxation's iterations.
 
 namespace gvd {
+
+// generator_moves.cpp
 
 /// A move of all generators, before its diagram is known.
 struct GeneratorMove {
@@ -41,5 +42,56 @@ enum class GoToRest { no, yes };
 /// Cost: O(faces crossed) and O(m log m).
 GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, const TangentField& steps,
                               const GeneratorConstraints& constraints = {}, GoToRest rests = GoToRest::no);
+
+// relocation.cpp
+
+/// A generator that leaves its place for another one.
+struct Relocation {
+  std::size_t generator;
+  SurfacePoint to;
+  double gain = 0;  ///< estimate of the energy that is saved, mesh units to the fourth
+};
+
+/// Moves from where cells are worth little to where they cost much, the most valuable first.
+///
+/// In the best diagrams all cells have about the same area and energy. Generators of cells with little energy go to the
+/// vertex that is farthest from all generators, one after the other: farthest-point sampling, in straight distances
+/// from those that came before. Cells that are given up together have at most half of the mean area of their
+/// component wherever they adjoin, so that no holes arise. Every generator stays in its component of the mesh, and
+/// those that are not free stay where they are.
+/// Cost: O(n + m log m) for n vertices and m generators, and, for each vertex at places that were taken, the comparison
+/// with those taken before it.
+std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,
+                                         const GeneratorConstraints& constraints = {});
+
+/// The sum of the estimates.
+double total_gain(const std::vector<Relocation>& relocations);
+
+/// The move of the first `count` relocations. Lengths are straight through space.
+GeneratorMove relocate_generators(const Mesh& mesh, const RelaxationState& state,
+                                  const std::vector<Relocation>& relocations, std::size_t count);
+
+// iteration_record.cpp
+
+/// The energies of a relaxation, from the start on, and what each iteration did.
+struct IterationRecord {
+  double initial_energy = 0;
+  std::vector<LloydIteration> iterations;
+  std::vector<double> falls;  ///< of each iteration, as a fraction of the energy before it; merging keeps them
+
+  /// Adds an iteration that took the energy from `before` to `after`.
+  void add(const GeneratorMove& move, double before, double after, const Precision& precision);
+  /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
+  /// fewer.
+  bool falls_by(double fraction, int window) const;
+  /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
+  /// measured now count as one with the iteration before them.
+  void restate(double energy, const Precision& precision);
+  /// Makes one iteration of all.
+  void merge_all();
+
+ private:
+  void merge_last();
+};
 
 }  // namespace gvd

@@ -2,10 +2,11 @@
 //
 // A change of the level of precision restates the last energy. Iterations that have not lowered the energy as it is
 // measured then count as one with the iteration before them, with the sum of their moves. So the energies still fall.
-#include "iteration_record.hpp"
-
+// The falls of single iterations are kept apart and never merged: the rule that ends a level asks for their mean.
 #include <algorithm>
 #include <numeric>
+
+#include "generator_moves.hpp"
 
 namespace gvd {
 

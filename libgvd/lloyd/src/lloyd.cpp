@@ -4,6 +4,7 @@
 // Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
 // energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
 // sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
+
 #include "gvd/lloyd.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@
 #include "diagram/diagram_windows.hpp"
 #include "generator_moves.hpp"
 #include "gvd/error.hpp"
-#include "iteration_record.hpp"
-#include "optimiser.hpp"
-#include "relaxation_state.hpp"
-#include "relocation.hpp"
 
 namespace gvd {
 namespace {
@@ -82,16 +79,6 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
-/// Keeps the state in which a relaxation ends.
-void keep(RelaxationState&& state, LloydResult& result) {
-  result.generators = std::move(state.generators);
-  result.diagram = std::move(state.diagram);
-  result.moments = std::move(state.moments);
-  result.final_energy = state.energy;
-  result.residual = state.residual;
-  result.mean_cell_radius = state.mean_cell_radius;
-}
-
 /// The rules of the iteration: what is tried, what is taken, and when to end.
 class Relaxer {
  public:
@@ -120,7 +107,12 @@ class Relaxer {
     result.initial_energy = record_.initial_energy;
     result.iterations = std::move(record_.iterations);
     result.diagrams = states_.diagrams();
-    keep(std::move(state), result);
+    result.generators = std::move(state.generators);
+    result.diagram = std::move(state.diagram);
+    result.moments = std::move(state.moments);
+    result.final_energy = state.energy;
+    result.residual = state.residual;
+    result.mean_cell_radius = state.mean_cell_radius;
     return result;
   }
 

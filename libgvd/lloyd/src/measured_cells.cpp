@@ -5,20 +5,12 @@
 // linear functions. Each part is integrated at its centroid, with the spread of its points about it: exact for
 // quadratic functions. Energies and gradients cost about half of a diagram with its integrals. A face's parts cover it
 // without overlaps, so no area is counted twice or lost.
-#include "measured_cells.hpp"
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
-#include "base/barycentric.hpp"
-#include "base/parallel_chunks.hpp"
 #include "base/plane.hpp"
-#include "geodesic/windows/nearest_paths.hpp"
+#include "cell_integrals.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
-#include "mesh/working_mesh.hpp"
 
 namespace gvd {
 namespace {

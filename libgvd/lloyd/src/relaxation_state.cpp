@@ -7,18 +7,12 @@
 #include "relaxation_state.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
-#include "base/parallel_chunks.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
-#include "gvd/mesh.hpp"
-#include "measured_cells.hpp"
 #include "vertex_rests.hpp"
-#include "window_integrals.hpp"
 
 namespace gvd {
 namespace {

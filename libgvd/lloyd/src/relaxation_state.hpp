@@ -6,17 +6,17 @@
 #include <optional>
 #include <vector>
 
-#include "cell_sums.hpp"
+#include "cell_integrals.hpp"
 #include "constraints.hpp"
 #include "gvd/lloyd.hpp"
-#include "tangent_field.hpp"
+#include "optimiser.hpp"
 
 namespace gvd {
 
 /// How the cells of generators are found.
 struct Precision {
   DiagramOptions diagram;
-  bool skips_diagram = false;  ///< measures the cells face by face instead (see measured_cells.hpp)
+  bool skips_diagram = false;  ///< measures the cells face by face instead (see measured_cells.cpp)
   /// Generators at vertices rest if their way is at most this fraction of the mean cell radius, >= 0.
   double rest_tolerance = 0;
 };

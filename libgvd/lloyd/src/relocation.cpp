@@ -5,17 +5,15 @@
 // distance from all others saves, and what its old cell costs its neighbours. Cells that adjoin are not given up
 // together, so that no hole arises. Distances to places that were taken are computed when a place reaches the top of
 // its heap. Every generator stays in its component.
-#include "relocation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "base/lazy_max_heap.hpp"
+#include "generator_moves.hpp"
 
 namespace gvd {
 namespace {
@@ -64,52 +62,45 @@ Components find_components(const IdVector<FaceId, std::int32_t>& components, con
 class PoorCells {
  public:
   PoorCells(const RelaxationState& state, const Components& components)
-      : state_(state),
+      : moments_(state.moments),
         components_(components),
-        order_(state.generators.size()),
-        hole_(state.generators.size(), 0),
-        neighbours_(state.generators.size()) {
+        order_(moments_.ids().begin(), moments_.ids().end()),
+        hole_(moments_.size(), 0),
+        neighbours_(moments_.size()) {
     for (const auto& [left, right] : neighbouring_cells(state.segments)) {
-      neighbours_[left.index()].push_back(right);
-      neighbours_[right.index()].push_back(left);
+      neighbours_[left].push_back(right);
+      neighbours_[right].push_back(left);
     }
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(),
-              [&](std::size_t a, std::size_t b) { return std::pair(energy(a), a) < std::pair(energy(b), b); });
+    std::ranges::sort(order_, {}, [&](GeneratorId g) { return std::pair(moments_[g].energy, g); });
   }
 
-  /// The next cell without too large a hole round it; the number of cells if there is none.
-  std::size_t next() {
-    for (; next_ < order_.size(); ++next_) {
-      const std::size_t i = order_[next_];
-      if (hole_with(i) > kLargestHole * components_.mean_size[components_.of[i]]) continue;
-      ++next_;
-      return i;
+  /// The next cell without too large a hole round it; invalid if there is none.
+  GeneratorId next() {
+    while (next_ < order_.size()) {
+      const GeneratorId g = order_[next_++];
+      if (!(hole_with(g) > kLargestHole * components_.mean_size[components_.of[g.index()]])) return g;
     }
-    return order_.size();
+    return GeneratorId();
   }
-  void give_up(std::size_t i) {
-    const double hole = hole_with(i);
-    hole_[i] = hole;
-    for (const GeneratorId g : neighbours(i)) hole_[g.index()] = hole_[g.index()] > 0 ? hole : 0;
+  void give_up(GeneratorId g) {
+    const double hole = hole_with(g);
+    hole_[g] = hole;
+    for (const GeneratorId n : neighbours_[g]) hole_[n] = hole_[n] > 0 ? hole : 0;
   }
-  double energy(std::size_t i) const { return moments(i).energy; }
 
  private:
   /// The size of the hole about a cell, if it is given up too.
-  double hole_with(std::size_t i) const {
-    double hole = size_of(moments(i));
-    for (const GeneratorId g : neighbours(i)) hole += hole_[g.index()];
+  double hole_with(GeneratorId g) const {
+    double hole = size_of(moments_[g]);
+    for (const GeneratorId n : neighbours_[g]) hole += hole_[n];
     return hole;
   }
-  const CellMoments& moments(std::size_t i) const { return state_.moments[GeneratorId(i)]; }
-  const std::vector<GeneratorId>& neighbours(std::size_t i) const { return neighbours_[i]; }
 
-  const RelaxationState& state_;
+  const IdVector<GeneratorId, CellMoments>& moments_;
   const Components& components_;
-  std::vector<std::size_t> order_;
-  std::vector<double> hole_;  // size of the cells given up about it; 0 for a cell that stays
-  std::vector<std::vector<GeneratorId>> neighbours_;
+  std::vector<GeneratorId> order_;
+  IdVector<GeneratorId, double> hole_;  // size of the cells given up about it; 0 for a cell that stays
+  IdVector<GeneratorId, std::vector<GeneratorId>> neighbours_;
   std::size_t next_ = 0;
 };
 
@@ -185,16 +176,17 @@ std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& densit
   PoorCells poor(state, components);
   std::vector<Relocation> plan;
   while (plan.size() + 1 < state.generators.size()) {
-    const std::size_t i = poor.next();
-    if (i == state.generators.size()) break;
+    const GeneratorId g = poor.next();
+    if (!g.valid()) break;
+    const std::size_t i = g.index();
     if (!constraints.is_free(i)) continue;
     const auto place = places.farthest(components.of[i]);
     if (!place) continue;
-    const double gain = kSplitGain * std::pow(place->distance, 4) - kRemovalCost * poor.energy(i);
+    const double gain = kSplitGain * std::pow(place->distance, 4) - kRemovalCost * state.moments[g].energy;
     if (!(gain > 0)) continue;
     plan.push_back({i, vertex_point(mesh, place->vertex), gain});
     places.take(place->vertex);
-    poor.give_up(i);
+    poor.give_up(g);
   }
   return plan;
 }

@@ -107,9 +107,7 @@ bool is_inner_saddle(const TangentFan& fan) {
 double direction_to(const Mesh& mesh, const SurfacePoint& generator, int corner) {
   const TangentFan fan(mesh, generator);
   const FaceLayout layout(mesh, generator.face);
-  Bary at{0, 0, 0};
-  at[corner] = 1;
-  return fan.angle(generator.face, layout.at(at) - layout.at(generator.bary));
+  return fan.angle(generator.face, layout.corner[corner] - layout.at(generator.bary));
 }
 
 /// Whether the energy would rise in all directions at a saddle, by the paths of a generator beside it that sees it in

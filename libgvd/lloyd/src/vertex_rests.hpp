@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "cell_sums.hpp"
+#include "cell_integrals.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"

@@ -4,18 +4,11 @@
 // (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are looked up in the
 // windows of the working mesh. A face that generators have split is looked up in its parts. The triangles of a piece
 // lie within the piece, because beyond it no path of its generator may be known.
-#include "window_integrals.hpp"
-
 #include <algorithm>
-#include <array>
-#include <span>
-#include <utility>
-#include <vector>
 
-#include "base/barycentric.hpp"
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
-#include "geodesic/windows/nearest_paths.hpp"
+#include "cell_integrals.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"

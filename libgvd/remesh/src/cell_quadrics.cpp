@@ -12,10 +12,9 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "crease_labels.hpp"
-#include "gvd/surface_point.hpp"
+#include "crease_steps.hpp"
 #include "placement_steps.hpp"
-#include "repair/boundary_arcs.hpp"
+#include "repair/cell_topology.hpp"
 
 namespace gvd {
 

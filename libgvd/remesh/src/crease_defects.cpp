@@ -1,24 +1,179 @@
 // Defects of the dual at creases, and the generators that bring its edges back to them.
 //
-// Along each curve, every part between two consecutive generators has to belong to their two cells. A part that belongs
-// to another cell is a defect, and takes a generator. Opposite generators of two parallel curves do not disturb each
-// other, however close the curves are. Two curves that leave a corner at an acute angle would disturb each other
-// without end, unless their generators are equally far from the corner. Powers of two achieve that.
+// The label intervals of its edges, joined, give the labels of a curve by length from its first vertex. Along each
+// curve, every part between two consecutive generators has to belong to their two cells. A part that belongs to another
+// cell is a defect, and takes a generator. Opposite generators of two parallel curves do not disturb each other,
+// however close the curves are. Two curves that leave a corner at an acute angle would disturb each other without end,
+// unless their generators are equally far from the corner. Powers of two achieve that.
 // Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 
-#include "crease_defects.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
-#include "crease_labels.hpp"
-#include "repair/added_generators.hpp"
+#include "base/least.hpp"
+#include "crease_steps.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
+
+/// A generator on an edge or a curve, at a parameter or a length as in LabelInterval.
+struct GeneratorOnCurve {
+  double at = 0;
+  GeneratorId generator;
+};
+
+/// A curve with the generators and the label intervals on it, by length from its first vertex. Lengths of a closed
+/// curve go on for a second way round, so that no search along it has to treat its first vertex apart.
+struct LabelledCurve {
+  const Mesh& mesh;
+  const CreaseCurve& curve;
+  std::vector<double> vertex_at;             // length at each of the curve's vertices
+  std::vector<GeneratorOnCurve> generators;  // ascending; one at the ends of a closed curve is at its beginning
+  std::vector<LabelInterval> labels;
+  bool begins_at_generator = false, ends_at_generator = false;  // whether its first, its last vertex is one
+
+  double length() const { return vertex_at.back(); }
+
+  /// Whether a curve that ends where it begins has fewer than three generators. One at the corner of an open curve with
+  /// equal ends stands at both of them.
+  bool has_too_few() const {
+    if (curve.vertices.front() != curve.vertices.back()) return false;
+    return generators.size() < (curve.closed ? 3 : 4);
+  }
+
+  /// The generators of a curve; those of a closed one with the first one again at the end.
+  std::vector<GeneratorOnCurve> closed_generators() const {
+    std::vector<GeneratorOnCurve> all = generators;
+    if (curve.closed) all.push_back({generators.front().at + length(), generators.front().generator});
+    return all;
+  }
+
+  /// The label intervals of a curve; those of a closed one for a second way round, too.
+  std::vector<LabelInterval> repeated_labels() const {
+    std::vector<LabelInterval> all = labels;
+    if (!curve.closed) return all;
+    for (const LabelInterval& l : labels) all.push_back({l.begin + length(), l.end + length(), l.cell});
+    return all;
+  }
+
+  /// The point at a length.
+  SurfacePoint point(double at) const {
+    if (curve.closed) at = std::fmod(at, length());
+    const auto edge = std::upper_bound(vertex_at.begin() + 1, vertex_at.end() - 1, at) - vertex_at.begin() - 1;
+    const SurfacePoint p = point_on_curve(mesh, curve, edge, at - vertex_at[edge]);
+    return make_surface_point(p.face, p.bary);
+  }
+
+  /// The length at the k-th vertex.
+  double at(std::size_t k) const {
+    const std::size_t edges = curve.edges.size();
+    return k < edges ? vertex_at[k] : vertex_at[k - edges] + length();
+  }
+
+  /// The first vertex after a length.
+  std::size_t first_after(double length) const {
+    return std::upper_bound(vertex_at.begin(), vertex_at.end(), length) - vertex_at.begin();
+  }
+
+  /// The length, from `begin` to `end`, at which the curve is nearest to a point.
+  double find_nearest(double begin, double end, const Vec3& to) const {
+    Least<double> nearest{(begin + end) / 2};
+    const std::size_t edges = curve.edges.size(), rounds = curve.closed ? 2 : 1;
+    for (std::size_t k = first_after(begin) - 1; k < rounds * edges && at(k) <= end; ++k) {
+      const double start = at(k);
+      const Vec3 &a = mesh.position(curve.vertices[k % edges]), &b = mesh.position(curve.vertices[k % edges + 1]);
+      const double length = (b - a).norm();
+      if (start + length < begin || !(length > 0)) continue;
+      const double here =
+          std::clamp(start + (to - a).dot(b - a) / length, std::max(start, begin), std::min(start + length, end));
+      nearest.offer((a + (here - start) / length * (b - a) - to).squaredNorm(), here);
+    }
+    return nearest.value;
+  }
+
+  /// The largest distance of the curve's vertices between two lengths from the line through two points.
+  double largest_distance(double begin, double end, const std::array<Vec3, 2>& line) const {
+    const Vec3 way = (line[1] - line[0]).normalized();
+    const std::size_t edges = curve.edges.size();
+    double largest = 0;
+    for (std::size_t k = first_after(begin); k < 2 * edges && at(k) < end; ++k) {
+      const Vec3 to = mesh.position(curve.vertices[k % edges]) - line[0];
+      largest = std::max(largest, (to - to.dot(way) * way).norm());
+    }
+    return largest;
+  }
+};
+
+class CurveLabeller {
+ public:
+  CurveLabeller(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), labels_(mesh, diagram) {
+    for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
+      const SurfacePoint& p = diagram.generators[i];
+      const GeneratorId g(i);
+      if (p.kind() == SurfacePoint::Kind::vertex) at_vertex_[vertex(mesh, p)] = g;
+      if (p.kind() != SurfacePoint::Kind::edge) continue;
+      const HalfedgeId h = halfedge(p);
+      const EdgeId e = mesh.edge(h);
+      const double along = p.bary[Mesh::corner(Mesh::next(h))];
+      on_edge_[e].push_back({mesh.halfedge(e) == h ? along : 1 - along, g});
+    }
+  }
+
+  LabelledCurve label(const CreaseCurve& curve) const {
+    LabelledCurve labelled{mesh_, curve, {0}, {}, {}, false, false};
+    for (std::size_t i = 0; i < curve.edges.size(); ++i) {
+      const bool is_generator = add_vertex(curve.vertices[i], labelled);
+      if (i == 0) labelled.begins_at_generator = is_generator;
+      add_edge(i, labelled);
+    }
+    if (!curve.closed) labelled.ends_at_generator = add_vertex(curve.vertices.back(), labelled);
+    std::ranges::stable_sort(labelled.generators, {}, &GeneratorOnCurve::at);
+    return labelled;
+  }
+
+ private:
+  /// Adds the generator at a vertex; false where there is none.
+  bool add_vertex(VertexId v, LabelledCurve& labelled) const {
+    const auto here = at_vertex_.find(v);
+    if (here == at_vertex_.end()) return false;
+    labelled.generators.push_back({labelled.length(), here->second});
+    return true;
+  }
+
+  void add_edge(std::size_t i, LabelledCurve& labelled) const {
+    const EdgeId e = labelled.curve.edges[i];
+    const HalfedgeId h = mesh_.halfedge(e);
+    const double passed = labelled.length(), length = mesh_.length(h);
+    const bool forwards = mesh_.from(h) == labelled.curve.vertices[i];
+    if (const auto here = on_edge_.find(e); here != on_edge_.end()) {
+      for (const GeneratorOnCurve& g : here->second) {
+        labelled.generators.push_back({passed + length * (forwards ? g.at : 1 - g.at), g.generator});
+      }
+    }
+    for (const LabelInterval& l : labels_.of(e)) {
+      const double begin = forwards ? l.begin : 1 - l.end, end = forwards ? l.end : 1 - l.begin;
+      labelled.labels.push_back({passed + length * begin, passed + length * end, l.cell});
+    }
+    labelled.vertex_at.push_back(passed + length);
+  }
+
+  const Mesh& mesh_;
+  EdgeLabels labels_;
+  std::map<EdgeId, std::vector<GeneratorOnCurve>> on_edge_;  // at parameters along the edge's halfedge
+  std::map<VertexId, GeneratorId> at_vertex_;
+};
+
+std::vector<LabelledCurve> label_curves(const Mesh& mesh, const std::vector<CreaseCurve>& curves,
+                                        const Diagram& diagram) {
+  const CurveLabeller labeller(mesh, diagram);
+  std::vector<LabelledCurve> labelled;
+  for (const CreaseCurve& curve : curves) labelled.push_back(labeller.label(curve));
+  return labelled;
+}
 
 /// The power of two from a third of the length to two thirds.
 double shell_distance(double length) { return std::exp2(std::floor(std::log2(length * 2 / 3))); }
@@ -31,19 +186,10 @@ struct ForeignCells {
   std::size_t index = 0;              // of the first generator
   std::vector<LabelInterval> labels;  // one at least
 
-  double first() const {
-    const auto begins_before = [](const LabelInterval& a, const LabelInterval& b) { return a.begin < b.begin; };
-    return std::min_element(labels.begin(), labels.end(), begins_before)->begin;
-  }
-  double last() const {
-    const auto ends_before = [](const LabelInterval& a, const LabelInterval& b) { return a.end < b.end; };
-    return std::max_element(labels.begin(), labels.end(), ends_before)->end;
-  }
+  double first() const { return std::ranges::min(labels, {}, &LabelInterval::begin).begin; }
+  double last() const { return std::ranges::max(labels, {}, &LabelInterval::end).end; }
   GeneratorId longest() const {
-    const auto is_shorter = [](const LabelInterval& a, const LabelInterval& b) {
-      return a.end - a.begin < b.end - b.begin;
-    };
-    return std::max_element(labels.begin(), labels.end(), is_shorter)->cell;
+    return std::ranges::max_element(labels, {}, [](const LabelInterval& l) { return l.end - l.begin; })->cell;
   }
 };
 
@@ -53,8 +199,7 @@ std::vector<ForeignCells> list_foreign(const std::vector<LabelInterval>& labels,
   std::vector<ForeignCells> all(generators.empty() ? 0 : generators.size() - 1);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].index = i;
   for (const LabelInterval& label : labels) {
-    const auto after = std::upper_bound(generators.begin(), generators.end(), label.begin,
-                                        [](double at, const GeneratorOnCurve& g) { return at < g.at; });
+    const auto after = std::ranges::upper_bound(generators, label.begin, {}, &GeneratorOnCurve::at);
     std::size_t i = std::max<std::ptrdiff_t>(after - generators.begin() - 1, 0);
     for (; i + 1 < generators.size() && generators[i].at < label.end; ++i) {
       const GeneratorOnCurve &a = generators[i], &b = generators[i + 1];

@@ -32,13 +32,9 @@ struct Bracket {
   bool is_closed(double tolerance) const { return enough && *enough - too_small <= std::max(1.0, tolerance * *enough); }
 };
 
-double predict(const CountTrial& last, double target) {
-  const double factor = std::isfinite(last.error) ? last.error / target : kMostGrowth;
-  return last.count * factor;
-}
-
 std::int32_t next_count(const CountTrial& last, const Bracket& bracket, const FewestOptions& options) {
-  const double predicted = std::round(predict(last, options.target)), count = last.count;
+  const double factor = std::isfinite(last.error) ? last.error / options.target : kMostGrowth;
+  const double count = last.count, predicted = std::round(count * factor);
   double next = 0;
   if (!bracket.enough) {
     next = std::clamp(predicted, std::ceil(count * kLeastGrowth), count * kMostGrowth);

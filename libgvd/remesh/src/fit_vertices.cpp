@@ -9,12 +9,9 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel_chunks.hpp"
-#include "gvd/mesh.hpp"
-#include "gvd/surface_point.hpp"
 #include "placement_steps.hpp"
 
 namespace gvd {
@@ -128,14 +125,6 @@ void add_up(const std::vector<Residual>& residuals, IdVector<FaceId, FaceSystem>
   }
 }
 
-IdVector<FaceId, FaceSystem> sum_up(const Mesh& remesh, const FitTarget& target) {
-  IdVector<FaceId, FaceSystem> systems(remesh.face_count());
-  const ResidualFinder finder(remesh, target);
-  add_up(finder.find_there(), systems);
-  add_up(finder.find_back(), systems);
-  return systems;
-}
-
 /// The normal equations over the moves of all vertices.
 struct VertexSystem {
   std::vector<Eigen::Triplet<double>> entries;  ///< on the diagonal and below: the matrix is symmetric
@@ -147,7 +136,10 @@ struct VertexSystem {
 };
 
 void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all) {
-  const auto systems = sum_up(remesh, target);
+  IdVector<FaceId, FaceSystem> systems(remesh.face_count());
+  const ResidualFinder finder(remesh, target);
+  add_up(finder.find_there(), systems);
+  add_up(finder.find_back(), systems);
   for (const FaceId f : remesh.faces()) {
     const auto& corners = remesh.vertices(f);
     const FaceSystem& system = systems[f];

@@ -13,8 +13,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dual/face_boxes.hpp"
-#include "dual/triangle_defects.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/quality.hpp"
 #include "placement_steps.hpp"
 
@@ -161,8 +160,8 @@ void MoveGuard::loosen(const std::vector<char>& vertices, double least_angle) {
 }
 
 bool MoveGuard::is_bad(FaceId f, const std::vector<Vec3>& positions) const {
-  const auto& [a, b, c] = PlacedFaces(remesh_, positions).corners(f);
-  return is_flipped(a, b, c, normal_[f]) || compute_min_angle(a, b, c) < least_angle_[f];
+  const Triangle triangle = PlacedFaces(remesh_, positions).corners(f);
+  return is_flipped(triangle, normal_[f]) || compute_min_angle(triangle[0], triangle[1], triangle[2]) < least_angle_[f];
 }
 
 std::vector<FaceId> MoveGuard::find_bad_faces(const std::vector<Vec3>& positions) const {

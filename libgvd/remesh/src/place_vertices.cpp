@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "gvd/error.hpp"
-#include "gvd/placement.hpp"
 #include "placement_steps.hpp"
 
 namespace gvd {

@@ -13,19 +13,15 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
-#include <optional>
 #include <utility>
 
-#include "crease_defects.hpp"
-#include "dual/face_boxes.hpp"
-#include "dual/triangle_defects.hpp"
+#include "crease_steps.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "placement_steps.hpp"
-#include "repair/fewer_generators.hpp"
-#include "repair/propose_generators.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -85,15 +81,10 @@ class RoundMaker {
     round.defects = check_dual(mesh_, diagram, round.dual);
     const bool is_sound = round.defects.empty();
     if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
-    if (!is_sound && number > kRoundsWithoutFlips) {
-      for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
-        round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
-      }
-    }
-    if (!round.defects.empty()) return round;
-    build_mesh(diagram, round);
-    for (const FaceId f : find_flipped_faces(mesh_, round.mesh, diagram.generators, round.face_points)) {
-      round.defects.push_back(triangle_defect(diagram, round.dual, f.index(), "is flipped"));
+    if (round.defects.empty()) build_mesh(diagram, round);
+    if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
+    for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
+      round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
     }
     return round;
   }
@@ -168,6 +159,7 @@ class RoundMaker {
 /// The rounds of a remesh; then the search for fewer generators, and the certificate.
 class Remesher {
  public:
+  /// Mesh and options must outlive this.
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
       : mesh_(mesh),
         options_(options),
@@ -175,11 +167,6 @@ class Remesher {
         creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0,
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
-  }
-
-  RemeshResult run() {
-    enter(RemeshStage::diagram);
-    return run(compute_diagram(mesh_, result_.generators, options_.diagram));
   }
 
   /// `first`: the diagram of the given generators.
@@ -330,7 +317,8 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) 
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
   check_options(options, generators.size());
-  return Remesher(mesh, generators, options).run();
+  if (options.on_stage) options.on_stage(RemeshStage::diagram);
+  return remesh(mesh, compute_diagram(mesh, generators, options.diagram), options);
 }
 
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {

@@ -1,11 +1,11 @@
 // The springs of a fit: they pull vertices towards better triangles where the samples of the surface leave them free.
 //
-// Along a smooth surface a vertex goes to where its triangles are nearly equilateral. Across the surface, at creases
+// Along a smooth surface a vertex goes to where its triangles are nearly equilateral: the mean of the apexes of
+// equilateral triangles over the opposite edges, in which bad triangles weigh more. Across the surface, at creases
 // and beside them the samples decide, and springs only keep the system regular. Weights are fractions of a cell's area,
 // so that they compare with the samples of the cell, whatever its size.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "placement_steps.hpp"
@@ -63,11 +63,6 @@ using Matrix = Eigen::Matrix3d;
 /// The projection to the direction of a unit vector, or to nothing.
 Matrix onto(const Vec3& direction) { return direction * direction.transpose(); }
 
-/// A spring that pulls from `here` by `way`, with weights for directions in multiples of `area`.
-VertexAnchor pull(const Vec3& here, const Vec3& way, const Matrix& weight, double area) {
-  return {here + way, area * weight};
-}
-
 }  // namespace
 
 std::vector<VertexShape> find_vertex_shapes(const Mesh& mesh) {
@@ -109,7 +104,7 @@ std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& pl
     const Vec3& direction = plan.creases[GeneratorId(v)].direction;
     const Matrix along = onto(direction), beside = identity - along;
     const auto add = [&](const Vec3& way, const Matrix& weight) {
-      springs.push_back(pull(here, way, weight, plan.areas[v]));
+      springs.push_back({here + way, plan.areas[v] * weight});
     };
     switch (plan.roles[v]) {
       case VertexRole::free:

@@ -7,12 +7,9 @@
 // of its root only. The forest holds nearly all free faces, because they form paths along the bisectors. No face of the
 // forest shares a side with another one than its parent and its children, so the cost is exact. See
 // docs/developer/segment-borders.md.
-#include "border_forest.hpp"
-
-#include <algorithm>
-
+#include "base/least.hpp"
 #include "gvd/surface_point.hpp"
-#include "gvd/vec.hpp"
+#include "segment_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -23,16 +20,12 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
   IdVector<FaceId, char> held(label.size(), 0);
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
     const GeneratorId g(i);
-    FaceId best;
-    double largest = 0;
+    Least<FaceId, std::pair<double, FaceId>> best{{}, {kInfinity, {}}};  // of the largest share, the smallest id
     for (const FaceId f : faces_around(mesh, diagram.generators[i])) {
-      if (label[f] != g) continue;
       const double fraction = diagram.face_label[f] == g ? 1 : shares.fraction(f, g);
-      if (best.valid() && (fraction < largest || (fraction == largest && best < f))) continue;
-      largest = fraction;
-      best = f;
+      if (label[f] == g) best.offer({-fraction, f}, f);
     }
-    if (best.valid()) held[best] = 1;
+    if (best.value.valid()) held[best.value] = 1;
   }
   return held;
 }

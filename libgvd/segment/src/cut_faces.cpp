@@ -10,9 +10,8 @@
 #include <tuple>
 
 #include "base/ear_clipping.hpp"
-#include "cut_triangles.hpp"
+#include "cut_steps.hpp"
 #include "face_shares.hpp"
-#include "face_tiling.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
@@ -106,8 +105,7 @@ class Cutter {
   /// The corners of f and the vertices on its edges, in order, each once.
   std::vector<FaceTiling::Corner> border_of(FaceId f) const {
     std::vector<FaceTiling::Corner> border;
-    for (int i = 0; i < 3; ++i) {
-      const HalfedgeId h = Mesh::halfedge(f, i);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
       const auto add = [&](double t, VertexId v) {
         const bool known = std::ranges::find(border, v, &FaceTiling::Corner::vertex) != border.end();
         if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, cut_.positions[v.index()], v});

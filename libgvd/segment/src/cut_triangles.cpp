@@ -5,10 +5,10 @@
 // the same diagonal. Either edge lies inside a parent, so a vertex at its midpoint concerns two triangles only.
 // Corners coincide where rounding has put an added vertex onto another one. The added vertex moves by a few units in
 // the last place; vertices of the input never move.
-#include "cut_triangles.hpp"
-
 #include <tuple>
 #include <utility>
+
+#include "cut_steps.hpp"
 
 namespace gvd {
 namespace {

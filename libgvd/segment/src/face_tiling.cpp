@@ -5,12 +5,11 @@
 // so does its reverse, in another polygon or on the border. The corners of the border come first and are never merged
 // or moved, because the adjacent faces share them. Corners are sorted along the face's longest side and along an axis
 // of space, so that a face with many pieces needs no search over all pairs.
-#include "face_tiling.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "cut_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -56,10 +55,9 @@ std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling:
     if ((corner[(i + 1) % 3] - corner[i]).norm() > (corner[(longest + 1) % 3] - corner[longest]).norm()) longest = i;
   }
   const int end = (longest + 1) % 3, apex = (longest + 2) % 3;
-  const Vec3 side = corner[end] - corner[longest];
   std::array<double, 3> positions{};
   positions[end] = 1;
-  positions[apex] = std::clamp((corner[apex] - corner[longest]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+  positions[apex] = std::clamp(foot_on_line(corner[longest], corner[end], corner[apex]), 0.0, 1.0);
   return positions;
 }
 

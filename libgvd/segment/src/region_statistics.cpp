@@ -2,7 +2,8 @@
 //
 // Area and Euler characteristic are the diagram's own; lengths are those of its polylines. A bisector counts in the
 // perimeter of both of its cells, and so twice where both are the same cell. The mesh's boundary counts where a cell's
-// faces and pieces lie on it. Sums run over bisectors, halfedges and pieces in their order.
+// faces and pieces lie on it. The radius is the largest distance that is known: at vertices, at branch points, and at
+// the corners of pieces in the faces of the generator. Sums run over bisectors, halfedges and pieces in their order.
 #include "gvd/region_statistics.hpp"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -83,9 +83,9 @@ class RegionMeter {
       if (g.valid() && !mesh_.twin(h).valid()) regions_[g].perimeter += mesh_.length(h);
     }
     for (const FacePiece& piece : diagram_.pieces) {
-      for (int side = 0; side < 3; ++side) {
-        const HalfedgeId h = Mesh::halfedge(piece.face, side);
-        if (!mesh_.twin(h).valid()) regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, side);
+      for (const HalfedgeId h : Mesh::halfedges(piece.face)) {
+        if (mesh_.twin(h).valid()) continue;
+        regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, Mesh::corner(h));
       }
     }
   }

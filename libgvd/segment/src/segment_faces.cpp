@@ -4,12 +4,11 @@
 // from an adjacent face, breadth-first from the labelled faces. A generator without a face then takes one, but only
 // from a region that stays connected without it. Smoothing (smooth_borders.cpp) follows last and keeps the topology.
 // Shares decide between labels, and ids where shares are equal, so that no result depends on the order of a search.
-#include "segment_faces.hpp"
-
 #include <algorithm>
 #include <deque>
 
 #include "gvd/surface_point.hpp"
+#include "segment_steps.hpp"
 
 namespace gvd {
 

@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "border_forest.hpp"
 #include "mesh/vertex_ring.hpp"
-#include "segment_faces.hpp"
+#include "segment_steps.hpp"
 
 namespace gvd {
 namespace {

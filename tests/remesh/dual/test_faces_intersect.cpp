@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dual/faces_intersect.hpp"
+#include "dual/dual_steps.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
@@ -27,10 +27,10 @@ TEST_CASE("products of differences are exact") {
   CHECK(tiny[0] == 1);
   CHECK(tiny[1] == -1e-30);
   Expansion square, cube;
-  square.add_product(tiny, tiny);
+  square.add_product(tiny, tiny, {1, 0});
   square.add(-1);
   CHECK(square.sign() == -1);
-  square.add_product({2, 0}, {1e-30, 0});
+  square.add_product({2, 0}, {1e-30, 0}, {1, 0});
   CHECK(square.sign() == 1);  // (1 - x)^2 = 1 - 2 x + x^2
   cube.add_product(tiny, tiny, tiny);
   cube.add_product(negated(tiny), tiny, tiny);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "dual/face_boxes.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/self_intersections.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

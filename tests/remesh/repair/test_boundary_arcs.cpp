@@ -1,6 +1,6 @@
 #include <map>
 
-#include "repair/boundary_arcs.hpp"
+#include "repair/cell_topology.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "repair/local_dual.hpp"
+#include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

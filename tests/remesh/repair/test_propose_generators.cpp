@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gvd/dual.hpp"
-#include "repair/propose_generators.hpp"
+#include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

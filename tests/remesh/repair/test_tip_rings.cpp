@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "repair/tip_rings.hpp"
+#include "repair/cell_topology.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

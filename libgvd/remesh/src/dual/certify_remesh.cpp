@@ -2,7 +2,8 @@
 //
 // It is measured on the mesh alone, whatever made it: manifoldness by OpenMesh, topology by counting elements for each
 // component, orientation by the surface's normals, intersections by exact tests. Components correspond by their
-// generators. Nothing here throws on a finding; `first_failure` names it.
+// generators, and topology is compared one by one: the errors of two components could cancel in a sum. Nothing here
+// throws on a finding; `first_failure` names it.
 
 // OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -10,14 +10,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "dual/triangle_defects.hpp"
+#include "base/least.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/quality.hpp"
-#include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -39,11 +38,11 @@ class DualBuilder {
 
   void cut(BranchPointId b, std::vector<GeneratorId> polygon) {
     while (polygon.size() > 3) {
-      const std::size_t ear = best_ear(polygon);
-      if (ear == polygon.size()) return;
-      const std::size_t n = polygon.size();
-      add(b, {polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
-      edges_.insert(std::minmax(polygon[(ear + n - 1) % n], polygon[(ear + 1) % n]));
+      const std::size_t n = polygon.size(), ear = best_ear(polygon);
+      if (ear == n) return;
+      const GeneratorId before = polygon[(ear + n - 1) % n], after = polygon[(ear + 1) % n];
+      add(b, {before, polygon[ear], after});
+      edges_.insert(std::minmax(before, after));
       polygon.erase(polygon.begin() + ear);
     }
     if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
@@ -53,18 +52,13 @@ class DualBuilder {
   /// none.
   std::size_t best_ear(const std::vector<GeneratorId>& polygon) const {
     const std::size_t n = polygon.size();
-    std::size_t best = n;
-    double best_q = -1;
+    Least<std::size_t> best{n};
     for (std::size_t i = 0; i < n; ++i) {
       const GeneratorId before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
       if (before == after || edges_.count(std::minmax(before, after)) > 0) continue;
-      const double q = compute_q(position_of(before), position_of(polygon[i]), position_of(after));
-      if (q > best_q) {
-        best_q = q;
-        best = i;
-      }
+      best.offer(-compute_q(position_of(before), position_of(polygon[i]), position_of(after)), i);
     }
-    return best;
+    return best.value;
   }
 
   void add(BranchPointId b, const std::array<GeneratorId, 3>& face) {
@@ -87,56 +81,33 @@ DualDefect make_defect(DualProperty property, std::vector<GeneratorId> cells, co
   return defect;
 }
 
+/// Tests cells, bisectors and branch points one by one; the defects are sorted by property at the end.
 class DualChecker {
  public:
   DualChecker(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual)
-      : mesh_(mesh), diagram_(diagram), dual_(dual), boundary_ends_(diagram.generators.size(), 0) {}
+      : mesh_(mesh),
+        diagram_(diagram),
+        boundary_ends_(diagram.generators.size(), 0),
+        triangles_(diagram.branch_points.size(), 0) {
+    for (const BranchPointId b : dual.branch_points) ++triangles_[b];
+    for (const Bisector& b : diagram.bisectors) {
+      if (b.closed) continue;
+      for (const GeneratorId g : {b.left, b.right}) boundary_ends_[g] += !b.ends[0].valid() + !b.ends[1].valid();
+    }
+  }
 
   std::vector<DualDefect> run() {
-    count_boundary_ends();
     check_components();
-    check_discs();
-    check_boundary_arcs();
-    check_bisectors();
-    check_pairs();
-    check_branch_points();
-    check_neighbours();
-    check_different_cells();
-    check_polygons();
+    for (const Cell& cell : diagram_.cells) check(cell);
+    for (const BisectorId b : diagram_.bisectors.ids()) check(b);
+    for (const BranchPointId b : diagram_.branch_points.ids()) check(b);
+    std::ranges::stable_sort(defects_, {}, &DualDefect::property);
     return std::move(defects_);
   }
 
  private:
   DualDefect& add(DualProperty property, std::vector<GeneratorId> cells, const std::string& what, const Vec3& at) {
     return defects_.emplace_back(make_defect(property, std::move(cells), what, at));
-  }
-
-  void add_cell_defect(DualProperty property, GeneratorId g, const std::string& what) {
-    add(property, {g}, fmt::format("cell {} {}", g.value(), what), position(mesh_, diagram_.generators[g.index()]));
-  }
-
-  void add_bisector_defect(DualProperty property, BisectorId id, const std::string& what) {
-    const Bisector& b = diagram_.bisectors[id];
-    const auto [first, second] = std::minmax(b.left, b.right);
-    add(property, {b.left, b.right}, fmt::format("cells {} and {} {}", first.value(), second.value(), what),
-        position(mesh_, b.points[b.points.size() / 2]))
-        .bisector = id;
-  }
-
-  void add_branch_defect(DualProperty property, BranchPointId b, const std::string& what) {
-    const BranchPoint& branch = diagram_.branch_points[b];
-    add(property, branch.generators, what, branch.position).branch_point = b;
-  }
-
-  void count_boundary_ends() {
-    for (const Bisector& b : diagram_.bisectors) {
-      if (b.closed) continue;
-      for (const BranchPointId end : b.ends) {
-        if (end.valid()) continue;
-        ++boundary_ends_[b.left];
-        ++boundary_ends_[b.right];
-      }
-    }
   }
 
   void check_components() {
@@ -152,100 +123,72 @@ class DualChecker {
     }
   }
 
-  void check_discs() {
-    for (const Cell& c : diagram_.cells) {
-      if (c.components == 1 && c.euler_characteristic == 1) continue;
-      add_cell_defect(DualProperty::cell_is_disc, c.generator,
-                      fmt::format("is not a disc (Euler characteristic {})", c.euler_characteristic));
+  void check(const Cell& cell) {
+    const GeneratorId g = cell.generator;
+    const auto add_defect = [&](DualProperty property, const std::string& what) {
+      add(property, {g}, fmt::format("cell {} {}", g.value(), what), position(mesh_, diagram_.generators[g.index()]));
+    };
+    if (cell.components != 1 || cell.euler_characteristic != 1) {
+      add_defect(DualProperty::cell_is_disc,
+                 fmt::format("is not a disc (Euler characteristic {})", cell.euler_characteristic));
+    }
+    if (boundary_ends_[g] > 2) {  // a boundary arc lies between two ends of bisectors on the boundary
+      add_defect(DualProperty::one_boundary_arc,
+                 fmt::format("touches the mesh's boundary in {} arcs", boundary_ends_[g] / 2));
+    }
+    const bool is_whole_component = cell.neighbours.empty();
+    const bool at_boundary = boundary_ends_[g] > 0 || (is_whole_component && cell.boundary_loops > 0);
+    const std::size_t least = at_boundary ? 2 : 3;
+    if (cell.neighbours.size() < least) {
+      const std::string neighbours = counted(std::ssize(cell.neighbours), "neighbour", "neighbours");
+      add_defect(DualProperty::enough_neighbours, fmt::format("has {} and needs {}", neighbours, least));
     }
   }
 
-  /// A boundary arc lies between two ends of bisectors on the boundary.
-  void check_boundary_arcs() {
-    for (const Cell& c : diagram_.cells) {
-      if (boundary_ends_[c.generator] <= 2) continue;
-      add_cell_defect(DualProperty::one_boundary_arc, c.generator,
-                      fmt::format("touches the mesh's boundary in {} arcs", boundary_ends_[c.generator] / 2));
+  void check(BisectorId id) {
+    const Bisector& b = diagram_.bisectors[id];
+    const std::pair<GeneratorId, GeneratorId> cells = std::minmax(b.left, b.right);
+    const auto add_defect = [&](DualProperty property, const std::string& what) {
+      add(property, {b.left, b.right},
+          fmt::format("cells {} and {} {}", cells.first.value(), cells.second.value(), what),
+          position(mesh_, b.points[b.points.size() / 2]))
+          .bisector = id;
+    };
+    if (b.closed) {
+      add_defect(DualProperty::bisector_has_face, "share a closed bisector");
+    } else if (!b.ends[0].valid() && !b.ends[1].valid()) {
+      add_defect(DualProperty::bisector_has_face, "share a bisector from boundary to boundary");
     }
+    if (++bisectors_of_[cells] == 2) add_defect(DualProperty::one_bisector, "share more than one bisector");
   }
 
-  void check_bisectors() {
-    for (const BisectorId i : diagram_.bisectors.ids()) {
-      const Bisector& b = diagram_.bisectors[i];
-      if (b.closed) {
-        add_bisector_defect(DualProperty::bisector_has_face, i, "share a closed bisector");
-      } else if (!b.ends[0].valid() && !b.ends[1].valid()) {
-        add_bisector_defect(DualProperty::bisector_has_face, i, "share a bisector from boundary to boundary");
-      }
-    }
-  }
-
-  void check_pairs() {
-    std::map<std::pair<GeneratorId, GeneratorId>, int> count;
-    for (const BisectorId i : diagram_.bisectors.ids()) {
-      const Bisector& b = diagram_.bisectors[i];
-      if (++count[std::minmax(b.left, b.right)] == 2) {
-        add_bisector_defect(DualProperty::one_bisector, i, "share more than one bisector");
-      }
-    }
-  }
-
-  /// The cells round a branch point, ascending.
-  std::vector<GeneratorId> sorted_cells(BranchPointId b) const {
-    std::vector<GeneratorId> cells = diagram_.branch_points[b].generators;
+  void check(BranchPointId id) {
+    const BranchPoint& branch = diagram_.branch_points[id];
+    const auto add_defect = [&](DualProperty property, const std::string& what) {
+      add(property, branch.generators, what, branch.position).branch_point = id;
+    };
+    std::vector<GeneratorId> cells = branch.generators;
     std::sort(cells.begin(), cells.end());
-    return cells;
-  }
-
-  void check_branch_points() {
-    std::map<std::vector<GeneratorId>, int> count;
-    for (const BranchPointId b : diagram_.branch_points.ids()) {
-      const std::vector<GeneratorId> cells = sorted_cells(b);
-      if (++count[cells] != 2) continue;
+    if (++branch_points_of_[cells] == 2) {
       std::string names;
       for (const GeneratorId g : cells) names += fmt::format("{}{}", names.empty() ? "" : ", ", g.value());
-      add_branch_defect(DualProperty::one_branch_point, b,
-                        fmt::format("cells {} share more than one branch point", names));
+      add_defect(DualProperty::one_branch_point, fmt::format("cells {} share more than one branch point", names));
     }
-  }
-
-  void check_neighbours() {
-    for (const Cell& c : diagram_.cells) {
-      const bool whole_component = c.neighbours.empty();
-      const bool at_boundary = boundary_ends_[c.generator] > 0 || (whole_component && c.boundary_loops > 0);
-      const std::size_t least = at_boundary ? 2 : 3;
-      if (c.neighbours.size() >= least) continue;
-      add_cell_defect(
-          DualProperty::enough_neighbours, c.generator,
-          fmt::format("has {} and needs {}", counted(std::ssize(c.neighbours), "neighbour", "neighbours"), least));
+    if (const auto twice = std::adjacent_find(cells.begin(), cells.end()); twice != cells.end()) {
+      add_defect(DualProperty::different_cells, fmt::format("cell {} occurs twice at a branch point", twice->value()));
     }
-  }
-
-  void check_different_cells() {
-    for (const BranchPointId b : diagram_.branch_points.ids()) {
-      const std::vector<GeneratorId> cells = sorted_cells(b);
-      const auto twice = std::adjacent_find(cells.begin(), cells.end());
-      if (twice == cells.end()) continue;
-      add_branch_defect(DualProperty::different_cells, b,
-                        fmt::format("cell {} occurs twice at a branch point", twice->value()));
-    }
-  }
-
-  void check_polygons() {
-    IdVector<BranchPointId, std::size_t> found(diagram_.branch_points.size(), 0);
-    for (const BranchPointId b : dual_.branch_points) ++found[b];
-    for (const BranchPointId b : found.ids()) {
-      const std::size_t corners = diagram_.branch_points[b].generators.size();
-      if (found[b] == corners - 2) continue;
-      add_branch_defect(DualProperty::polygon_fits, b,
-                        fmt::format("the polygon of a branch point of {} cells can't be triangulated", corners));
+    if (triangles_[id] != cells.size() - 2) {
+      add_defect(DualProperty::polygon_fits,
+                 fmt::format("the polygon of a branch point of {} cells can't be triangulated", cells.size()));
     }
   }
 
   const Mesh& mesh_;
   const Diagram& diagram_;
-  const DualMesh& dual_;
   IdVector<GeneratorId, std::int32_t> boundary_ends_;  // of each cell: ends of its bisectors on the mesh's boundary
+  IdVector<BranchPointId, std::size_t> triangles_;     // of the dual at each branch point
+  std::map<std::pair<GeneratorId, GeneratorId>, int> bisectors_of_;
+  std::map<std::vector<GeneratorId>, int> branch_points_of_;
   std::vector<DualDefect> defects_;
 };
 
@@ -261,7 +204,8 @@ std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram) {
   return check_dual(mesh, diagram, build_dual(mesh, diagram));
 }
 
-bool is_flipped(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+bool is_flipped(const Triangle& triangle, const Vec3& normal) {
+  const auto& [a, b, c] = triangle;
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   const Vec3 area = (b - a).cross(c - a);
   const bool has_area = area.norm() > kFlipTolerance * longest;
@@ -286,9 +230,7 @@ std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
   const std::vector<Vec3> normals = normals_at_faces(surface, remesh, generators, face_points);
   std::vector<FaceId> flipped;
   for (const FaceId f : remesh.faces()) {
-    const auto& [a, b, c] = remesh.vertices(f);
-    const Vec3 &p = remesh.position(a), &q = remesh.position(b), &r = remesh.position(c);
-    if (is_flipped(p, q, r, normals[f.index()])) flipped.push_back(f);
+    if (is_flipped(PlacedFaces(remesh).corners(f), normals[f.index()])) flipped.push_back(f);
   }
   return flipped;
 }
@@ -304,7 +246,7 @@ std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagr
     const auto& [a, b, c] = dual.faces[i];
     const Vec3 at_branch = surface_normal(surface, diagram.branch_points[dual.branch_points[i]].point);
     const Vec3 mean = normals[a.index()] + normals[b.index()] + normals[c.index()] + at_branch;
-    if (is_flipped(positions[a.index()], positions[b.index()], positions[c.index()], mean)) flipped.push_back(i);
+    if (is_flipped({positions[a.index()], positions[b.index()], positions[c.index()]}, mean)) flipped.push_back(i);
   }
   return flipped;
 }

@@ -6,13 +6,11 @@
 // Source: J. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997:
 // Two-Sum, Grow-Expansion with zero elimination, and the error bounds of the filters.
 
-#include "dual/faces_intersect.hpp"
-
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/plane.hpp"
+#include "dual/dual_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -34,6 +32,7 @@ std::array<double, 2> exact_product(double a, double b) {
 std::array<double, 2> exact_difference(double a, double b) { return exact_sum(a, -b); }
 
 void Expansion::add(double value) {
+  if (value == 0) return;
   double carry = value;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -45,20 +44,15 @@ void Expansion::add(double value) {
   if (carry != 0) components_.push_back(carry);
 }
 
-void Expansion::add_product(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  for (const double x : a) {
-    for (const double y : b) {
-      if (x == 0 || y == 0) continue;
-      for (const double part : exact_product(x, y)) add(part);
-    }
-  }
-}
-
 void Expansion::add_product(const std::array<double, 2>& a, const std::array<double, 2>& b,
                             const std::array<double, 2>& c) {
   for (const double x : a) {
     for (const double y : b) {
-      if (x != 0 && y != 0) add_product(exact_product(x, y), c);
+      for (const double xy : exact_product(x, y)) {
+        for (const double z : c) {
+          for (const double part : exact_product(xy, z)) add(part);
+        }
+      }
     }
   }
 }
@@ -74,9 +68,7 @@ namespace {
 /// rounding unit e = 2^-53, rounded up. Dimensionless. Source: Shewchuk 1997, bound A of ORIENT3D.
 constexpr double kDeterminantError = 7.8e-16;
 
-using Difference = std::array<double, 2>;
-
-std::array<Difference, 3> exact_differences(const Vec3& to, const Vec3& from) {
+std::array<std::array<double, 2>, 3> exact_differences(const Vec3& to, const Vec3& from) {
   return {exact_difference(to.x(), from.x()), exact_difference(to.y(), from.y()), exact_difference(to.z(), from.z())};
 }
 
@@ -95,10 +87,9 @@ int exact_determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 
 int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   if (const int certain = orientation(a, b, c)) return certain;
-  Expansion sum;
-  sum.add_product(exact_difference(b.x(), a.x()), exact_difference(c.y(), a.y()));
-  sum.add_product(exact_difference(a.y(), b.y()), exact_difference(c.x(), a.x()));
-  return sum.sign();
+  // The triangle is the base of a tetrahedron of height 1.
+  const auto lifted = [](const Vec2& p, double height) { return Vec3(p.x(), p.y(), height); };
+  return exact_determinant(lifted(a, 0), lifted(b, 0), lifted(c, 0), lifted(a, 1));
 }
 
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

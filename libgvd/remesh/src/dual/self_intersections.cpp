@@ -1,15 +1,16 @@
 // Pairs of faces of a mesh that intersect, and those that a remesh has from its surface.
 //
 // A tree of the faces' boxes finds the pairs that may intersect, and `faces_intersect` decides on each. The result is
-// sorted, so that neither the tree nor the number of threads shows in it.
+// sorted, so that neither the tree nor the number of threads shows in it. Where the surface intersects itself, a remesh
+// near it can't be free of intersections. A pair of its faces is therefore inherited if the box of their common part,
+// with a margin, overlaps both boxes of an intersecting pair of the surface.
 
 #include "gvd/self_intersections.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "base/parallel_chunks.hpp"
-#include "dual/face_boxes.hpp"
+#include "dual/dual_steps.hpp"
 
 namespace gvd {
 namespace {

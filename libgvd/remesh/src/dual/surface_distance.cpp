@@ -14,7 +14,6 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/mesh.hpp"
 
 namespace gvd {
 namespace {
@@ -67,12 +66,14 @@ class DistanceMeasure {
 
   SurfaceDistance run() {
     sample_vertices();
-    Findings all = sample_faces();
+    area_ = compute_area(from_);
+    Findings all = collect(from_.face_count(), [&](std::size_t i, Findings& found) { sample_face(FaceId(i), found); });
     SurfaceDistance result;
     result.rms = area_ > 0 ? std::sqrt(all.square_sum / area_) : 0;
     for (int round = 0; round < kMaxHausdorffRounds; ++round) {
       if (all.pieces.empty() || all.pieces.size() > kMaxPieces) break;
-      all = cut_in_four(all);
+      all = collect(all.pieces.size(),
+                    [&](std::size_t i, Findings& found) { cut_in_four(all.pieces[i].corners, found); });
     }
     result.hausdorff = farthest_;
     result.hausdorff_bound = std::max(farthest_, bound_);
@@ -92,23 +93,22 @@ class DistanceMeasure {
     const auto chunks = cut_into_chunks(from_.vertex_count(), kFacesPerChunk);
     at_vertex_ = IdVector<VertexId, Sample>(parallel_.collect(chunks, {}, [&](const Chunk& chunk) {
       std::vector<Sample> samples;
-      FaceId near(0);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const FaceId near = samples.empty() ? FaceId(0) : samples.back().nearest;
         samples.push_back(sample(from_.position(VertexId(i)), near));
-        near = samples.back().nearest;
       }
       return samples;
     }));
     for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
   }
 
-  Findings sample_faces() {
-    area_ = compute_area(from_);
-    const auto chunks = cut_into_chunks(from_.face_count(), kFacesPerChunk);
-    return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
+  /// Joins what find(i, findings) adds for the items 0 .. count - 1.
+  template <class Find>
+  Findings collect(std::size_t count, const Find& find) {
+    return join(parallel_.map(cut_into_chunks(count, kFacesPerChunk), {}, [&](const Chunk& chunk) {
       Findings found;
       found.farthest = farthest_;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) sample_face(FaceId(i), found);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) find(i, found);
       return found;
     }));
   }
@@ -183,17 +183,7 @@ class DistanceMeasure {
     return least;
   }
 
-  Findings cut_in_four(const Findings& before) {
-    const auto chunks = cut_into_chunks(before.pieces.size(), kFacesPerChunk);
-    return join(parallel_.map(chunks, {}, [&](const Chunk& chunk) {
-      Findings found;
-      found.farthest = farthest_;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) cut_piece(before.pieces[i].corners, found);
-      return found;
-    }));
-  }
-
-  void cut_piece(const Corners& corners, Findings& found) const {
+  void cut_in_four(const Corners& corners, Findings& found) const {
     const auto& [a, b, c] = corners;
     const auto middle = [&](const Sample& p, const Sample& q) {
       return sample((p.position + q.position) / 2, p.nearest);

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
+#include "base/least.hpp"
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
 #include "map/map_steps.hpp"
@@ -62,24 +62,20 @@ Crossing find_crossing(const CellSurface& surface, const DualPolygons& polygons,
                        std::pair<GeneratorId, GeneratorId> cells) {
   const Mesh &mesh = surface.cut.mesh, &remesh = polygons.remesh();
   const Vec3& from = remesh.position(VertexId(std::min(cells.first, cells.second).value()));
-  const Vec3 along = remesh.position(VertexId(std::max(cells.first, cells.second).value())) - from;
+  const Vec3& to = remesh.position(VertexId(std::max(cells.first, cells.second).value()));
   std::size_t begin = 1, end = path.size() - 1;
   if (!polygons.at(path.front())) {
     begin = 0, end = 1;
   } else if (!polygons.at(path.back())) {
     begin = path.size() - 1, end = path.size();
   }
-  Crossing best;
-  std::tuple<double, VertexId> least(kInfinity, VertexId());
+  Least<Crossing, std::pair<double, VertexId>> nearest{{}, {kInfinity, {}}};
   for (std::size_t i = begin; i < end; ++i) {
-    const Vec3 offset = mesh.position(path[i]) - from;
-    const double t = std::clamp(along.dot(offset) / along.squaredNorm(), kLeastCrossing, 1 - kLeastCrossing);
-    const std::tuple rank((offset - t * along).norm(), path[i]);
-    if (rank >= least) continue;
-    least = rank;
-    best = {i, t};
+    const Vec3& at = mesh.position(path[i]);
+    const double t = std::clamp(foot_on_line(from, to, at), kLeastCrossing, 1 - kLeastCrossing);
+    nearest.offer({(at - from - t * (to - from)).norm(), path[i]}, {i, t});
   }
-  return best;
+  return nearest.value;
 }
 
 class TargetCollector {
@@ -103,32 +99,22 @@ class TargetCollector {
     }
     const std::size_t middle = find_crossing(surface_, polygons_, path, {cell_, r.other}).number;
     const auto at = path.begin() + middle;
-    if (before) add_half(*before, before->crossing(before->find(r.other)), {path.begin(), at + 1}, r.begin);
+    if (before) add_half(*before, r.other, space(mesh_, {path.begin(), at + 1}, kEvenShare), r.begin);
     if (!behind) return;
-    const std::size_t first = targets_.size();
-    add_half(*behind, behind->crossing(behind->find(cell_)), {path.rbegin(), std::make_reverse_iterator(at)},
-             r.begin + middle);
-    reverse_from(first, r.begin + middle);
+    std::vector<double> spaced = space(mesh_, {path.rbegin(), std::make_reverse_iterator(at)}, kEvenShare);
+    std::reverse(spaced.begin(), spaced.end());
+    add_half(*behind, cell_, spaced, r.begin + middle);
   }
 
-  /// `path` begins at the polygon's vertex.
-  void add_half(const DualPolygon& polygon, const Vec2& end, const Path& path, std::size_t first) {
-    const std::vector<double> at = space(mesh_, path, kEvenShare);
+  /// `at`: how far the vertices are from the polygon's centre. The bisector crosses the side behind the corner of
+  /// `side`.
+  void add_half(const DualPolygon& polygon, GeneratorId side, const std::vector<double>& at, std::size_t first) {
+    const Vec2 end = polygon.crossing(polygon.find(side)), apex = polygon.corner(polygon.find(cell_));
     const auto target = [&](std::size_t i) -> Vec2 {
       return at[i] == 1 ? end : Vec2(polygon.centre + at[i] * (end - polygon.centre));
     };
-    const Vec2 apex = polygon.corner(polygon.find(cell_));
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
       targets_.push_back({border_.loop[first + i], &polygon, apex, target(i), target(i + 1), at[i], at[i + 1]});
-    }
-  }
-
-  void reverse_from(std::size_t first, std::size_t halfedge) {
-    std::reverse(targets_.begin() + first, targets_.end());
-    for (std::size_t i = first; i < targets_.size(); ++i) {
-      std::swap(targets_[i].from, targets_[i].to);
-      std::swap(targets_[i].at_from, targets_[i].at_to);
-      targets_[i].halfedge = border_.loop[halfedge + i - first];
     }
   }
 
@@ -164,7 +150,12 @@ class BorderPlacer {
     const double largest = *std::max_element(radii_.begin(), radii_.end());
     for (double& radius : radii_) radius /= largest;
     const double even_share = is_star ? 0 : kEvenSector;
-    surface_.borders[cell_].at_boundary() ? place_sector(even_share) : place_round(even_share);
+    const bool is_sector = surface_.borders[cell_].at_boundary();
+    is_sector ? place_sector(even_share) : place_round(even_share);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
+    }
+    if (is_sector) place_sides();
     return std::move(border_);
   }
 
@@ -188,7 +179,6 @@ class BorderPlacer {
     scale_and_even(angles_, 2 * std::numbers::pi, even_share);
     for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
     border_.bases.push_back(border_.bases.front());
-    place_bases();
   }
 
   /// Places a sector in a frame of its two sides, so that points on them lie on one line without rounding.
@@ -201,14 +191,6 @@ class BorderPlacer {
     }
     border_.bases.front() = Vec2(radii_.front(), 0);
     border_.bases.back() = Vec2(0, radii_.back());
-    place_bases();
-    place_sides();
-  }
-
-  void place_bases() {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
-    }
   }
 
   void place_sides() {

@@ -8,7 +8,6 @@
 #include "gvd/carry_properties.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -66,8 +65,7 @@ double weighted_mean(const std::vector<Share>& shares, const std::vector<double>
 
 /// The vertex with the largest share.
 std::int32_t largest_share(const std::vector<Share>& shares) {
-  const auto largest = std::max_element(shares.begin(), shares.end(),
-                                        [](const Share& a, const Share& b) { return a.weight < b.weight; });
+  const auto largest = std::ranges::max_element(shares, {}, &Share::weight);
   return largest == shares.end() ? 0 : largest->vertex;
 }
 
@@ -78,24 +76,20 @@ MeshProperty without_values(const MeshProperty& property) {
   return empty;
 }
 
-void append_list(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
+/// Appends the value of an element, or its list.
+void append(const MeshProperty& property, std::size_t element, MeshProperty& carried) {
+  if (!property.count_type) return carried.values.push_back(property.values[element]);
   const auto at = [&](std::size_t i) { return property.values.begin() + property.first_value[i]; };
   carried.values.insert(carried.values.end(), at(element), at(element + 1));
   carried.first_value.push_back(carried.values.size());
 }
 
-MeshProperty carry_lists(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
-  MeshProperty carried = without_values(property);
-  for (const std::vector<Share>& at : shares) append_list(property, largest_share(at), carried);
-  return carried;
-}
-
 MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, const MeshProperty& property) {
-  if (property.count_type) return carry_lists(shares, property);
   MeshProperty carried = without_values(property);
-  const bool smooth = !is_integer(property.type) || is_color(property);
+  const bool is_smooth = !property.count_type && (!is_integer(property.type) || is_color(property));
   for (const std::vector<Share>& at : shares) {
-    carried.values.push_back(smooth ? weighted_mean(at, property.values) : property.values[largest_share(at)]);
+    is_smooth ? carried.values.push_back(weighted_mean(at, property.values))
+              : append(property, largest_share(at), carried);
   }
   return carried;
 }
@@ -103,8 +97,7 @@ MeshProperty carry_to_vertices(const std::vector<std::vector<Share>>& shares, co
 MeshProperty carry_to_faces(const CheckedMesh& input, const RemeshResult& result, const MeshProperty& property) {
   MeshProperty carried = without_values(property);
   for (const SurfacePoint& point : result.face_points) {
-    const std::int32_t polygon = input.input_polygon[point.face];
-    property.count_type ? append_list(property, polygon, carried) : carried.values.push_back(property.values[polygon]);
+    append(property, input.input_polygon[point.face], carried);
   }
   return carried;
 }

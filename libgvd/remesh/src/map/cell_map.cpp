@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include "base/barycentric.hpp"
+#include "base/least.hpp"
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -125,17 +125,12 @@ class CellFlattener {
 
 SurfacePoint find_nearest_facing(const Mesh& mesh, const std::vector<FaceId>& faces, const Vec3& point,
                                  const Vec3& normal) {
-  SurfacePoint best;
-  std::tuple<bool, double> least(true, kInfinity);
+  Least<SurfacePoint, std::pair<bool, double>> nearest{{}, {true, kInfinity}};
   for (const FaceId f : faces) {
     const ClosestPoint found = closest_point_on_face(mesh, f, point);
-    const std::tuple rank(face_normal(mesh, f).dot(normal) < 0, found.distance);
-    if (rank < least) {
-      least = rank;
-      best = found.point;
-    }
+    nearest.offer({face_normal(mesh, f).dot(normal) < 0, found.distance}, found.point);
   }
-  return best;
+  return nearest.value;
 }
 
 SurfacePoint PlaneCell::image(const Vec2& point) const {

@@ -9,8 +9,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <optional>
+#include <set>
+#include <utility>
 
+#include "base/least.hpp"
+#include "base/union_find.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "map/map_steps.hpp"
@@ -24,10 +28,18 @@ namespace {
   throw Error(ErrorCode::no_valid_result, fmt::format("cell {} {}", cell.value(), what), cell.value());
 }
 
+/// The least id that occurs twice, if any does.
+template <class Id>
+std::optional<Id> find_repeated(std::vector<Id> ids) {
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  return twice == ids.end() ? std::nullopt : std::optional(*twice);
+}
+
 class BorderTracer {
  public:
   BorderTracer(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t cells)
-      : mesh_(mesh), label_(label), sizes_(cells), borders_(cells), is_reached_(label.size(), 0) {}
+      : mesh_(mesh), label_(label), sizes_(cells), borders_(cells) {}
 
   IdVector<GeneratorId, CellBorder> run() {
     count_faces();
@@ -41,7 +53,7 @@ class BorderTracer {
 
  private:
   struct Size {
-    std::int64_t faces = 0, border_edges = 0, inner_vertices = 0, reached_faces = 0;
+    std::int64_t faces = 0, components = 0, border_edges = 0, inner_vertices = 0;
   };
 
   GeneratorId cell(HalfedgeId h) const { return label_[Mesh::face(h)]; }
@@ -51,14 +63,19 @@ class BorderTracer {
   bool is_border(HalfedgeId h) const { return other(h) != cell(h); }
 
   void count_faces() {
+    UnionFind connected(label_.size());
     for (const FaceId f : mesh_.faces()) {
       const GeneratorId g = label_[f];
       if (!g.valid() || g.index() >= sizes_.size()) {
         throw Error(ErrorCode::no_valid_result, fmt::format("face {} is in no cell", f.value()), f.value());
       }
       ++sizes_[g].faces;
-      for (int corner = 0; corner < 3; ++corner) sizes_[g].border_edges += is_border(Mesh::halfedge(f, corner));
+      for (const HalfedgeId h : Mesh::halfedges(f)) {
+        sizes_[g].border_edges += is_border(h);
+        if (!is_border(h)) connected.unite(f.value(), Mesh::face(mesh_.twin(h)).value());
+      }
     }
+    for (const FaceId f : mesh_.faces()) sizes_[label_[f]].components += connected.find(f.value()) == f.value();
   }
 
   void count_vertices() {
@@ -90,7 +107,6 @@ class BorderTracer {
       if (i == 0 || beyond != border.runs.back().other) border.runs.push_back({beyond, i, i});
       ++border.runs.back().end;
     }
-    flood(start);
   }
 
   /// Lets the loop begin where a run begins: behind the one along the boundary, if there is one.
@@ -107,54 +123,30 @@ class BorderTracer {
     if (first < loop.size()) std::rotate(loop.begin(), loop.begin() + first, loop.end());
   }
 
-  /// Counts the faces of the cell that are connected with h's.
-  void flood(HalfedgeId h) {
-    std::vector<FaceId> stack{Mesh::face(h)};
-    is_reached_[stack.back()] = 1;
-    while (!stack.empty()) {
-      const FaceId f = stack.back();
-      stack.pop_back();
-      ++sizes_[label_[f]].reached_faces;
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId side = Mesh::halfedge(f, corner);
-        if (is_border(side) || is_reached_[Mesh::face(mesh_.twin(side))]) continue;
-        is_reached_[Mesh::face(mesh_.twin(side))] = 1;
-        stack.push_back(Mesh::face(mesh_.twin(side)));
-      }
-    }
-  }
-
   /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1.
   void check(GeneratorId g) const {
     const Size& size = sizes_[g];
     const CellBorder& border = borders_[g];
     const std::int64_t length = std::ssize(border.loop);
     const std::int64_t twice_euler = 2 * (size.inner_vertices + length + size.faces) - (3 * size.faces + length);
-    if (length == 0 || length != size.border_edges || size.reached_faces != size.faces || twice_euler != 2 ||
-        has_repeated_vertex(border)) {
+    std::vector<VertexId> vertices;
+    for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
+    if (length == 0 || length != size.border_edges || size.components != 1 || twice_euler != 2 ||
+        find_repeated(std::move(vertices))) {
       refuse_cell(g, "is not a disc");
     }
     std::vector<GeneratorId> others;
     for (const BorderRun& run : border.runs) others.push_back(run.other);
-    std::sort(others.begin(), others.end());
-    const auto twice = std::adjacent_find(others.begin(), others.end());
-    if (twice != others.end())
+    if (const auto twice = find_repeated(std::move(others))) {
       refuse_cell(g, twice->valid() ? "touches a neighbour twice" : "touches the boundary twice");
-    if (others.size() < 2) refuse_cell(g, "has too few neighbours");
-  }
-
-  bool has_repeated_vertex(const CellBorder& border) const {
-    std::vector<VertexId> vertices;
-    for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
-    std::sort(vertices.begin(), vertices.end());
-    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    }
+    if (border.runs.size() < 2) refuse_cell(g, "has too few neighbours");
   }
 
   const Mesh& mesh_;
   const IdVector<FaceId, GeneratorId>& label_;
   IdVector<GeneratorId, Size> sizes_;
   IdVector<GeneratorId, CellBorder> borders_;
-  IdVector<FaceId, char> is_reached_;
 };
 
 /// A generator on the boundary within this fraction of an edge from a vertex is taken to be there. Far above the
@@ -221,19 +213,14 @@ class CellCutter {
   EdgeCut nearest_on_boundary(GeneratorId g) const {
     const CellBorder& border = cells_.borders[g];
     const Vec3 at = position(surface_, generators_[g.index()]);
-    EdgeCut best;
-    double least = kInfinity;
+    Least<EdgeCut> nearest;
     for (std::size_t i = border.runs.back().begin; i < border.runs.back().end; ++i) {
       const HalfedgeId h = border.loop[i];
       const Vec3 &from = mesh().position(mesh().from(h)), along = mesh().position(mesh().to(h)) - from;
       const double t = std::clamp(foot_on_edge(mesh(), h, at), 0.0, 1.0);
-      const double distance = (from + t * along - at).norm();
-      if (distance < least) {
-        least = distance;
-        best = {h, t};
-      }
+      nearest.offer((from + t * along - at).norm(), {h, t});
     }
-    return best;
+    return nearest.value;
   }
 
   /// The ends of the run belong to other cells, too: they can't be anchors.
@@ -262,28 +249,24 @@ class CellCutter {
 
   void split_chords() {
     std::vector<EdgeId> chords;
-    IdVector<VertexId, GeneratorId> side(mesh().vertex_count());
     for (const GeneratorId g : cells_.borders.ids()) {
       const CellBorder& border = cells_.borders[g];
       if (!border.at_boundary()) continue;
       const std::vector<VertexId> vertices = run_vertices(mesh(), border, border.runs.back());
       const auto anchor = std::find(vertices.begin(), vertices.end(), cells_.anchors[g]);
-      collect_chords(g, {vertices.begin(), anchor + 1}, side, chords);
-      for (const VertexId v : vertices) side[v] = GeneratorId();
-      collect_chords(g, {anchor, vertices.end()}, side, chords);
-      for (const VertexId v : vertices) side[v] = GeneratorId();
+      collect_chords(g, {vertices.begin(), anchor + 1}, chords);
+      collect_chords(g, {anchor, vertices.end()}, chords);
     }
     split_edges(chords);
   }
 
-  /// Appends the edges inside cell g that join two of the vertices. `side` is invalid for all others.
-  void collect_chords(GeneratorId g, const std::vector<VertexId>& vertices, IdVector<VertexId, GeneratorId>& side,
-                      std::vector<EdgeId>& chords) const {
-    for (const VertexId v : vertices) side[v] = g;
-    for (const VertexId v : vertices) {
+  /// Appends the edges inside cell g that join two vertices of one side.
+  void collect_chords(GeneratorId g, const std::vector<VertexId>& side, std::vector<EdgeId>& chords) const {
+    const std::set<VertexId> ends(side.begin(), side.end());
+    for (const VertexId v : side) {
       for_each_outgoing(mesh(), v, [&](HalfedgeId h) {
         const HalfedgeId twin = mesh().twin(h);
-        if (!twin.valid() || mesh().to(h) < v || side[mesh().to(h)] != g) return;
+        if (!twin.valid() || mesh().to(h) < v || !ends.contains(mesh().to(h))) return;
         const auto& label = cells_.cut.label;
         if (label[Mesh::face(h)] == g && label[Mesh::face(twin)] == g) chords.push_back(mesh().edge(h));
       });

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/barycentric.hpp"
+#include "base/least.hpp"
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -43,9 +44,8 @@ std::vector<GeneratorId> cells_round(const Mesh& cut, const IdVector<FaceId, Gen
 Bary coordinates(const DualPolygon& polygon, const DualPolygon::Triangle& triangle, const Vec2& point) {
   std::array<Vec2, 3> at;
   for (std::size_t i = 0; i < 3; ++i) at[i] = polygon.corner(triangle.corners[i]);
-  const double area = twice_signed_area(at[0], at[1], at[2]);
-  return {twice_signed_area(point, at[1], at[2]) / area, twice_signed_area(at[0], point, at[2]) / area,
-          twice_signed_area(at[0], at[1], point) / area};
+  return bary_by_areas(at, point,
+                       [](const Vec2& a, const Vec2& b, const Vec2& c) { return twice_signed_area(a, b, c); });
 }
 
 /// The point of a triangle nearest to a branch point, but not at a side.
@@ -73,19 +73,13 @@ std::size_t DualPolygon::find(GeneratorId cell) const {
 }
 
 SurfacePoint DualPolygon::on_remesh(const Vec2& point) const {
-  FaceId face;
-  Bary best{};
-  double largest = -kInfinity;
+  Least<SurfacePoint> inside;  // in the triangle that the point is least outside of
   for (const Triangle& triangle : triangles) {
     const Bary bary = coordinates(*this, triangle, point);
-    const double least = std::min({bary[0], bary[1], bary[2]});
-    if (least <= largest) continue;
-    largest = least;
-    best = bary;
-    face = triangle.face;
+    inside.offer(-std::min({bary[0], bary[1], bary[2]}), {triangle.face, bary});
   }
-  for (double& b : best) b = std::max(b, 0.0);
-  return make_surface_point(face, best);
+  for (double& b : inside.value.bary) b = std::max(b, 0.0);
+  return make_surface_point(inside.value.face, inside.value.bary);
 }
 
 DualPolygons::DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh)

@@ -6,9 +6,9 @@
 // the two kinds. At last the images of all faces are measured.
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
+#include "base/least.hpp"
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -44,11 +44,9 @@ struct CellPoints {
 class OneToOneMapper {
  public:
   OneToOneMapper(const Mesh& surface, const RemeshResult& result)
-      : surface_(surface),
-        result_(result),
-        cells_(cut_into_cells(surface, result)),
+      : cells_(cut_into_cells(surface, result)),
         polygons_(cells_.cut.mesh, cells_.cut.label, result.mesh),
-        input_{surface_, result_, cells_, polygons_},
+        input_{surface, result, cells_, polygons_},
         faces_(result.generators.size()) {
     place_crossings(cells_, polygons_);
     for (const FaceId f : cells_.cut.label.ids()) faces_[cells_.cut.label[f]].push_back(f);
@@ -65,7 +63,7 @@ class OneToOneMapper {
       return found;
     });
     MapPoints points;
-    points.images.resize(surface_.vertex_count());
+    points.images.resize(input_.surface.vertex_count());
     for (const CellPoints& cell : cells) {
       points.origins.push_back(cell.origin);
       for (const Image& image : cell.images) points.images[image.vertex] = image.point;
@@ -80,20 +78,18 @@ class OneToOneMapper {
     CellPoints cell{plane.origin, {}};
     for (std::size_t i = 0; i < plane.disc.vertices.size(); ++i) {
       const VertexId v = plane.disc.vertices[i];
-      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
+      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
     }
     for (const BorderTarget& t : plane.targets) {
       const VertexId v = cells_.cut.mesh.from(t.halfedge);
-      if (v.value() < surface_.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
+      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
     }
     if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
-      cell.images.push_back({vertex(surface_, plane.origin), vertex_point(result_.mesh, plane.vertex)});
+      cell.images.push_back({vertex(input_.surface, plane.origin), vertex_point(input_.result.mesh, plane.vertex)});
     }
     return cell;
   }
 
-  const Mesh& surface_;
-  const RemeshResult& result_;
   CellSurface cells_;
   DualPolygons polygons_;
   CellMapInput input_;
@@ -119,8 +115,7 @@ Patch collect_patch(const Mesh& mesh, VertexId centre) {
   std::sort(patch.faces.begin(), patch.faces.end());
   patch.faces.erase(std::unique(patch.faces.begin(), patch.faces.end()), patch.faces.end());
   for (const FaceId f : patch.faces) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = Mesh::halfedge(f, corner);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
       if (!mesh.twin(h).valid()) patch.boundary.push_back(h);
     }
   }
@@ -164,14 +159,12 @@ class NearestMapper {
 
   SurfacePoint on_boundary(VertexId v, const Patch& patch) const {
     const Vec3& at = surface_.position(v);
-    SurfacePoint best;
-    double least = kInfinity;
+    Least<SurfacePoint> nearest;
     for (const HalfedgeId h : patch.boundary) {
       const SurfacePoint found = edge_point(h, std::clamp(foot_on_edge(result_.mesh, h, at), 0.0, 1.0));
-      const double distance = (position(result_.mesh, found) - at).norm();
-      if (distance < least) std::tie(least, best) = std::tuple(distance, found);
+      nearest.offer((position(result_.mesh, found) - at).norm(), found);
     }
-    return best;
+    return nearest.value;
   }
 
   SurfacePoint on_faces(VertexId v, const Patch& patch) const {
@@ -190,43 +183,31 @@ class NearestMapper {
 /// rounding of the corners of images that are a millionth of the mesh in size.
 constexpr double kFlatImage = 1e-9;
 
-class MapMeasure {
- public:
-  MapMeasure(const Mesh& surface, const Mesh& remesh, RemeshMap& map) : surface_(surface), remesh_(remesh), map_(map) {}
-
-  void run() {
-    double sum = 0;
-    for (const VertexId v : surface_.vertices()) {
-      const double move = (image(v) - surface_.position(v)).norm();
-      map_.largest_move = std::max(map_.largest_move, move);
-      sum += move;
-    }
-    map_.mean_move = sum / surface_.vertex_count();
-    for (const FaceId f : surface_.faces()) count(f);
+/// Measures how far the vertices move, and compares the image of each face with the normals of the remesh at its
+/// corners.
+void measure_images(const Mesh& surface, const Mesh& remesh, RemeshMap& map) {
+  const auto image = [&](VertexId v) { return position(remesh, map.points[v]); };
+  double sum = 0;
+  for (const VertexId v : surface.vertices()) {
+    const double move = (image(v) - surface.position(v)).norm();
+    map.largest_move = std::max(map.largest_move, move);
+    sum += move;
   }
-
- private:
-  Vec3 image(VertexId v) const { return position(remesh_, map_.points[v]); }
-
-  /// Compares the image of a face with the normals of the remesh at its corners.
-  void count(FaceId f) {
-    const auto& [a, b, c] = surface_.vertices(f);
+  map.mean_move = sum / surface.vertex_count();
+  for (const FaceId f : surface.faces()) {
+    const auto& [a, b, c] = surface.vertices(f);
     const Vec3 along = image(b) - image(a), across = image(c) - image(a);
     const Vec3 area = along.cross(across);
     const double square = std::max({along.squaredNorm(), across.squaredNorm(), (across - along).squaredNorm()});
     Vec3 normal = Vec3::Zero();
-    for (const VertexId v : {a, b, c}) normal += face_normal(remesh_, map_.points[v].face);
+    for (const VertexId v : {a, b, c}) normal += face_normal(remesh, map.points[v].face);
     if (!(area.norm() > kFlatImage * square)) {
-      ++map_.collapsed_faces;
+      ++map.collapsed_faces;
     } else {
-      ++(area.dot(normal) > 0 ? map_.kept_faces : map_.reversed_faces);
+      ++(area.dot(normal) > 0 ? map.kept_faces : map.reversed_faces);
     }
   }
-
-  const Mesh& surface_;
-  const Mesh& remesh_;
-  RemeshMap& map_;
-};
+}
 
 }  // namespace
 
@@ -251,7 +232,7 @@ RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int thr
     map.points = nearest_points(surface, result, threads);
     map.origins = IdVector<VertexId, SurfacePoint>(result.generators);
   }
-  MapMeasure(surface, result.mesh, map).run();
+  measure_images(surface, result.mesh, map);
   return map;
 }
 

@@ -4,12 +4,11 @@
 // or on two sheets that touch. For these, a search over the faces within the distance tells whether one connected part
 // of the surface holds both. Where the distance is less than the surface's features, this agrees with the geodesic one.
 
-#include "repair/added_generators.hpp"
-
 #include <cmath>
 #include <set>
 
 #include "gvd/closest_point.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -32,8 +31,8 @@ bool are_near(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, do
     const FaceId f = open.back();
     open.pop_back();
     if (std::find(goal.begin(), goal.end(), f) != goal.end()) return true;
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = Mesh::halfedge(f, corner), twin = mesh.twin(h);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      const HalfedgeId twin = mesh.twin(h);
       if (!twin.valid() || distance_to_edge(mesh, h, centre) > radius) continue;
       if (seen.insert(Mesh::face(twin)).second) open.push_back(Mesh::face(twin));
     }

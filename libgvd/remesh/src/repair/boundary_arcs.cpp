@@ -2,14 +2,16 @@
 //
 // Bisectors that end on the boundary cut its loops into arcs. The ends on each halfedge are sorted along it. A walk
 // round each loop then begins a new arc at every end; what comes before the first end belongs to the last arc.
-
-#include "repair/boundary_arcs.hpp"
+// A cell with several arcs breaks property (3) of gvd/dual.hpp. Arcs also tell quadrics which parts of the boundary lie
+// in a cell. Each boundary halfedge is passed once.
 
 #include <algorithm>
 #include <map>
 
+#include "base/least.hpp"
 #include "gvd/closest_point.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/cell_topology.hpp"
 
 namespace gvd {
 namespace {
@@ -32,9 +34,7 @@ class ArcLister {
       if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
       if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
     }
-    for (auto& [h, ends] : ends_) {
-      std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-    }
+    for (auto& [h, ends] : ends_) std::ranges::stable_sort(ends, {}, &BoundaryEnd::at);
     IdVector<HalfedgeId, char> seen(mesh_.halfedge_count(), 0);
     for (const HalfedgeId h : mesh_.halfedges()) {
       if (!mesh_.twin(h).valid() && !seen[h]) cut_loop(h, seen);
@@ -92,18 +92,14 @@ std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& dia
 }
 
 SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const Vec3& to) {
-  SurfacePoint best;
-  double least = kInfinity;
+  Least<SurfacePoint> nearest;
   for (const BoundaryArc::Segment& segment : arc.segments) {
     const Vec3& from = mesh.position(mesh.from(segment.halfedge));
     const Vec3 along = mesh.position(mesh.to(segment.halfedge)) - from;
     const double t = std::clamp(foot_on_edge(mesh, segment.halfedge, to), segment.begin, segment.end);
-    const double distance = (from + t * along - to).squaredNorm();
-    if (distance >= least) continue;
-    least = distance;
-    best = edge_point(segment.halfedge, t);
+    nearest.offer((from + t * along - to).squaredNorm(), edge_point(segment.halfedge, t));
   }
-  return make_surface_point(best.face, best.bary);
+  return make_surface_point(nearest.value.face, nearest.value.bary);
 }
 
 }  // namespace gvd

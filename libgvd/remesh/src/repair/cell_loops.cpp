@@ -6,16 +6,14 @@
 // among those of one edge and two paths.
 // Source: J. Erickson and S. Har-Peled, Optimally cutting a surface into a disk, 2004.
 
-#include "repair/cell_loops.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <queue>
-#include <tuple>
 
+#include "base/least.hpp"
 #include "gvd/closest_point.hpp"
-#include "gvd/vec.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/cell_topology.hpp"
 
 namespace gvd {
 namespace {
@@ -68,35 +66,32 @@ std::vector<VertexId> CellTree::path_to_root(VertexId v) const {
   return vertices;
 }
 
-void DualGraph::add_link(HalfedgeId crossed, std::int32_t from, std::int32_t to) {
-  const std::size_t link = links_.size();
-  links_.push_back({crossed, {from, to}});
-  for (const std::int32_t node : links_.back().nodes) {
-    if (node != kOutside) links_of_[node].push_back(link);
+std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLink>& links) {
+  std::vector<std::vector<std::size_t>> links_of(faces);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const std::int32_t node : links[i].nodes) {
+      if (node != DualLink::kOutside) links_of[node].push_back(i);
+    }
   }
-}
-
-std::vector<HalfedgeId> DualGraph::prune_leaves() const {
   std::vector<std::size_t> degree, leaves;
-  for (std::size_t i = 0; i < links_of_.size(); ++i) {
-    degree.push_back(links_of_[i].size());
+  for (std::size_t i = 0; i < faces; ++i) {
+    degree.push_back(links_of[i].size());
     if (degree.back() == 1) leaves.push_back(i);
   }
-  std::vector<char> is_removed(links_.size(), 0);
+  std::vector<char> is_removed(links.size(), 0);
   while (!leaves.empty()) {
     const std::size_t leaf = leaves.back();
     leaves.pop_back();
-    for (const std::size_t link : links_of_[leaf]) {
-      if (is_removed[link]) continue;
-      is_removed[link] = 1;
-      for (const std::int32_t node : links_[link].nodes) {
-        if (node != kOutside && --degree[node] == 1) leaves.push_back(node);
+    for (const std::size_t link : links_of[leaf]) {
+      if (std::exchange(is_removed[link], 1)) continue;
+      for (const std::int32_t node : links[link].nodes) {
+        if (node != DualLink::kOutside && --degree[node] == 1) leaves.push_back(node);
       }
     }
   }
   std::vector<HalfedgeId> remaining;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (!is_removed[i]) remaining.push_back(links_[i].crossed);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (!is_removed[i]) remaining.push_back(links[i].crossed);
   }
   return remaining;
 }
@@ -108,60 +103,50 @@ CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
       tree_(cut_),
       by_label_(cut_.mesh.faces().begin(), cut_.mesh.faces().end()),
       face_node_(by_label_.size(), -1) {
-  std::stable_sort(by_label_.begin(), by_label_.end(),
-                   [&](FaceId a, FaceId b) { return cut_.label[a] < cut_.label[b]; });
+  std::ranges::stable_sort(by_label_, {}, [&](FaceId f) { return cut_.label[f]; });
 }
 
 std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
   const std::vector<FaceId> faces = faces_of(cell);
   if (faces.empty()) return {};
   tree_.grow(find_root(faces, cell), cell);
-  HalfedgeId best;
-  double least = kInfinity;
+  Least<HalfedgeId> shortest;
   for (const HalfedgeId h : find_loop_edges(faces, cell)) {
-    const double length = tree_.distance(cut_.mesh.from(h)) + cut_.mesh.length(h) + tree_.distance(cut_.mesh.to(h));
-    if (length < least) std::tie(least, best) = std::tuple(length, h);
+    shortest.offer(tree_.distance(cut_.mesh.from(h)) + cut_.mesh.length(h) + tree_.distance(cut_.mesh.to(h)), h);
   }
-  if (!best.valid()) return {};
-  return divide_into_thirds(close_loop(best));
+  if (!shortest.value.valid()) return {};
+  return divide_into_thirds(close_loop(shortest.value));
 }
 
 std::vector<FaceId> CellLoops::faces_of(GeneratorId cell) const {
-  const auto begin = std::lower_bound(by_label_.begin(), by_label_.end(), cell,
-                                      [&](FaceId f, GeneratorId g) { return cut_.label[f] < g; });
-  const auto end =
-      std::upper_bound(begin, by_label_.end(), cell, [&](GeneratorId g, FaceId f) { return g < cut_.label[f]; });
-  return {begin, end};
+  const auto label = [&](FaceId f) { return cut_.label[f]; };
+  return {std::ranges::lower_bound(by_label_, cell, {}, label), std::ranges::upper_bound(by_label_, cell, {}, label)};
 }
 
 /// The corner of the cell's faces that is nearest to the generator.
 VertexId CellLoops::find_root(const std::vector<FaceId>& faces, GeneratorId cell) const {
   const Vec3 at = position(mesh_, diagram_.generators[cell.index()]);
-  VertexId best;
-  double least = kInfinity;
+  Least<VertexId> nearest;
   for (const FaceId f : faces) {
-    for (const VertexId v : cut_.mesh.vertices(f)) {
-      const double d = (cut_.mesh.position(v) - at).squaredNorm();
-      if (d < least) std::tie(least, best) = std::tuple(d, v);
-    }
+    for (const VertexId v : cut_.mesh.vertices(f)) nearest.offer((cut_.mesh.position(v) - at).squaredNorm(), v);
   }
-  return best;
+  return nearest.value;
 }
 
 /// The edges that close a non-contractible loop with the tree. The dual graph may cross every edge outside of the tree.
 /// The edges that remain after pruning its leaves are dual to cycles, or to paths from border to border.
 std::vector<HalfedgeId> CellLoops::find_loop_edges(const std::vector<FaceId>& faces, GeneratorId cell) {
   for (int i = 0; i < std::ssize(faces); ++i) face_node_[faces[i]] = i;
-  DualGraph graph(faces.size());
+  std::vector<DualLink> links;
   for (const FaceId f : faces) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = Mesh::halfedge(f, corner), twin = cut_.mesh.twin(h);
-      const bool at_border = is_border(h, cell);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      const HalfedgeId twin = cut_.mesh.twin(h);
+      const bool at_border = !twin.valid() || !is_in_cell(cut_, twin, cell);
       if (tree_.contains_edge(h) || (!at_border && twin < h)) continue;
-      graph.add_link(h, face_node_[f], at_border ? DualGraph::kOutside : face_node_[Mesh::face(twin)]);
+      links.push_back({h, {face_node_[f], at_border ? DualLink::kOutside : face_node_[Mesh::face(twin)]}});
     }
   }
-  return graph.prune_leaves();
+  return prune_leaves(faces.size(), links);
 }
 
 /// The edge and the tree's paths to both of its ends, without their common part.

@@ -1,19 +1,12 @@
 // The search for generators that were added in vain.
 //
 // Leaving out one added generator, or putting one in the place of two, is tried on a part of the mesh first. What
-// leaves no defect there is decided on the whole one, by the caller. Every change leaves one generator less, so the
-// search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
+// leaves no defect there is decided on the whole one, by the caller. One in the place of two is tried only if few
+// defects remain without the two; candidates for it are the points that would repair these. Every change leaves one
+// generator less, so the search ends; it also ends where the faces and generators of all its diagrams exceed a bound.
 
-#include "repair/fewer_generators.hpp"
-
-#include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <optional>
-
-#include "repair/added_generators.hpp"
-#include "repair/local_dual.hpp"
-#include "repair/propose_generators.hpp"
+#include "base/least.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -124,17 +117,13 @@ class FewerGenerators {
 
   /// The added generator that is nearest in space: along the surface it would cost a propagation.
   std::optional<GeneratorId> find_nearest_added(GeneratorId g) const {
-    std::optional<GeneratorId> nearest;
-    double least = kInfinity;
+    Least<std::optional<GeneratorId>> nearest;
     const Vec3 at = position(mesh_, diagram_.generators[g.index()]);
     for (std::size_t i = given_; i < diagram_.generators.size(); ++i) {
-      const GeneratorId other(i);
       const double distance = (position(mesh_, diagram_.generators[i]) - at).norm();
-      if (other == g || distance >= least) continue;
-      least = distance;
-      nearest = other;
+      if (i != g.index()) nearest.offer(distance, GeneratorId(i));
     }
-    return nearest;
+    return nearest.value;
   }
 
   /// Faces and generators of the whole diagram.

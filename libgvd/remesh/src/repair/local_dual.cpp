@@ -7,15 +7,10 @@
 // In the part, faces keep their corners, so points go there and back by their face alone. Vertices are numbered anew,
 // one for each fan of connected faces: a vertex at which two fans meet would be no manifold.
 
-#include "repair/local_dual.hpp"
-
-#include <algorithm>
-#include <array>
-#include <utility>
-
-#include "dual/triangle_defects.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 
@@ -54,8 +49,8 @@ void MeshPart::choose_faces(const Mesh& mesh, const Diagram& diagram, const Cell
   for (const FaceId f : mesh.faces()) {
     if (!meets[f]) continue;
     bool is_fringe = meets_others[f] != 0;
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, corner));
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      const HalfedgeId twin = mesh.twin(h);
       is_fringe |= twin.valid() && !meets[Mesh::face(twin)];
     }
     part_face_[f] = whole_face_.push_back(f);

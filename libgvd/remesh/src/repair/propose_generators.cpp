@@ -5,16 +5,11 @@
 // one defect of each cell, because a repair often removes the cell's other defects too. Repairs near those just added
 // are computed on a part of the mesh, which saves rounds on all of it.
 
-#include "repair/propose_generators.hpp"
-
-#include <algorithm>
 #include <limits>
-#include <tuple>
 
+#include "base/least.hpp"
 #include "gvd/error.hpp"
-#include "repair/boundary_arcs.hpp"
-#include "repair/cell_loops.hpp"
-#include "repair/local_dual.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -91,8 +86,8 @@ class DefectRepair {
     const std::size_t before = added_.size();
     for (const SurfacePoint& p : rings().find(g)) added_.add(p);
     if (added_.size() > before) return;
-    if (CellLoops* loops = cell_loops()) {
-      for (const SurfacePoint& p : loops->find(g)) added_.add(p);
+    if (cut()) {
+      for (const SurfacePoint& p : loops_->find(g)) added_.add(p);
     }
     if (added_.size() == before) add_farthest(g);
   }
@@ -102,18 +97,17 @@ class DefectRepair {
     return *rings_;
   }
 
-  /// The loops of cells; null where cutting along the bisectors gives no manifold mesh: two edges would have the same
-  /// ends.
-  CellLoops* cell_loops() {
-    if (!loops_ && can_cut_) {
-      try {
-        loops_.emplace(mesh_, diagram_);
-      } catch (const Error& error) {
-        if (error.code() != ErrorCode::no_valid_result) throw;
-        can_cut_ = false;
-      }
+  /// Prepares the loops of cells. False where cutting along the bisectors gives no manifold mesh: two edges would have
+  /// the same ends.
+  bool cut() {
+    if (loops_ || !can_cut_) return can_cut_;
+    try {
+      loops_.emplace(mesh_, diagram_);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::no_valid_result) throw;
+      can_cut_ = false;
     }
-    return loops_ ? &*loops_ : nullptr;
+    return can_cut_;
   }
 
   /// The new generator takes over the boundary arc that is farthest from g, so that g keeps the others.
@@ -136,17 +130,15 @@ class DefectRepair {
   }
 
   void split_pair(GeneratorId a, GeneratorId b) {
-    const Bisector* best = nullptr;
-    double largest = -1;
+    Least<const Bisector*> best;
     for (const Bisector& c : diagram_.bisectors) {
       if (std::minmax(c.left, c.right) != std::minmax(a, b)) continue;
       // A new cell covers about half as much of the bisector's length as its generator is away from the two.
       const double length = std::max(compute_length(mesh_, c), std::numeric_limits<double>::min());
-      const double ratio = distance(find_midpoint(mesh_, c), a) / length;
-      if (ratio > largest) std::tie(largest, best) = std::tuple(ratio, &c);
+      best.offer(-distance(find_midpoint(mesh_, c), a) / length, &c);
     }
-    if (added_.add(find_midpoint(mesh_, *best))) return;
-    added_.add_best(best->points, [&](const SurfacePoint& p) { return distance(p, a); });
+    if (added_.add(find_midpoint(mesh_, *best.value))) return;
+    added_.add_best(best.value->points, [&](const SurfacePoint& p) { return distance(p, a); });
   }
 
   void split_triple(BranchPointId branch) {

@@ -5,16 +5,15 @@
 // the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp tip the
 // circle is too short for three generators: such a tip is reported as narrow.
 
-#include "repair/tip_rings.hpp"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "base/least.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
-#include "repair/added_generators.hpp"
+#include "repair/cell_topology.hpp"
+#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -28,10 +27,7 @@ constexpr double kStraightTolerance = 1e-9;
 constexpr std::array<std::pair<double, double>, 3> kRingTurns{
     {{1.0 / 3, 2.0 / 3}, {1.0 / 4, 1.0 / 2}, {1.0 / 2, 3.0 / 4}}};
 
-Vec2 turned(const Vec2& v, double turn) {
-  const double c = std::cos(2 * std::numbers::pi * turn), s = std::sin(2 * std::numbers::pi * turn);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
+Vec2 turned(const Vec2& v, double turn) { return Eigen::Rotation2Dd(2 * std::numbers::pi * turn) * v; }
 
 double least_distance(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
   const Vec3 p = position(mesh, a), q = position(mesh, b), r = position(mesh, c);
@@ -42,20 +38,15 @@ bool is_annulus(const Cell& cell) {
   return cell.components == 1 && cell.euler_characteristic == 0 && cell.boundary_loops == 2;
 }
 
-bool is_tip(const Mesh& mesh, VertexId v) { return v.valid() && total_angle(mesh, v) < kTipAngle; }
-
 /// The inner vertex of each cell with the least total angle; invalid for a cell without one.
 IdVector<GeneratorId, VertexId> find_sharpest_vertices(const Mesh& mesh, const Diagram& diagram) {
-  IdVector<GeneratorId, VertexId> sharpest(diagram.generators.size());
-  std::vector<double> least(diagram.generators.size(), 10 * std::numbers::pi);
+  IdVector<GeneratorId, Least<VertexId>> least(diagram.generators.size());
   for (const VertexId v : mesh.vertices()) {
     const GeneratorId g = diagram.vertex_label[v];
-    if (!g.valid() || mesh.is_boundary(v)) continue;
-    const double angle = total_angle(mesh, v);
-    if (angle >= least[g.index()]) continue;
-    least[g.index()] = angle;
-    sharpest[g] = v;
+    if (g.valid() && !mesh.is_boundary(v)) least[g].offer(total_angle(mesh, v), v);
   }
+  IdVector<GeneratorId, VertexId> sharpest;
+  for (const Least<VertexId>& of_cell : least) sharpest.push_back(of_cell.value);
   return sharpest;
 }
 
@@ -89,15 +80,13 @@ TipRings::TipRings(const Mesh& mesh, const Diagram& diagram)
 std::vector<VertexId> TipRings::find_tips(GeneratorId annulus, const IdVector<GeneratorId, VertexId>& sharpest) const {
   std::vector<std::pair<double, VertexId>> sides;  // area, tip
   for (const auto& side : list_sides(annulus)) {
-    double area = 0, least = kTipAngle;
-    VertexId tip;
+    double area = 0;
+    Least<VertexId> tip{VertexId(), kTipAngle};
     for (const GeneratorId g : side) {
       area += diagram_.cells[g].area;
-      if (!is_tip(mesh_, sharpest[g]) || total_angle(mesh_, sharpest[g]) >= least) continue;
-      least = total_angle(mesh_, sharpest[g]);
-      tip = sharpest[g];
+      if (sharpest[g].valid()) tip.offer(total_angle(mesh_, sharpest[g]), sharpest[g]);
     }
-    sides.emplace_back(area, tip);
+    sides.emplace_back(area, tip.value);
   }
   std::sort(sides.begin(), sides.end());
   std::vector<VertexId> tips;
@@ -143,17 +132,12 @@ std::optional<TipRings::Polar> TipRings::locate(GeneratorId cell) const {
 std::vector<SurfacePoint> TipRings::find(GeneratorId cell) const {
   const auto at = locate(cell);
   if (!at) return {};
-  std::vector<SurfacePoint> best;
-  double largest = 0;
+  Least<std::vector<SurfacePoint>> best{{}, 0};
   for (const auto& [first, second] : kRingTurns) {
     const auto a = follow(at->source, turned(at->tangent, first)), b = follow(at->source, turned(at->tangent, second));
-    if (!a || !b) continue;
-    const double least = least_distance(mesh_, diagram_.generators[cell.index()], *a, *b);
-    if (least <= largest) continue;
-    largest = least;
-    best = {*a, *b};
+    if (a && b) best.offer(-least_distance(mesh_, diagram_.generators[cell.index()], *a, *b), {*a, *b});
   }
-  return best;
+  return best.value;
 }
 
 std::optional<NarrowTip> TipRings::find_narrow_tip(GeneratorId cell) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -8,7 +9,38 @@
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 
+// How the dual follows creases: the cells along edges, the parts of creases that it leaves, and generators there.
+
 namespace gvd {
+
+// crease_labels.cpp
+
+/// A part of an edge or of a curve that belongs to one cell, as one of the faces there has it.
+struct LabelInterval {
+  double begin = 0;  ///< parameter along the edge's halfedge `mesh.halfedge(edge)`, or length along the curve
+  double end = 1;
+  GeneratorId cell;
+};
+
+/// Label intervals of whole edges, out of the labels and the pieces of their faces.
+class EdgeLabels {
+ public:
+  /// Both must outlive this. Cost: O(pieces).
+  EdgeLabels(const Mesh& mesh, const Diagram& diagram);
+
+  /// The intervals that all faces of the edge have, in no order. The two faces of an inner edge agree, unless a
+  /// bisector runs along it. Empty where no generator reaches it. Cost: O(corners of the faces' pieces).
+  std::vector<LabelInterval> of(EdgeId edge) const;
+
+ private:
+  void append(HalfedgeId h, bool forwards, std::vector<LabelInterval>& labels) const;
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  std::map<FaceId, std::size_t> first_piece_;  // of each cut face
+};
+
+// crease_defects.cpp
 
 /// Least length of a label interval between two generators of a crease that counts, relative to the generators'
 /// distance: cells may touch a crease in a point.
