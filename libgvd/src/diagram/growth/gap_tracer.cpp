@@ -50,8 +50,8 @@ void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t
     int arcs = 0;
     for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
       const FaceArc& arc = diagram.arcs[a];
-      if (arc.begin != at(id) && arc.end != at(id)) continue;
-      sum += forms.distance(arc.begin == at(id) ? arc.left : arc.right, branch.bary);
+      if (!arc.ends_at(at(id))) continue;
+      sum += forms.distance(arc.left_from(at(id)), branch.bary);
       ++arcs;
     }
     branch.distance = sum / arcs;
