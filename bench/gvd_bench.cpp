@@ -50,17 +50,6 @@ struct Settings {
   bool peers = false;
 };
 
-/// The median of every step over the runs, in the order of the first run.
-StepTimes median_steps(const std::vector<StepTimes>& runs) {
-  StepTimes medians;
-  for (std::size_t step = 0; step < runs.front().size(); ++step) {
-    std::vector<double> values;
-    for (const StepTimes& run : runs) values.push_back(run[step].second);
-    medians.emplace_back(runs.front()[step].first, median(values));
-  }
-  return medians;
-}
-
 /// The largest heap of a run without clocks, less than what was there before it.
 double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   const HeapMeter meter;
@@ -68,6 +57,7 @@ double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& gene
   return double(meter.peak()) / mesh.face_count();
 }
 
+/// One thread, whatever --threads says: steps are compared in processor time.
 DiagramOptions diagram_options(const std::string& method, const Settings& settings) {
   DiagramOptions options;
   options.method = method == "exact" ? Method::exact : method == "paper" ? Method::paper : Method::gbgvd;
@@ -89,6 +79,7 @@ void print_header(const Settings& settings) {
   std::cout << "\n";
 }
 
+/// 0 for a step that the method does not have.
 double time_of(const StepTimes& steps, std::string_view name) {
   for (const auto& [step, time] : steps) {
     if (step == name || (step == steps::kFaces && name == steps::kGrowth)) return time;
@@ -108,27 +99,29 @@ void print_threads(const Mesh& mesh, const std::vector<SurfacePoint>& generators
   std::cout << fmt::format(" | {:>12.1f} {:>12.1f} {:>8.2f}", one, many, one / many);
 }
 
+/// Measures and prints one row. The first run, for the memory, also warms up the caches.
 void measure(const NamedMesh& input, int count, const std::string& method, const Settings& settings) {
   const Mesh& mesh = input.mesh;
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
   const std::vector<SurfacePoint> generators = draw_vertex_points(mesh, count, settings.seed);
   DiagramOptions options = diagram_options(method, settings);
-  const double bytes = peak_bytes_a_face(mesh, generators, options);  // also warms up the caches
+  const double bytes = peak_bytes_a_face(mesh, generators, options);
   const EdgeGraph graph = build_edge_graph(mesh);
-  std::vector<StepTimes> steps;
+  StepTimes steps;  // of the last run
   const auto time_dijkstra = [&] { return cpu_milliseconds([&] { compute_edge_distances(graph, vertices); }); };
   const auto time_diagram = [&] {
     StepClock clock;
     options.progress = clock.progress();
     const double time = cpu_milliseconds([&] { compute_diagram(mesh, generators, options); });
-    steps.push_back(clock.finish());
+    steps = clock.finish();
     return time;
   };
-  const auto [unit, diagram] = measure_medians(settings.runs, time_dijkstra, time_diagram);
-  const StepTimes medians = median_steps(steps);
+  const auto step = [&](std::size_t column) { return [&, column] { return time_of(steps, kColumns[column]); }; };
+  const auto medians = measure_medians(settings.runs, time_dijkstra, time_diagram, step(0), step(1), step(2), step(3));
+  const double unit = medians[0];
   std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.3f} {:>9.2f} |", input.name, mesh.face_count(),
-                           vertices.size(), method, unit, diagram / unit);
-  for (const std::string_view step : kColumns) std::cout << fmt::format(" {:>12.2f}", time_of(medians, step) / unit);
+                           vertices.size(), method, unit, medians[1] / unit);
+  for (std::size_t i = 2; i < medians.size(); ++i) std::cout << fmt::format(" {:>12.2f}", medians[i] / unit);
   std::cout << fmt::format(" | {:>12.0f}", bytes);
   options.progress = {};
   if (settings.threads > 1) print_threads(mesh, generators, options, settings);
@@ -149,6 +142,7 @@ void for_each_row(const Settings& settings, const Visit& visit) {
 }
 
 #ifdef GVD_HAS_PEERS
+/// A row of the second table: times at the vertices, without labels or bisectors.
 void measure_peers(const NamedMesh& input, int count, const Settings& settings) {
   const Mesh& mesh = input.mesh;
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);

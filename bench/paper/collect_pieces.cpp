@@ -55,6 +55,7 @@ void mark_own_parts(const Mesh& mesh, const Pieces& pieces, GeneratorId g, const
   }
 }
 
+/// Numbers the sets of pieces in the order of their first pieces, and adds up their areas.
 CellParts number_parts(const Mesh& mesh, const Pieces& pieces, UnionFind& sets) {
   CellParts parts;
   parts.part_of.resize(pieces.size(), -1);
@@ -111,6 +112,8 @@ std::vector<std::int32_t> number_points(const std::vector<Vec3>& points, double 
   return numbers;
 }
 
+/// Joins segments where one ends and another one of the same two cells begins. A branch point needs no rule of its own:
+/// there no two segments have both cells in common.
 class Chainer {
  public:
   Chainer(const Mesh& mesh, const std::vector<Segment>& segments)
@@ -162,6 +165,7 @@ class Chainer {
     return end.is_begin ? segments_[end.segment].begin : segments_[end.segment].end;
   }
 
+  /// Lets one segment continue another, if both have the same cells and neither has a neighbour there yet.
   void link(std::size_t from, std::size_t to) {
     const Segment &a = segments_[from], &b = segments_[to];
     if (from == to || a.left != b.left || a.right != b.right) return;
@@ -171,6 +175,7 @@ class Chainer {
     previous_[to] = static_cast<std::int32_t>(from);
   }
 
+  /// The chain from its first segment on.
   Bisector follow(std::size_t first, bool closed, std::vector<char>& done) const {
     Bisector bisector;
     bisector.left = segments_[first].left;
@@ -229,6 +234,7 @@ void label_vertices(const Mesh& mesh, const Pieces& pieces, Diagram& diagram) {
   }
 }
 
+/// Bisectors run along the contacts of different cells; each segment has the lower generator on its left.
 void trace_contacts(const Mesh& mesh, const Pieces& pieces, const std::vector<Contact>& contacts,
                     Comparison& comparison) {
   std::vector<Segment> segments;
@@ -246,6 +252,7 @@ void trace_contacts(const Mesh& mesh, const Pieces& pieces, const std::vector<Co
   comparison.faults.open_ends += chains.open_ends;
 }
 
+/// Islands, their area, pieces without an owner, and generators that no piece of their own contains.
 void count_faults(const CellParts& parts, std::size_t generators, Comparison& comparison) {
   std::set<GeneratorId> found;
   for (std::size_t i = 0; i < parts.area.size(); ++i) {
@@ -259,6 +266,7 @@ void count_faults(const CellParts& parts, std::size_t generators, Comparison& co
   comparison.faults.lost_generators += std::int64_t(generators - found.size());
 }
 
+/// Areas and components of the cells, from their parts, and neighbours, from the bisectors.
 void fill_cells(const CellParts& parts, Diagram& diagram) {
   diagram.cells.resize(diagram.generators.size());
   for (const GeneratorId g : diagram.cells.ids()) diagram.cells[g].generator = g;

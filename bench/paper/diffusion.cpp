@@ -35,6 +35,7 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 /// Faces without area get this height, relative to their longest side: cotangents stay finite.
 constexpr double kLeastHeight = 1e-9;
 
+/// The entries of one face: a third of its area to each corner, and the cotangents of its angles to its edges.
 void add_face(const Mesh& mesh, FaceId f, double time, Entries& entries) {
   const auto& length = mesh.shape(f).length;
   const double longest = *std::max_element(length.begin(), length.end());
@@ -190,6 +191,7 @@ class HeatEnvelope {
     }
   }
 
+  /// Both parts of a polygon on either side of the line on which two generators' heat is equal.
   void cut_in_two(const Triangle& triangle, GeneratorId a, GeneratorId b, Pieces& pieces) const {
     const Polygon polygon(triangle.begin(), triangle.end());
     for (const GeneratorId g : {a, b}) {
@@ -231,6 +233,7 @@ class HeatEnvelope {
 /// 4^12 triangles in one face are more than any time step needs.
 constexpr int kMostSplits = 12;
 
+/// Throws Error{invalid_option} for a value out of its range.
 void check(const DiffusionOptions& options) {
   if (!(options.time_factor > 0) || !std::isfinite(options.time_factor)) {
     throw Error(ErrorCode::invalid_option, "the time factor of diffusion must be positive and finite");

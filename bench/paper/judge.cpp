@@ -32,6 +32,7 @@ struct Step {
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
+/// The pieces of a bisector that are long enough to have a direction, each seen in the face that contains it.
 std::vector<Step> take_steps(const Mesh& mesh, const Bisector& bisector) {
   std::vector<Step> steps;
   const std::size_t n = bisector.points.size();
@@ -87,6 +88,7 @@ Mesh build_submesh(const PathSubmesh& part, VertexId& source) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
+/// The distances of one query, by a field of its generator alone.
 std::vector<double> solve(const Mesh& mesh, const DistanceQuery& query) {
   PathSubmesh part = extract_path_submesh(mesh, query);
   if (part.targets.empty()) return std::move(part.distances);
@@ -144,6 +146,7 @@ namespace {
 /// Midpoints of this many equal parts of each segment are sampled: the figures are compared to two digits.
 constexpr int kParts = 4;
 
+/// Distances at the vertices by marching with planar fronts, as the paper computes them (section 4.1).
 IdVector<VertexId, double> march_from(const Mesh& mesh, const SurfacePoint& generator) {
   DiagramOptions options;
   options.method = Method::gbgvd;
@@ -161,12 +164,14 @@ OtherJudge::OtherJudge(const Mesh& mesh, const std::vector<SurfacePoint>& genera
   }
 }
 
+/// Marched distances are linear in a face, as the paper takes them to be.
 double OtherJudge::march(GeneratorId g, const SurfacePoint& p) const {
   const auto& [a, b, c] = mesh_.vertices(p.face);
   const auto& distance = marched_[g.index()];
   return interpolate(p.bary, distance[a], distance[b], distance[c]);
 }
 
+/// The generators that own a part of each face, whole faces included.
 OtherJudge::Owners OtherJudge::find_owners(const Diagram& diagram) const {
   Owners owners(mesh_.face_count());
   for (std::size_t f = 0; f < owners.size(); ++f) {
@@ -195,6 +200,7 @@ double OtherJudge::find_spread(const std::vector<GeneratorId>& owners, const Bis
   return most - least;
 }
 
+/// The midpoint rule on kParts parts of a segment; all three integrals have the same points.
 void OtherJudge::add_segment(const Bisector& bisector, std::size_t i, const Owners& owners, OtherErrors& sum) const {
   const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % bisector.points.size()]);
   if (!view) return;

@@ -171,6 +171,7 @@ constexpr double kLongestStep = 0.45;
 constexpr double kLeastQ = 0.1;
 constexpr double kLeastCosine = 0.5;
 
+/// The normal of a face, twice as long as its area.
 Vec3 normal(const std::vector<Vec3>& positions, const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Vec3& origin = positions[a.index()];
@@ -210,6 +211,7 @@ class Jitter {
     }
   }
 
+  /// Whether a moved triangle is neither folded over nor a needle.
   bool is_allowed(const Corners& corners, const Vec3& normal_before) const {
     const Vec3 now = normal(positions_, corners);
     if (now.dot(normal_before) < kLeastCosine * now.norm() * normal_before.norm()) return false;
@@ -237,6 +239,7 @@ Mesh jitter(const Mesh& mesh, double percent_below_30, std::uint64_t seed) {
 
 namespace {
 
+/// Twenty regular triangles: the corners of three golden rectangles.
 Mesh make_icosahedron() {
   const double g = (1 + std::sqrt(5.0)) / 2;  // the golden ratio
   std::vector<Vec3> positions{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},

@@ -132,6 +132,7 @@ class FaceClipper {
     }
   }
 
+  /// Begins with the cell that has a corner and goes on to all cells that intersect the face.
   void clip_face(FaceId f, GeneratorId nearest) {
     const std::size_t first = pieces_.size();
     enqueue(f, nearest);
@@ -166,6 +167,7 @@ class FaceClipper {
     if (std::exchange(queued_[g.index()], f) != f) queue_.push_back(g);
   }
 
+  /// Adds the part of the face in one cell, and queues the cells on the other sides of its planes.
   void clip_cell(FaceId f, GeneratorId g, const std::vector<GeneratorId>& others) {
     Polygon polygon = cells_.clip(f, whole_face(), g, others);
     if (polygon.empty()) return;
@@ -185,6 +187,7 @@ class FaceClipper {
     return std::abs(evaluate(form, p)) <= 100 * kZeroValue * scale;
   }
 
+  /// Whether the pieces from `first` on add up to the whole face.
   bool is_covered(std::size_t first) const {
     double share = 0;
     for (std::size_t i = first; i < pieces_.size(); ++i) share += area_share(pieces_[i].corners);
@@ -239,6 +242,7 @@ Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& genera
 
 namespace {
 
+/// The rounds of the localized diagram [28]: islands become pieces of the cells that touch them.
 class IslandSweeper {
  public:
   IslandSweeper(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const std::vector<Vec3>& positions)
@@ -267,6 +271,7 @@ class IslandSweeper {
  private:
   int part(std::size_t piece) const { return parts_.part_of[piece]; }
 
+  /// Only components with their generator count as cells: two islands can't feed on each other.
   void find_touching_cells(const Pieces& pieces, const std::vector<Contact>& contacts) {
     std::vector<std::set<GeneratorId>> touching(parts_.area.size());
     const auto add = [&](std::int32_t from, std::int32_t to) {
@@ -282,6 +287,7 @@ class IslandSweeper {
     for (const auto& cells : touching) touching_.emplace_back(cells.begin(), cells.end());
   }
 
+  /// Cuts a piece of an island by the bisector planes of the cells round it.
   void divide(const FacePiece& piece, const std::vector<GeneratorId>& cells, Pieces& swept) const {
     for (const GeneratorId g : cells) {
       Polygon polygon = cells_.clip(piece.face, piece.corners, g, cells);

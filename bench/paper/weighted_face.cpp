@@ -75,6 +75,8 @@ bool WeightedFace::enters_through(const BoundaryRun& run, const Vec2& p) const {
   return contains(at) || contains(at + 3) || contains(at - 3);
 }
 
+/// Whether p is equally far from three runs' generators, no other one is nearer, and all paths enter through these
+/// runs.
 bool WeightedFace::is_branch_point(const Three& runs, const Vec2& p) const {
   std::array<double, 3> d{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -107,6 +109,7 @@ const std::vector<Vec2>& WeightedFace::find_equidistant_points(const Three& runs
   return entry->second = search_.find(layout_, groups[0], groups[1], groups[2]);
 }
 
+/// The branch points of three runs in the face, moved onto its boundary where they lie outside by rounding.
 std::vector<Bary> WeightedFace::find_branch_points(const Three& runs) const {
   std::vector<Bary> found;
   for (const Vec2& p : find_equidistant_points(runs)) {

@@ -43,6 +43,7 @@ constexpr double kSlack = 1e-9;
 /// Bytes that the windows may need.
 constexpr double kMostMemory = 8e9;
 
+/// Throws before the windows fill the memory: as many more will come for each generator that is left.
 void check_memory(std::size_t generators, std::size_t windows) {
   const double bytes = double(generators) * double(windows * (sizeof(Window) + 4));
   if (bytes <= kMostMemory) return;
@@ -188,6 +189,7 @@ struct Propagated {
   IdVector<VertexId, GeneratorId> label;
 };
 
+/// Fills in the distances of all generators at once, or of each by itself.
 void propagate(const WorkingMesh& working, bool unpruned, Propagated& result) {
   const Mesh& mesh = working.mesh();
   if (unpruned) {

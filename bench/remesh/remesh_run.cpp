@@ -37,6 +37,7 @@ struct Segment {
   Vec3 a, b;
 };
 
+/// The edges at which the normals of the two faces differ by more than an angle, degrees.
 std::vector<Segment> crease_segments(const Mesh& mesh, double angle) {
   std::vector<Segment> segments;
   for (const EdgeId e : find_creases(mesh, {angle, false})) {
@@ -92,6 +93,7 @@ class Scratch {
   std::filesystem::path path_;
 };
 
+/// Processor time of all commands that this process has run to their end.
 double seconds_of_children() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
@@ -115,6 +117,7 @@ bool makes_mesh(std::string_view step) {
   return step == "relaxation" || step == "diagram" || step == "dual" || step == "placement" || step == "search";
 }
 
+/// Steps are reported in wall-clock time; their shares are taken of the processor time.
 void divide_time(const nlohmann::json& timings, RemeshFigures& figures) {
   double all = 0, made = 0;
   for (const auto& [step, milliseconds] : timings.items()) {
@@ -125,6 +128,7 @@ void divide_time(const nlohmann::json& timings, RemeshFigures& figures) {
   if (made > 0) figures.diagrams = 100 * timings.value("diagram", 0.0) / made;
 }
 
+/// The figures that the command reports itself. Of the two directions of a distance the larger one counts.
 void read_report(const nlohmann::json& report, RemeshFigures& figures) {
   const nlohmann::json& results = report.at("results");
   const nlohmann::json& distance = results.at("distance");
@@ -140,6 +144,7 @@ void read_report(const nlohmann::json& report, RemeshFigures& figures) {
   divide_time(report.at("timings_ms"), figures);
 }
 
+/// Degrees; 60 for equilateral triangles alone.
 double median_smallest_angle(const Mesh& mesh) {
   std::vector<double> angles;
   for (const FaceId f : mesh.faces()) {
@@ -149,6 +154,7 @@ double median_smallest_angle(const Mesh& mesh) {
   return angles.empty() ? 0 : median(angles);
 }
 
+/// Whether two meshes have the same Euler characteristic, components and boundary loops.
 bool same_topology(const Mesh& a, const Mesh& b) {
   const MeshSummary x = compute_mesh_summary(a), y = compute_mesh_summary(b);
   return x.euler_characteristic == y.euler_characteristic && x.components == y.components &&
