@@ -126,10 +126,10 @@ class HeatEnvelope {
 
   /// A generator whose largest heat in the face is below another one's least heat there is left out.
   void find_candidates(FaceId f) {
-    const auto& [a, b, c] = mesh_.vertices(f);
+    const auto& corners = mesh_.vertices(f);
     const auto form = [&](std::size_t g) {
       const auto& heat = field_.heat[g];
-      return LinearForm{heat[a.index()], heat[b.index()], heat[c.index()]};
+      return LinearForm{heat[corners[0].index()], heat[corners[1].index()], heat[corners[2].index()]};
     };
     candidates_.clear();
     forms_.clear();

@@ -166,9 +166,9 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
 
 bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (diagram.face_label[p.face].valid()) return diagram.face_label[p.face] == g;
-  const auto pieces = std::equal_range(diagram.pieces.begin(), diagram.pieces.end(), FacePiece{p.face, g, {}},
-                                       [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; });
-  return std::any_of(pieces.first, pieces.second,
+  const auto first = std::ranges::lower_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  const auto last = std::ranges::upper_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  return std::any_of(first, last,
                      [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 

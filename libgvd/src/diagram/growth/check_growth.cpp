@@ -201,8 +201,8 @@ void GapEdges::collect_edges(const Mesh& mesh, const Gap& gap) {
       edges_.push_back({mesh.edge(h), is_rim(mesh, gap, h), {}});
     }
   }
-  std::sort(edges_.begin(), edges_.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; });
-  const auto same = [](const auto& a, const auto& b) { return a.edge == b.edge; };
+  std::ranges::sort(edges_, {}, &GapEdge::edge);
+  const auto same = [](const GapEdge& a, const GapEdge& b) { return a.edge == b.edge; };
   edges_.erase(std::unique(edges_.begin(), edges_.end(), same), edges_.end());
 }
 
@@ -215,8 +215,7 @@ void GapEdges::collect_crossings(const Crossings& crossings, const GrownGap& gro
   for (const GapNode& node : grown.nodes) {
     if (node.kind == GapNode::Kind::crossing) crossings_.push_back(node.crossing);
   }
-  std::sort(crossings_.begin(), crossings_.end(),
-            [](const auto& a, const auto& b) { return std::tuple(a.edge, a.t) < std::tuple(b.edge, b.t); });
+  std::ranges::sort(crossings_, {}, [](const Crossing& c) { return std::tuple(c.edge, c.t); });
 }
 
 std::size_t GapEdges::rim_crossing_count() const {

@@ -186,9 +186,7 @@ class GapInstaller {
         if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_id_[c][n]});
       }
     }
-    std::sort(all.begin(), all.end(), [](const NumberedCrossing& a, const NumberedCrossing& b) {
-      return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
-    });
+    std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
     return all;
   }
 
