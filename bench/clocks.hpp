@@ -3,6 +3,8 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -10,6 +12,9 @@
 #include <vector>
 
 #include "gvd/progress.hpp"
+
+// Clocks and medians of all programs of this folder. A figure of time is the median of several runs: unlike the mean it
+// is not moved by the few runs that another process disturbs.
 
 namespace gvd::bench {
 
@@ -20,6 +25,20 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+/// The median of each figure over `runs` >= 1 runs; a figure is a function that measures once and returns a number.
+/// The figures take turns, so that a slow phase of the machine affects all of them and hardly changes their ratios.
+template <class... Figure>
+std::array<double, sizeof...(Figure)> measure_medians(int runs, const Figure&... figures) {
+  std::array<std::vector<double>, sizeof...(Figure)> values;
+  for (int run = 0; run < runs; ++run) {
+    auto own = values.begin();
+    ((own++)->push_back(figures()), ...);
+  }
+  std::array<double, sizeof...(Figure)> medians{};
+  std::transform(values.begin(), values.end(), medians.begin(), median);
+  return medians;
+}
+
 /// Processor time of this thread in milliseconds. Wall-clock time would also count the time slices of other processes,
 /// more of them for long runs than for short ones, and so distort ratios.
 inline double cpu_milliseconds() {
@@ -28,17 +47,33 @@ inline double cpu_milliseconds() {
   return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 }
 
+/// Processor time that this thread spends in `work`, milliseconds.
+template <class Work>
+double cpu_milliseconds(const Work& work) {
+  const double start = cpu_milliseconds();
+  work();
+  return cpu_milliseconds() - start;
+}
+
+/// Wall-clock time of `work`, milliseconds: for work of several threads, whose processor times would add up.
+template <class Work>
+double wall_milliseconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Processor times in milliseconds, by step.
 using StepTimes = std::vector<std::pair<std::string, double>>;
 
 /// Times the steps that a run names through its progress callback (gvd/diagram_steps.hpp): a step lasts until another
-/// one is named.
+/// one is named. A step that is named again goes on.
 class StepClock {
  public:
   /// The callback; valid while the clock exists.
   Progress progress() {
     return [this](std::string_view step, double) {
-      if (times_.empty() || times_.back().first != step) begin(step);
+      if (times_.empty() || times_[current_].first != step) begin(step);
       return true;
     };
   }
@@ -46,32 +81,25 @@ class StepClock {
   /// Ends the last step. Returns the steps in the order in which they were first named, each with its total time.
   StepTimes finish() {
     end_step();
-    StepTimes merged;
-    for (const auto& [step, milliseconds] : times_) {
-      auto it = merged.begin();
-      while (it != merged.end() && it->first != step) ++it;
-      if (it == merged.end()) {
-        merged.emplace_back(step, milliseconds);
-      } else {
-        it->second += milliseconds;
-      }
-    }
-    return merged;
+    return times_;
   }
 
  private:
   void begin(std::string_view step) {
     end_step();
-    times_.emplace_back(step, 0.0);
+    const auto known = std::find_if(times_.begin(), times_.end(), [&](const auto& one) { return one.first == step; });
+    current_ = std::size_t(known - times_.begin());
+    if (known == times_.end()) times_.emplace_back(step, 0.0);
   }
 
   void end_step() {
     const double now = cpu_milliseconds();
-    if (!times_.empty()) times_.back().second += now - start_;
+    if (!times_.empty()) times_[current_].second += now - start_;
     start_ = now;
   }
 
   StepTimes times_;
+  std::size_t current_ = 0;  // the step that runs
   double start_ = cpu_milliseconds();
 };
 

@@ -2,19 +2,23 @@
 //
 // Each row is one mesh, one number of generators m (random vertices, seeded) and one method, on one thread. Times are
 // medians of processor time. The Dijkstra runs on a graph that is built beforehand; the diagram starts from the mesh.
-// Memory is the peak of what the diagram holds, without the input mesh, counted in a run of its own.
-// --threads T adds the wall-clock times of one thread and of T threads, in alternating runs, and their ratio.
-// --peers adds a table with the cost of CGAL's geodesic distances.
+//   Dijkstra ms      the unit of the row, which tells the machine
+//   diagram x        the whole diagram in these units; section 5.1 of the paper gives milliseconds of its machine
+//   instead STEP x           its steps by name (gvd/diagram_steps.hpp). The working mesh and the tables have no column,
+//   so that
+//                    the steps sum up to less than the diagram
+//   bytes/face       the peak of what the diagram holds, without the input mesh, counted in a run of its own
+//   1 thread ms ...  with --threads T, wall-clock times of one thread and of T threads in turns, and their ratio
+// --peers adds a table with the cost of CGAL's geodesic distances, which yield neither labels nor bisectors.
+// The last line is the resident memory of the process, which the largest mesh and CGAL decide.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <functional>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "baseline.hpp"
@@ -34,103 +38,33 @@ namespace {
 constexpr std::array<std::string_view, 4> kColumns{steps::kDistances, steps::kBisectors, steps::kGrowth, steps::kCells};
 
 struct Settings {
-  std::vector<std::string> meshes;
+  std::vector<std::string> meshes;  ///< paths
   std::vector<int> generator_counts{5, 30, 100};
-  int runs = 5;
-  int refinements = 0;
+  int runs = 5;         ///< each time is the median of as many
+  int refinements = 0;  ///< levels above the input, each with four times the faces
   std::uint64_t seed = 0;
   std::vector<std::string> methods{"exact", "gbgvd"};
-  Front front = Front::circle;
-  double chord_tolerance = DiagramOptions{}.chord_tolerance;
-  int threads = 1;
+  Front front = Front::circle;                                ///< of gbgvd; the paper's steps have planar fronts
+  double chord_tolerance = DiagramOptions{}.chord_tolerance;  ///< mean edge lengths
+  int threads = 1;                                            ///< above 1: compared with one
   bool peers = false;
 };
 
-struct Row {
-  std::string mesh;
-  int faces = 0;
-  int generators = 0;
-  std::string method;
-  double dijkstra = 0;  ///< milliseconds
-  double diagram = 0;   ///< milliseconds
-  StepTimes steps;
-  double bytes_a_face = 0;
-  double wall_one = 0;   ///< milliseconds of wall-clock time, one thread
-  double wall_many = 0;  ///< and as many as are asked for
-};
-
-double milliseconds(const std::function<void()>& work) {
-  const double start = cpu_milliseconds();
-  work();
-  return cpu_milliseconds() - start;
-}
-
-double wall_milliseconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// The median of every step over the runs, in the order of the first run.
-StepTimes median_steps(const std::vector<StepTimes>& runs) {
-  StepTimes medians;
-  for (std::size_t step = 0; step < runs.front().size(); ++step) {
-    std::vector<double> values;
-    for (const StepTimes& run : runs) values.push_back(run[step].second);
-    medians.emplace_back(runs.front()[step].first, median(values));
-  }
-  return medians;
-}
-
+/// The largest heap of a run without clocks, less than what was there before it.
 double peak_bytes_a_face(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   const HeapMeter meter;
   const Diagram diagram = compute_diagram(mesh, generators, options);
   return double(meter.peak()) / mesh.face_count();
 }
 
-void measure_threads(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options,
-                     const Settings& settings, Row& row) {
-  if (settings.threads == 1) return;
-  std::vector<double> one, many;
-  for (int run = 0; run < settings.runs; ++run) {
-    options.threads = 1;
-    one.push_back(wall_milliseconds([&] { compute_diagram(mesh, generators, options); }));
-    options.threads = settings.threads;
-    many.push_back(wall_milliseconds([&] { compute_diagram(mesh, generators, options); }));
-  }
-  row.wall_one = median(one);
-  row.wall_many = median(many);
-}
-
-Row measure(const std::string& name, const Mesh& mesh, int count, const std::string& method, const Settings& settings) {
-  const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
-  std::vector<SurfacePoint> generators;
-  for (const VertexId v : vertices) generators.push_back(vertex_point(mesh, v));
+/// One thread, whatever --threads says: steps are compared in processor time.
+DiagramOptions diagram_options(const std::string& method, const Settings& settings) {
   DiagramOptions options;
   options.method = method == "exact" ? Method::exact : method == "paper" ? Method::paper : Method::gbgvd;
   options.front = method == "paper" ? Front::planar : settings.front;
   options.chord_tolerance = settings.chord_tolerance;
   options.threads = 1;
-
-  Row row{name, mesh.face_count(), static_cast<int>(vertices.size()), method, 0, 0, {}, 0, 0, 0};
-  row.bytes_a_face = peak_bytes_a_face(mesh, generators, options);  // also warms up the caches
-  const EdgeGraph graph = build_edge_graph(mesh);
-  std::vector<double> dijkstra, diagram;
-  std::vector<StepTimes> steps;
-  // Alternating, so that a slow phase of the machine affects both.
-  for (int run = 0; run < settings.runs; ++run) {
-    dijkstra.push_back(milliseconds([&] { compute_edge_distances(graph, vertices); }));
-    StepClock clock;
-    options.progress = clock.progress();
-    diagram.push_back(milliseconds([&] { compute_diagram(mesh, generators, options); }));
-    steps.push_back(clock.finish());
-  }
-  row.dijkstra = median(dijkstra);
-  row.diagram = median(diagram);
-  row.steps = median_steps(steps);
-  options.progress = {};
-  measure_threads(mesh, generators, options, settings, row);
-  return row;
+  return options;
 }
 
 void print_header(const Settings& settings) {
@@ -145,6 +79,7 @@ void print_header(const Settings& settings) {
   std::cout << "\n";
 }
 
+/// 0 for a step that the method does not have.
 double time_of(const StepTimes& steps, std::string_view name) {
   for (const auto& [step, time] : steps) {
     if (step == name || (step == steps::kFaces && name == steps::kGrowth)) return time;
@@ -152,47 +87,73 @@ double time_of(const StepTimes& steps, std::string_view name) {
   return 0;
 }
 
-void print_row(const Row& row) {
-  std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.3f} {:>9.2f} |", row.mesh, row.faces, row.generators,
-                           row.method, row.dijkstra, row.diagram / row.dijkstra);
-  for (const std::string_view step : kColumns) {
-    std::cout << fmt::format(" {:>12.2f}", time_of(row.steps, step) / row.dijkstra);
-  }
-  std::cout << fmt::format(" | {:>12.0f}", row.bytes_a_face);
-  if (row.wall_many > 0) {
-    std::cout << fmt::format(" | {:>12.1f} {:>12.1f} {:>8.2f}", row.wall_one, row.wall_many,
-                             row.wall_one / row.wall_many);
-  }
+/// Measures the wall-clock times of one and of several threads, and prints the end of a row.
+void print_threads(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options,
+                   const Settings& settings) {
+  const auto run = [&](int threads) {
+    options.threads = threads;
+    return wall_milliseconds([&] { compute_diagram(mesh, generators, options); });
+  };
+  const auto [one, many] = measure_medians(
+      settings.runs, [&] { return run(1); }, [&] { return run(settings.threads); });
+  std::cout << fmt::format(" | {:>12.1f} {:>12.1f} {:>8.2f}", one, many, one / many);
+}
+
+/// Measures and prints one row. The first run, for the memory, also warms up the caches.
+void measure(const NamedMesh& input, int count, const std::string& method, const Settings& settings) {
+  const Mesh& mesh = input.mesh;
+  const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
+  const std::vector<SurfacePoint> generators = draw_vertex_points(mesh, count, settings.seed);
+  DiagramOptions options = diagram_options(method, settings);
+  const double bytes = peak_bytes_a_face(mesh, generators, options);
+  const EdgeGraph graph = build_edge_graph(mesh);
+  StepTimes steps;  // of the last run
+  const auto time_dijkstra = [&] { return cpu_milliseconds([&] { compute_edge_distances(graph, vertices); }); };
+  const auto time_diagram = [&] {
+    StepClock clock;
+    options.progress = clock.progress();
+    const double time = cpu_milliseconds([&] { compute_diagram(mesh, generators, options); });
+    steps = clock.finish();
+    return time;
+  };
+  const auto step = [&](std::size_t column) { return [&, column] { return time_of(steps, kColumns[column]); }; };
+  const auto medians = measure_medians(settings.runs, time_dijkstra, time_diagram, step(0), step(1), step(2), step(3));
+  const double unit = medians[0];
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.3f} {:>9.2f} |", input.name, mesh.face_count(),
+                           vertices.size(), method, unit, medians[1] / unit);
+  for (std::size_t i = 2; i < medians.size(); ++i) std::cout << fmt::format(" {:>12.2f}", medians[i] / unit);
+  std::cout << fmt::format(" | {:>12.0f}", bytes);
+  options.progress = {};
+  if (settings.threads > 1) print_threads(mesh, generators, options, settings);
   std::cout << std::endl;
 }
 
-/// Calls `visit` with the name and the mesh of every file, at every level of refinement.
-void for_each_mesh(const Settings& settings, const std::function<void(const std::string&, const Mesh&)>& visit) {
+/// Calls `visit` with every mesh and every number of generators, at every level of refinement.
+template <class Visit>
+void for_each_row(const Settings& settings, const Visit& visit) {
   for (const std::string& path : settings.meshes) {
-    auto [stem, mesh] = read_named_mesh(path);
+    NamedMesh input = read_named_mesh(path);
+    const std::string stem = input.name;
     for (int level = 0; level <= settings.refinements; ++level) {
-      if (level > 0) mesh = refine_flat(mesh);
-      const std::string name = level == 0 ? stem : fmt::format("{} /{}", stem, 1 << 2 * level);
-      visit(name, mesh);
+      if (level > 0) input = {fmt::format("{} /{}", stem, 1 << 2 * level), refine_flat(input.mesh)};
+      for (const int count : settings.generator_counts) visit(input, count);
     }
   }
 }
 
 #ifdef GVD_HAS_PEERS
-void measure_peers(const std::string& name, const Mesh& mesh, int count, const Settings& settings) {
+/// A row of the second table: times at the vertices, without labels or bisectors.
+void measure_peers(const NamedMesh& input, int count, const Settings& settings) {
+  const Mesh& mesh = input.mesh;
   const std::vector<VertexId> vertices = draw_vertices(mesh, count, settings.seed);
   const EdgeGraph graph = build_edge_graph(mesh);
-  std::vector<double> dijkstra, paths, heat, heat_again;
-  for (int run = 0; run < settings.runs; ++run) {
-    dijkstra.push_back(milliseconds([&] { compute_edge_distances(graph, vertices); }));
-    const PeerTimes times = time_peers(mesh, vertices);
-    paths.push_back(times.shortest_paths);
-    heat.push_back(times.heat);
-    heat_again.push_back(times.heat_again);
-  }
-  const double unit = median(dijkstra);
-  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12.3f} | {:>16.1f} {:>8.1f} {:>14.1f}\n", name, mesh.face_count(),
-                           vertices.size(), unit, median(paths) / unit, median(heat) / unit, median(heat_again) / unit)
+  PeerTimes times;
+  const auto time_dijkstra = [&] { return cpu_milliseconds([&] { compute_edge_distances(graph, vertices); }); };
+  const auto time_paths = [&] { return (times = time_peers(mesh, vertices)).shortest_paths; };
+  const auto [unit, paths, heat, heat_again] = measure_medians(
+      settings.runs, time_dijkstra, time_paths, [&] { return times.heat; }, [&] { return times.heat_again; });
+  std::cout << fmt::format("{:<22} {:>8} {:>5} {:>12.3f} | {:>16.1f} {:>8.1f} {:>14.1f}\n", input.name,
+                           mesh.face_count(), vertices.size(), unit, paths / unit, heat / unit, heat_again / unit)
             << std::flush;
 }
 #endif
@@ -201,18 +162,14 @@ void run_peers([[maybe_unused]] const Settings& settings) {
 #ifdef GVD_HAS_PEERS
   std::cout << fmt::format("\n{:<22} {:>8} {:>5} {:>12} | {:>16} {:>8} {:>14}\n", "CGAL's distances", "faces", "m",
                            "Dijkstra ms", "shortest paths x", "heat x", "heat again x");
-  for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
-    for (const int count : settings.generator_counts) measure_peers(name, mesh, count, settings);
-  });
+  for_each_row(settings, [&](const NamedMesh& input, int count) { measure_peers(input, count, settings); });
 #endif
 }
 
 void run_all(const Settings& settings) {
   print_header(settings);
-  for_each_mesh(settings, [&](const std::string& name, const Mesh& mesh) {
-    for (const int count : settings.generator_counts) {
-      for (const std::string& method : settings.methods) print_row(measure(name, mesh, count, method, settings));
-    }
+  for_each_row(settings, [&](const NamedMesh& input, int count) {
+    for (const std::string& method : settings.methods) measure(input, count, method, settings);
   });
   if (settings.peers) run_peers(settings);
   std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n", double(peak_resident_bytes()) / 1e6);
@@ -222,22 +179,17 @@ int run(int argc, char** argv) {
   Settings settings;
   CLI::App app("Times the steps of a geodesic Voronoi diagram against a plain Dijkstra on the mesh's edges");
   add_mesh_arguments(app, settings.meshes);
-  app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
-  app.add_option("--runs", settings.runs, "runs; each time is their median")->check(CLI::PositiveNumber);
+  add_positive(app, "-m,--generators", settings.generator_counts, "numbers of generators");
+  add_positive(app, "--runs", settings.runs, "runs; each time is their median");
   app.add_option("--refine", settings.refinements,
                  "also measure the mesh with every face cut in four, up to this many times")
       ->check(CLI::Range(0, 6));
   app.add_option("--seed", settings.seed, "seed for drawing the generators");
-  app.add_option("--method", settings.methods, "exact, gbgvd, paper, or several (default: exact and gbgvd)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"exact", "gbgvd", "paper"}));
-  app.add_option("--chord-tolerance", settings.chord_tolerance,
-                 "chord tolerance of exact diagrams, in mean edge lengths")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--threads", settings.threads, "also compare the wall-clock times of one thread and of this many")
-      ->check(CLI::PositiveNumber);
+  add_choice(app, "--method", settings.methods, {"exact", "gbgvd", "paper"},
+             "exact, gbgvd, paper, or several (default: exact and gbgvd)");
+  add_positive(app, "--chord-tolerance", settings.chord_tolerance,
+               "chord tolerance of exact diagrams, in mean edge lengths");
+  add_positive(app, "--threads", settings.threads, "also compare the wall-clock times of one thread and of this many");
 #ifdef GVD_HAS_PEERS
   app.add_flag("--peers", settings.peers, "also time CGAL's exact shortest paths and its heat method");
 #endif

@@ -21,4 +21,8 @@ PeerTimes time_peers(const Mesh& mesh, const std::vector<VertexId>& generators);
 /// Throws gvd::Error where CGAL can't hold the mesh.
 std::vector<std::vector<double>> compute_heat_distances(const Mesh& mesh, const std::vector<VertexId>& generators);
 
+/// The surface with near-equilateral triangles whose edges have about this length, mesh units: vertices lie on it.
+/// `rounds`: of splits, collapses, flips and a relaxation each. Throws gvd::Error where CGAL can't hold the mesh.
+Mesh remesh_isotropically(const Mesh& mesh, double edge_length, unsigned rounds);
+
 }  // namespace gvd::bench

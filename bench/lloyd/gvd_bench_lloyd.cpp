@@ -2,15 +2,21 @@
 //
 // Times are processor times of one thread, and those of the generators' drawing are not included. E is measured with
 // exact distances. The plain Dijkstra of the same mesh and number of generators is the yardstick for other machines.
+// The parts ask one question each:
+//   energies   how low E gets, and how soon: the time of the shortest run whose result has at most a given E. The trace
+//              shows E as the relaxation saw it, which is approximate in early iterations
+//   iteration  what an iteration costs in diagrams. One diagram is the least possible cost; the rest are integrals,
+//              moves, and diagrams that the line search throws away
+//   threads    how much faster several threads are in wall-clock time
+//   large      how soon a mesh with four times the faces comes within 1 % of its last energy
+//   square     how near E comes to the honeycomb's, the least one possible on a plane (L. Fejes Toth 1953)
+// A goal is printed beside the figure that it is for. A missed goal is no error: the status is 0.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -36,6 +42,8 @@ struct Settings {
   int threads = 2;
   int square = 150;
   int square_generators = 2000;
+
+  bool has(const char* part) const { return contains(parts, part); }
 };
 
 /// The seconds in which runs from the farthest points have to get to E.
@@ -54,18 +62,6 @@ constexpr double kMargin = 4;                ///< cell widths at the boundary of
 
 const char* verdict(bool met) { return met ? "met" : "missed"; }
 
-double seconds_of(const std::function<void()>& work) {
-  const double start = cpu_milliseconds();
-  work();
-  return (cpu_milliseconds() - start) / 1e3;
-}
-
-double median_seconds(int runs, const std::function<void()>& work) {
-  std::vector<double> seconds;
-  while (std::ssize(seconds) < runs) seconds.push_back(seconds_of(work));
-  return median(seconds);
-}
-
 std::vector<SurfacePoint> draw(const Mesh& mesh, int count, const std::string& start) {
   SamplingOptions options;
   options.kind = start == "random" ? Sampling::random : Sampling::farthest;
@@ -73,12 +69,7 @@ std::vector<SurfacePoint> draw(const Mesh& mesh, int count, const std::string& s
   return sample_generators(mesh, options);
 }
 
-double dijkstra_seconds(const Mesh& mesh, int count, int runs) {
-  const EdgeGraph graph = build_edge_graph(mesh);
-  const std::vector<VertexId> vertices = draw_vertices(mesh, count, 0);
-  return median_seconds(runs, [&] { compute_edge_distances(graph, vertices); });
-}
-
+/// The energies of the first iterations and of every tenth: they fall fast first, and then by thousandths.
 void print_trace(const RelaxationRun& run) {
   std::cout << "  iteration (seconds, E):";
   for (std::size_t i = 0; i < run.trace.size(); ++i) {
@@ -94,6 +85,7 @@ void print_trace(const RelaxationRun& run) {
   std::cout << "\n";
 }
 
+/// Ends the line of a target, with the goal where one is set for it.
 void print_goal(double energy, int generators, const std::string& start, double seconds) {
   for (const Goal& goal : kGoals) {
     if (start != "farthest" || goal.generators != generators || goal.energy != energy) continue;
@@ -102,6 +94,7 @@ void print_goal(double energy, int generators, const std::string& start, double 
   std::cout << std::endl;
 }
 
+/// Prints E and the time of a whole run, its trace, and the shortest run to each target.
 void measure_energies(const Mesh& mesh, int count, const std::string& start, const Settings& settings) {
   const std::vector<SurfacePoint> generators = draw(mesh, count, start);
   const double unit = dijkstra_seconds(mesh, count, settings.runs);
@@ -124,6 +117,7 @@ void measure_energies(const Mesh& mesh, int count, const std::string& start, con
   }
 }
 
+/// Every iteration with an exact diagram, from the first one on.
 LloydOptions exact_options(int iterations) {
   LloydOptions options;
   options.early_approximation = false;
@@ -139,7 +133,7 @@ double seconds_of_early_iteration(const Mesh& mesh, int count, const Settings& s
   const RelaxationRun run = run_relaxation(mesh, draw(mesh, count, "farthest"), options);
   double first = 0, last = 0;
   int iterations = 0;
-  for (const auto& point : run.trace) {
+  for (const TracePoint& point : run.trace) {
     if (point.iteration == 1) first = point.seconds;
     if (point.iteration <= iterations || point.iteration == settings.short_iterations) continue;
     iterations = point.iteration;
@@ -148,55 +142,56 @@ double seconds_of_early_iteration(const Mesh& mesh, int count, const Settings& s
   return (last - first) / std::max(1, iterations - 1);
 }
 
+/// Prints what an iteration costs in diagrams: an exact one, and one of those that approximate.
 void measure_iteration(const Mesh& mesh, int count, const Settings& settings) {
   // Farthest points are vertices, where it is tested once whether they rest: only later iterations are like all others.
   const std::vector<SurfacePoint> generators =
       run_relaxation(mesh, draw(mesh, count, "farthest"), exact_options(kFirstIterations)).result.generators;
-  DiagramOptions diagram;
-  diagram.threads = 1;
-  std::vector<double> diagrams, evaluations, iterations, early;
-  double trials = 1;
-  for (int run = 0; run < settings.runs; ++run) {
-    const RelaxationRun none = run_relaxation(mesh, generators, exact_options(0));
-    const RelaxationRun some = run_relaxation(mesh, generators, exact_options(settings.short_iterations));
-    const auto made = double(std::max<std::size_t>(1, some.result.iterations.size()));
-    diagrams.push_back(seconds_of([&] { compute_diagram(mesh, some.result.generators, diagram); }));
-    evaluations.push_back(none.seconds);
-    early.push_back(seconds_of_early_iteration(mesh, count, settings));
-    iterations.push_back((some.seconds - none.seconds) / made);
-    trials = double(some.result.diagrams - 1) / made;
-  }
-  const double unit = median(diagrams), cost = median(iterations) / unit, early_cost = median(early) / unit;
+  DiagramOptions options;
+  options.threads = 1;
+  RelaxationRun some;
+  double made = 1, start = 0;  // iterations of a run; seconds of one without iterations: a diagram and its integrals
+  const auto time_start = [&] { return start = run_relaxation(mesh, generators, exact_options(0)).seconds; };
+  const auto time_iteration = [&] {
+    some = run_relaxation(mesh, generators, exact_options(settings.short_iterations));
+    made = double(std::max<std::size_t>(1, some.result.iterations.size()));
+    return (some.seconds - start) / made;
+  };
+  const auto time_diagram = [&] {
+    return cpu_milliseconds([&] { compute_diagram(mesh, some.result.generators, options); }) / 1e3;
+  };
+  const auto time_early = [&] { return seconds_of_early_iteration(mesh, count, settings); };
+  const auto [evaluation, iteration, unit, early] =
+      measure_medians(settings.runs, time_start, time_iteration, time_diagram, time_early);
   std::cout << fmt::format(
       "m = {}: a diagram {:.3f} s; with its integrals {:.2f} diagrams; an early iteration {:.2f}   goal {:.1f}: {}; an "
       "exact iteration {:.2f}, of which it computes {:.2f}   goal {:.1f}: {}\n",
-      count, unit, median(evaluations) / unit, early_cost, kIterationGoal, verdict(early_cost <= kIterationGoal), cost,
-      trials, kIterationGoal, verdict(cost <= kIterationGoal));
+      count, unit, evaluation / unit, early / unit, kIterationGoal, verdict(early / unit <= kIterationGoal),
+      iteration / unit, double(some.result.diagrams - 1) / made, kIterationGoal,
+      verdict(iteration / unit <= kIterationGoal));
 }
 
+/// Prints the wall-clock times of one and of several threads.
 void measure_threads(const Mesh& mesh, int count, const Settings& settings) {
   const std::vector<SurfacePoint> generators = draw(mesh, count, "farthest");
-  const auto wall_seconds = [&](int threads) {
+  const auto seconds = [&](int threads) {
     LloydOptions options;
     options.max_iterations = settings.short_iterations;
     options.diagram.threads = threads;
-    const auto start = std::chrono::steady_clock::now();
-    relax_generators(mesh, generators, options);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return wall_milliseconds([&] { relax_generators(mesh, generators, options); }) / 1e3;
   };
-  std::vector<double> one, many;
-  for (int run = 0; run < settings.runs; ++run) {
-    one.push_back(wall_seconds(1));
-    many.push_back(wall_seconds(settings.threads));
-  }
-  const double gain = median(one) / median(many);
+  const auto [one, many] = measure_medians(
+      settings.runs, [&] { return seconds(1); }, [&] { return seconds(settings.threads); });
+  const double gain = one / many;
   std::cout << fmt::format("m = {}: {:.2f} s of wall-clock time with one thread, {:.2f} s with {}: {:.2f} times faster",
-                           count, median(one), median(many), settings.threads, gain);
-  if (settings.threads == 2)
+                           count, one, many, settings.threads, gain);
+  if (settings.threads == 2) {
     std::cout << fmt::format("   goal {:.1f}: {}", kThreadsGoal, verdict(gain >= kThreadsGoal));
+  }
   std::cout << std::endl;
 }
 
+/// Prints a run on the refined mesh, and the shortest one to nearly the same energy.
 void measure_large(const Settings& settings) {
   const auto [name, coarse] = read_named_mesh(settings.large);
   const Mesh mesh = refine_flat(coarse);
@@ -217,6 +212,7 @@ void measure_large(const Settings& settings) {
   }
 }
 
+/// Prints E of the interior of the flat square, from each start.
 void measure_square(const Settings& settings) {
   const Mesh mesh = make_flat_square(settings.square);
   for (const std::string& start : settings.starts) {
@@ -235,56 +231,44 @@ void measure_square(const Settings& settings) {
 }
 
 void measure_mesh(const Mesh& mesh, const Settings& settings) {
-  const auto has = [&](const char* part) {
-    return std::find(settings.parts.begin(), settings.parts.end(), part) != settings.parts.end();
-  };
   for (const int count : settings.generator_counts) {
     for (const std::string& start : settings.starts) {
-      if (has("energies")) measure_energies(mesh, count, start, settings);
+      if (settings.has("energies")) measure_energies(mesh, count, start, settings);
     }
   }
   for (const int count : settings.generator_counts) {
-    if (has("iteration")) measure_iteration(mesh, count, settings);
-    if (has("threads")) measure_threads(mesh, count, settings);
+    if (settings.has("iteration")) measure_iteration(mesh, count, settings);
+    if (settings.has("threads")) measure_threads(mesh, count, settings);
   }
 }
 
 void run_all(const Settings& settings) {
-  const auto has = [&](const char* part) {
-    return std::find(settings.parts.begin(), settings.parts.end(), part) != settings.parts.end();
-  };
-  if (has("energies") || has("iteration") || has("threads")) {
+  if (settings.has("energies") || settings.has("iteration") || settings.has("threads")) {
     for (const std::string& path : settings.meshes) {
       const auto [name, mesh] = read_named_mesh(path);
       std::cout << fmt::format("{}: {} faces\n", name, mesh.face_count());
       measure_mesh(mesh, settings);
     }
   }
-  if (has("large") && !settings.large.empty()) measure_large(settings);
-  if (has("square")) measure_square(settings);
+  if (settings.has("large") && !settings.large.empty()) measure_large(settings);
+  if (settings.has("square")) measure_square(settings);
 }
 
 void add_options(CLI::App& app, Settings& settings) {
-  const auto some_of = [&](const char* name, std::vector<std::string>& values, const char* what) {
-    app.add_option(name, values, what)->delimiter(',')->check(CLI::IsMember(values));
-  };
   add_mesh_arguments(app, settings.meshes);
   app.add_option("--large", settings.large,
                  "a mesh that is refined once and relaxed with the last number of generators")
       ->check(CLI::ExistingFile);
-  app.add_option("-m,--generators", settings.generator_counts, "numbers of generators")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
-  some_of("--starts", settings.starts, "farthest, random, or both");
-  some_of("--parts", settings.parts, "energies, iteration, threads, large, square, or several (default: all)");
+  add_positive(app, "-m,--generators", settings.generator_counts, "numbers of generators");
+  add_choice(app, "--starts", settings.starts, settings.starts, "farthest, random, or both");
+  add_choice(app, "--parts", settings.parts, settings.parts,
+             "energies, iteration, threads, large, square, or several (default: all)");
   app.add_option("--targets", settings.targets, "values of E, to which the times are measured")->delimiter(',');
-  app.add_option("--iterations", settings.iterations, "largest number of iterations")->check(CLI::PositiveNumber);
-  app.add_option("--runs", settings.runs, "runs; each time is their median")->check(CLI::PositiveNumber);
-  app.add_option("--threads", settings.threads, "threads to compare with one")->check(CLI::PositiveNumber);
-  app.add_option("--square", settings.square, "the flat square has this many squares along each side")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--square-generators", settings.square_generators, "generators on the flat square")
-      ->check(CLI::PositiveNumber);
+  add_positive(app, "--iterations", settings.iterations, "largest number of iterations");
+  add_positive(app, "--runs", settings.runs, "runs; each time is their median");
+  add_positive(app, "--threads", settings.threads, "threads to compare with one");
+  add_positive(app, "--square", settings.square, "the flat square has this many squares along each side");
+  add_positive(app, "--square-generators", settings.square_generators, "generators on the flat square");
 }
 
 int run(int argc, char** argv) {

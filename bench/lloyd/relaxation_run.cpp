@@ -1,8 +1,10 @@
 // Relaxations with their times and energies, and a flat square whose best energy is known.
 //
-// E is energy / (area^2 / m), from exact distances; a honeycomb has 0.16038. The times of a run include its last, exact
-// diagram, but not the drawing of the generators. Near its boundary the square's cells are others than in a honeycomb,
-// so only interior cells count.
+// E is energy / (area^2 / m), from exact distances; a honeycomb has 0.16038. E has no unit and hardly depends on m, so
+// that meshes and numbers of generators compare. Curvature moves it: a closed surface other than a torus needs cells
+// that are no hexagons. The times of a run include its last, exact diagram, but not the drawing of the generators.
+// Early iterations have approximate energies; the runs that are timed are ended at an iteration and measured exactly.
+// Near its boundary the square's cells are others than in a honeycomb, so only interior cells count.
 #include "relaxation_run.hpp"
 
 #include <algorithm>

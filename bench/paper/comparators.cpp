@@ -1,8 +1,11 @@
 // All methods by name: those of this library, and those that the paper compares itself with.
 //
-// The library's methods run on one thread, as the comparators do, and report the times of their steps in two parts:
-// until distances are known, and after. Scenes show diagrams without distances; cells have one colour in all scenes,
-// because each cell gets the neighbours that it has in any of them.
+// The library's methods run on one thread, as the comparators do, and report the times of their steps in two parts, as
+// the paper's tables have them: GDF, until distances are known, and VD, after. The paper's own figures come from growth
+// with planar fronts; circle fronts and the exact tracer are ours. Nobody's program is run: each comparator is written
+// from its paper, so that all work on the same mesh, generators and machine.
+// Scenes show diagrams without distances; cells have one colour in all scenes, because each cell gets the neighbours
+// that it has in any of them.
 #include "comparators.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +16,7 @@
 
 #include "clocks.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "gvd/error.hpp"
 #include "rvd.hpp"
 
 namespace gvd::paper {
@@ -22,8 +26,6 @@ namespace {
 bool is_of_field(const std::string& step) {
   return step == steps::kWorkingMesh || step == steps::kDistances || step == steps::kTables;
 }
-
-}  // namespace
 
 Comparison run_library_method(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options) {
   Comparison result;
@@ -39,8 +41,6 @@ Comparison run_library_method(const Mesh& mesh, const std::vector<SurfacePoint>&
   return result;
 }
 
-namespace {
-
 using Points = std::vector<SurfacePoint>;
 
 Comparator library_method(const std::string& name, const Method& method, Front front = Front::circle) {
@@ -52,9 +52,9 @@ Comparator library_method(const std::string& name, const Method& method, Front f
           }};
 }
 
-Comparator window_voronoi(const std::string& name, bool unpruned) {
-  return {name, [unpruned](const Mesh& mesh, const Points& generators) {
-            return compute_window_voronoi(mesh, generators, {unpruned});
+Comparator window_voronoi(const std::string& name, const WindowVoronoiOptions& options) {
+  return {name, [options](const Mesh& mesh, const Points& generators) {
+            return compute_window_voronoi(mesh, generators, options);
           }};
 }
 
@@ -64,8 +64,8 @@ std::vector<Comparator> list_comparators(const ComparatorOptions& options) {
   std::vector<Comparator> all{library_method("exact", Method::exact), library_method("gbgvd circle", Method::gbgvd),
                               library_method("gbgvd planar", Method::gbgvd, Front::planar),
                               library_method("paper's steps", Method::paper, Front::planar),
-                              window_voronoi("windows [27]", false)};
-  if (options.unpruned_windows) all.push_back(window_voronoi("unpruned [27]", true));
+                              window_voronoi("windows [27]", {})};
+  if (options.unpruned_windows) all.push_back(window_voronoi("unpruned [27]", {true}));
   all.push_back({"diffusion [8]", [diffusion = options.diffusion](const Mesh& mesh, const Points& generators) {
                    return compute_diffusion(mesh, generators, diffusion);
                  }});
@@ -73,6 +73,21 @@ std::vector<Comparator> list_comparators(const ComparatorOptions& options) {
   all.push_back(
       {"LRVD [28]", [](const Mesh& mesh, const Points& generators) { return compute_lrvd(mesh, generators); }});
   return all;
+}
+
+std::vector<Comparator> pick_comparators(const std::vector<std::string>& names, const ComparatorOptions& options) {
+  std::vector<Comparator> all = list_comparators(options);
+  if (names.empty()) return all;
+  std::vector<Comparator> picked;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(all, name, &Comparator::name);
+    if (found == all.end()) {
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("no method is named '{}'; without --methods all are listed", name));
+    }
+    picked.push_back(*found);
+  }
+  return picked;
 }
 
 ViewScene make_comparison_scene(std::string name, const Mesh& mesh, const Comparison& comparison) {

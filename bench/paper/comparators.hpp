@@ -106,6 +106,10 @@ struct ComparatorOptions {
 /// [29], LRVD [28]. All use one thread.
 std::vector<Comparator> list_comparators(const ComparatorOptions& options = {});
 
+/// Those of list_comparators with these names, in their order here; all of them without names.
+/// Throws Error{invalid_option} for a name that the list does not have.
+std::vector<Comparator> pick_comparators(const std::vector<std::string>& names, const ComparatorOptions& options = {});
+
 /// A scene of a comparator's diagram, which has no distances and no branch points: figures 10 and 11 as pictures. The
 /// mesh must outlive the scene. Its figures are the length of the bisectors and the faults.
 ViewScene make_comparison_scene(std::string name, const Mesh& mesh, const Comparison& comparison);

@@ -15,8 +15,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <utility>
 
@@ -40,42 +38,21 @@ struct Settings {
   std::string view;                  ///< a page with a scene for each method; none if empty
 };
 
-/// Those of the list that are asked for, in the order in which they are.
-std::vector<Comparator> pick_methods(const Settings& settings) {
-  std::vector<Comparator> all = list_comparators(settings.comparators);
-  if (settings.methods.empty()) return all;
-  std::vector<Comparator> picked;
-  for (const std::string& name : settings.methods) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; });
-    if (found == all.end())
-      throw Error(ErrorCode::invalid_option,
-                  fmt::format("no method is named '{}'; without --methods all are listed", name));
-    picked.push_back(*found);
-  }
-  return picked;
-}
-
 void write_view(const std::string& path, const std::string& title, std::vector<ViewScene> scenes) {
   share_neighbours(scenes);
   ViewOptions options;
   options.title = title;
-  std::ofstream file(path);
-  file << make_view_page(scenes, options);
-  if (!file.flush()) throw Error(ErrorCode::unwritable_output, fmt::format("could not write {}", path));
+  bench::write_file(path, make_view_page(scenes, options));
 }
 
 /// The result of the last run, with the medians of the times.
 Comparison run_several(const Comparator& comparator, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                        int runs) {
   Comparison result;
-  std::vector<double> field, diagram;
-  for (int run = 0; run < runs; ++run) {
-    result = comparator.run(mesh, generators);
-    field.push_back(result.field_ms);
-    diagram.push_back(result.diagram_ms);
-  }
-  result.field_ms = bench::median(field);
-  result.diagram_ms = bench::median(diagram);
+  const auto run = [&] { return (result = comparator.run(mesh, generators)).field_ms; };
+  const auto [field, diagram] = bench::measure_medians(runs, run, [&] { return result.diagram_ms; });
+  result.field_ms = field;
+  result.diagram_ms = diagram;
   return result;
 }
 
@@ -84,6 +61,7 @@ void print_header() {
                            "length", "turn", "wrong", "islands", "forced", "open", "GDF ms", "VD ms");
 }
 
+/// The line of a method. Shares are of all labelled vertices, and of the area of the mesh.
 void print_row(const std::string& name, const Comparison& result, const Judgement& judgement, double area) {
   const Faults& faults = result.faults;
   const std::string islands = fmt::format("{} ({:.2f} %)", faults.islands, 100 * faults.island_area / area);
@@ -98,17 +76,14 @@ void print_row(const std::string& name, const Comparison& result, const Judgemen
 void compare(const std::string& path, const Settings& settings) {
   const bench::NamedMesh named = bench::read_named_mesh(path);
   const Mesh& mesh = named.mesh;
-  std::vector<SurfacePoint> generators;
-  for (const VertexId v : bench::draw_vertices(mesh, settings.generators, settings.seed)) {
-    generators.push_back(vertex_point(mesh, v));
-  }
+  const auto generators = bench::draw_vertex_points(mesh, settings.generators, settings.seed);
   std::cout << fmt::format("{}: {} faces, {} generators, seed {}\n", named.name, mesh.face_count(), generators.size(),
                            settings.seed);
   print_header();
   const Judge judge(mesh, generators);
   const double area = compute_mesh_summary(mesh).area;
   std::vector<ViewScene> scenes;
-  for (const Comparator& comparator : pick_methods(settings)) {
+  for (const Comparator& comparator : pick_comparators(settings.methods, settings.comparators)) {
     const Comparison result = run_several(comparator, mesh, generators, settings.runs);
     print_row(comparator.name, result, judge.judge(result.diagram), area);
     if (!settings.view.empty()) scenes.push_back(make_comparison_scene(comparator.name, mesh, result));
@@ -118,13 +93,11 @@ void compare(const std::string& path, const Settings& settings) {
 
 void add_options(CLI::App& app, Settings& settings) {
   bench::add_mesh_arguments(app, settings.meshes);
-  app.add_option("-m,--generators", settings.generators, "number of generators: random vertices")
-      ->check(CLI::PositiveNumber);
+  bench::add_positive(app, "-m,--generators", settings.generators, "number of generators: random vertices");
   app.add_option("--seed", settings.seed, "seed for drawing the generators");
-  app.add_option("--runs", settings.runs, "runs; times are their medians")->check(CLI::PositiveNumber);
-  app.add_option("--time-factor", settings.comparators.diffusion.time_factor,
-                 "time step of diffusion, in squared mean edge lengths")
-      ->check(CLI::PositiveNumber);
+  bench::add_positive(app, "--runs", settings.runs, "runs; times are their medians");
+  bench::add_positive(app, "--time-factor", settings.comparators.diffusion.time_factor,
+                      "time step of diffusion, in squared mean edge lengths");
   app.add_option("--methods", settings.methods, "names of methods as the table has them, with commas (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);

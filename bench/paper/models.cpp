@@ -1,8 +1,10 @@
 // The meshes of the evaluation: a mesh that stands for each model of the paper, and variants of it.
 //
-// A mesh is resampled if its number of faces differs from the paper's by more than 3 %. Variants have the same surface
-// with worse triangles: edges are collapsed by quadric errors (Garland and Heckbert 1997), or vertices are moved
-// towards random neighbours. Moves and collapses that fold the surface are left out. Equal seeds give equal meshes.
+// A mesh is resampled if its number of faces differs from the paper's by more than 3 %, since times grow with it.
+// Variants have the same surface with worse triangles, as in table 3: edges are collapsed by quadric errors (Garland
+// and Heckbert 1997), or vertices are moved towards random neighbours. Moves and collapses that fold the surface are
+// left out. Remeshers take an edge length and not a number of faces: the length is searched, at most kMostTries times.
+// Equal seeds give equal meshes.
 #include "models.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +27,12 @@
 #include "command_line.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "gvd/openmesh.hpp"
 #include "gvd/quality.hpp"
 #include "remesh_isotropic.hpp"
+#ifdef GVD_HAS_PEERS
+#include "peers.hpp"
+#endif
 
 namespace gvd::paper {
 
@@ -110,6 +116,23 @@ Mesh resample(const Mesh& mesh, int faces) {
   return search_edge_length(remesh, summary.area, faces);
 }
 
+#ifdef GVD_HAS_PEERS
+bool has_cgal_remeshing() { return true; }
+
+Mesh remesh_with_cgal(const Mesh& mesh, int faces) {
+  const MeshSummary summary = compute_mesh_summary(mesh);
+  if (summary.boundary_loops > 0) throw Error(ErrorCode::precondition, "only closed meshes are remeshed");
+  const auto remesh = [&](double length) { return bench::remesh_isotropically(mesh, length, kRemeshRounds); };
+  return search_edge_length(remesh, summary.area, faces);
+}
+#else
+bool has_cgal_remeshing() { return false; }
+
+Mesh remesh_with_cgal(const Mesh&, int) {
+  throw Error(ErrorCode::precondition, "this build has no CGAL: configure with -DGVD_WITH_CGAL_GPL=ON");
+}
+#endif
+
 namespace {
 
 struct Traits : OpenMesh::DefaultTraitsDouble {
@@ -122,37 +145,12 @@ using Surface = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
 constexpr double kMostTurn = 60;  // degrees
 
-Surface build(const Mesh& mesh) {
-  Surface surface;
-  std::vector<Surface::VertexHandle> handles;
-  for (const Vec3& p : mesh.positions()) handles.push_back(surface.add_vertex({p.x(), p.y(), p.z()}));
-  for (const auto& [a, b, c] : list_faces(mesh)) {
-    surface.add_face(handles[a.index()], handles[b.index()], handles[c.index()]);
-  }
-  surface.update_face_normals();
-  return surface;
-}
-
-Mesh extract(const Surface& surface) {
-  std::vector<Vec3> positions;
-  for (const auto v : surface.vertices()) {
-    const Surface::Point& p = surface.point(v);
-    positions.emplace_back(p[0], p[1], p[2]);
-  }
-  std::vector<Corners> faces;
-  for (const auto f : surface.faces()) {
-    std::size_t corner = 0;
-    Corners& corners = faces.emplace_back();
-    for (const auto v : f.vertices()) corners[corner++] = VertexId(v.idx());
-  }
-  return Mesh(std::move(positions), std::move(faces));
-}
-
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, int faces) {
   using Decimater = OpenMesh::Decimater::DecimaterT<Surface>;
-  Surface surface = build(mesh);
+  auto surface = to_openmesh<Surface>(mesh);
+  surface.update_face_normals();
   Decimater decimater(surface);
   OpenMesh::Decimater::ModQuadricT<Surface>::Handle error;
   decimater.add(error);
@@ -163,7 +161,7 @@ Mesh decimate(const Mesh& mesh, int faces) {
   decimater.initialize();
   decimater.decimate_to_faces(0, faces);
   surface.garbage_collection();
-  return extract(surface);
+  return from_openmesh(surface);
 }
 
 namespace {
@@ -173,19 +171,21 @@ constexpr double kLongestStep = 0.45;
 constexpr double kLeastQ = 0.1;
 constexpr double kLeastCosine = 0.5;
 
+/// The normal of a face, twice as long as its area.
 Vec3 normal(const std::vector<Vec3>& positions, const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Vec3& origin = positions[a.index()];
   return (positions[b.index()] - origin).cross(positions[c.index()] - origin);
 }
 
-/// The positions of a mesh, moved one by one.
+/// The positions of a mesh, moved one by one, each by a part of the way to a neighbour. Faces and edges stay, so that
+/// only shapes become worse.
 class Jitter {
  public:
   Jitter(const Mesh& mesh, std::uint64_t seed)
       : positions_(mesh.positions()), faces_(positions_.size()), random_(seed) {
-    for (const FaceId f : mesh.faces()) {
-      for (const VertexId v : mesh.vertices(f)) faces_[v.index()].push_back(mesh.vertices(f));
+    for (const Corners& corners : list_faces(mesh)) {
+      for (const VertexId v : corners) faces_[v.index()].push_back(corners);
     }
   }
 
@@ -211,6 +211,7 @@ class Jitter {
     }
   }
 
+  /// Whether a moved triangle is neither folded over nor a needle.
   bool is_allowed(const Corners& corners, const Vec3& normal_before) const {
     const Vec3 now = normal(positions_, corners);
     if (now.dot(normal_before) < kLeastCosine * now.norm() * normal_before.norm()) return false;
@@ -238,9 +239,9 @@ Mesh jitter(const Mesh& mesh, double percent_below_30, std::uint64_t seed) {
 
 namespace {
 
+/// Twenty regular triangles: the corners of three golden rectangles.
 Mesh make_icosahedron() {
-  const double golden = (1 + std::sqrt(5.0)) / 2;
-  const double g = golden;
+  const double g = (1 + std::sqrt(5.0)) / 2;  // the golden ratio
   std::vector<Vec3> positions{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                               {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   constexpr std::array<std::array<int, 3>, 20> kFaces{{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},

@@ -3,6 +3,10 @@
 // Polygons have barycentric coordinates in their face. Clipping keeps points on the face's sides exactly there, so that
 // pieces of adjacent faces meet. A side that lies on an edge of the mesh touches those that the other face has on this
 // edge; all other sides touch sides of their own face. Contacts ascend by face, and those across edges follow by edge.
+//
+// Source: Sutherland and Hodgman, Reentrant polygon clipping, 1974. Values of a linear form that rounding can't tell
+// from zero are zero: a line through a corner then cuts no sliver off. A cut of two cells uses one form and its
+// negative, so that the two parts cover the polygon and share the two points of the cut, bit by bit.
 #include "pieces.hpp"
 
 #include <algorithm>
@@ -147,8 +151,7 @@ Pieces take_to_input(const WorkingMesh& working, Pieces pieces) {
     for (Bary& corner : piece.corners) corner = working.parent_bary(piece.face, corner);
     piece.face = working.parent(piece.face);
   }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; });
+  std::ranges::stable_sort(pieces, {}, &FacePiece::face);
   return pieces;
 }
 

@@ -105,7 +105,4 @@ Chains chain_segments(const Mesh& mesh, const std::vector<Segment>& segments);
 void collect_pieces(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Pieces pieces,
                     Comparison& comparison);
 
-/// Sum of the areas of the pieces, square mesh units: that of the mesh, if they cover it.
-double sum_areas(const Mesh& mesh, const Pieces& pieces);
-
 }  // namespace gvd::paper

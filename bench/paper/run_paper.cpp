@@ -3,16 +3,15 @@
 //
 //   gvd-paper [--runs 3] [--models FOLDER...] [--tables 1,4] [--scale 1] -o FILE.json
 //
-// Models that no folder has are replaced by data/figure.obj. Times are processor times of one thread.
+// Models that no folder has are replaced by data/figure.obj. Times are processor times of one thread. The document has
+// "runs", "scale" and "tables": for each key of list_tables a list of rows. A table that was not asked for is missing,
+// and the script then refuses to make pages. --scale below 1 is for tests: it makes all meshes coarser.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <fstream>
 #include <iostream>
 
 #include "command_line.hpp"
-#include "gvd/error.hpp"
 #include "tables.hpp"
 
 namespace gvd::paper {
@@ -27,14 +26,12 @@ struct Settings {
 };
 
 void read_arguments(CLI::App& app, Settings& settings) {
-  app.add_option("--runs", settings.runs, "runs, each with generators of another seed")->check(CLI::PositiveNumber);
+  bench::add_positive(app, "--runs", settings.runs, "runs, each with generators of another seed");
   app.add_option("--models", settings.folders, "folders with meshes that this repository does not have")
       ->check(CLI::ExistingDirectory);
   std::vector<std::string> keys;
   for (const Table& table : list_tables()) keys.push_back(table.key);
-  app.add_option("--tables", settings.tables, "tables to measure (default: all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(keys));
+  bench::add_choice(app, "--tables", settings.tables, keys, "tables to measure (default: all)");
   app.add_option("--scale", settings.scale, "multiplies the paper's numbers of faces")->check(CLI::Range(0.01, 1.0));
   app.add_option("-o,--output", settings.output, "the JSON document")->required();
 }
@@ -44,10 +41,8 @@ nlohmann::json measure_tables(const Settings& settings) {
   const Evaluation evaluation{Models(settings.folders, settings.scale), settings.runs, report};
   nlohmann::json tables = nlohmann::json::object();
   for (const Table& table : list_tables()) {
-    const auto& chosen = settings.tables;
-    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), table.key) != chosen.end()) {
-      tables[table.key] = table.measure(evaluation);
-    }
+    const bool is_chosen = settings.tables.empty() || bench::contains(settings.tables, table.key);
+    if (is_chosen) tables[table.key] = table.measure(evaluation);
   }
   return {{"runs", settings.runs}, {"scale", settings.scale}, {"tables", std::move(tables)}};
 }
@@ -57,10 +52,7 @@ int run(int argc, char** argv) {
   CLI::App app("Measures the tables of the paper's section 5");
   read_arguments(app, settings);
   CLI11_PARSE(app, argc, argv);
-  const nlohmann::json document = measure_tables(settings);
-  std::ofstream file(settings.output);
-  file << document.dump(1) << "\n";
-  if (!file.flush()) throw Error(ErrorCode::unwritable_output, fmt::format("could not write {}", settings.output));
+  bench::write_file(settings.output, measure_tables(settings).dump(1) + "\n");
   return 0;
 }
 

@@ -6,6 +6,10 @@
 // the surface, so cells come through thin plates. The localized diagram divides such islands among the cells that touch
 // them, in rounds, until there is none: cells are connected then, but their bisectors are still those of straight
 // distances.
+//
+// Sources: Yan, Levy, Liu, Sun, Wang 2009 and Yan, Bao, Zhang, Wonka 2014; full titles are with the declarations.
+// Invariant: both cells of a bisector plane are clipped by one form up to its sign, and points on the sides of a face
+// stay there. So the pieces of all cells cover every face once, and those of neighbouring faces meet on their edge.
 #include "rvd.hpp"
 
 #include <algorithm>
@@ -28,8 +32,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-
-#include <utility>
 #endif
 
 namespace gvd::paper {
@@ -64,6 +66,8 @@ std::vector<std::vector<GeneratorId>> find_delaunay_neighbours(const std::vector
 }
 #endif
 
+namespace {
+
 /// Cells by straight distances in space, face by face: what RVD and LRVD clip with.
 class EuclideanCells {
  public:
@@ -72,11 +76,24 @@ class EuclideanCells {
 
   /// |p - b|^2 - |p - a|^2 at the corners of a face: > 0 where a is nearer. It is linear, and 0 in the bisector plane.
   /// Swapping a and b negates it exactly, so that both cells are clipped at the same line.
-  LinearForm bisector_form(FaceId f, GeneratorId a, GeneratorId b) const;
+  LinearForm bisector_form(FaceId f, GeneratorId a, GeneratorId b) const {
+    const Vec3 &p = positions_[a.index()], &q = positions_[b.index()];
+    const Vec3 normal = p - q, twice_middle = p + q;
+    LinearForm form{};
+    for (std::size_t i = 0; i < 3; ++i) form[i] = normal.dot(2 * mesh_.position(mesh_.vertices(f)[i]) - twice_middle);
+    return form;
+  }
 
   /// The part of a polygon of face f that is nearer to g than to the other generators; g itself is left out. Where two
   /// are equally near to the whole polygon, the lower one has it.
-  Polygon clip(FaceId f, Polygon polygon, GeneratorId g, std::span<const GeneratorId> others) const;
+  Polygon clip(FaceId f, Polygon polygon, GeneratorId g, std::span<const GeneratorId> others) const {
+    for (const GeneratorId other : others) {
+      if (other == g) continue;
+      polygon = clip_polygon(polygon, bisector_form(f, g, other), g < other);
+      if (polygon.empty()) break;
+    }
+    return polygon;
+  }
 
   double squared_distance(const Vec3& p, GeneratorId g) const { return (p - positions_[g.index()]).squaredNorm(); }
 
@@ -84,25 +101,6 @@ class EuclideanCells {
   const Mesh& mesh_;
   const std::vector<Vec3>& positions_;
 };
-
-LinearForm EuclideanCells::bisector_form(FaceId f, GeneratorId a, GeneratorId b) const {
-  const Vec3 &p = positions_[a.index()], &q = positions_[b.index()];
-  const Vec3 normal = p - q, twice_middle = p + q;
-  LinearForm form{};
-  for (std::size_t i = 0; i < 3; ++i) form[i] = normal.dot(2 * mesh_.position(mesh_.vertices(f)[i]) - twice_middle);
-  return form;
-}
-
-Polygon EuclideanCells::clip(FaceId f, Polygon polygon, GeneratorId g, std::span<const GeneratorId> others) const {
-  for (const GeneratorId other : others) {
-    if (other == g) continue;
-    polygon = clip_polygon(polygon, bisector_form(f, g, other), g < other);
-    if (polygon.empty()) break;
-  }
-  return polygon;
-}
-
-namespace {
 
 /// The pieces of a face may miss this fraction of its area by rounding.
 constexpr double kCovered = 1e-9;
@@ -134,6 +132,7 @@ class FaceClipper {
     }
   }
 
+  /// Begins with the cell that has a corner and goes on to all cells that intersect the face.
   void clip_face(FaceId f, GeneratorId nearest) {
     const std::size_t first = pieces_.size();
     enqueue(f, nearest);
@@ -168,6 +167,7 @@ class FaceClipper {
     if (std::exchange(queued_[g.index()], f) != f) queue_.push_back(g);
   }
 
+  /// Adds the part of the face in one cell, and queues the cells on the other sides of its planes.
   void clip_cell(FaceId f, GeneratorId g, const std::vector<GeneratorId>& others) {
     Polygon polygon = cells_.clip(f, whole_face(), g, others);
     if (polygon.empty()) return;
@@ -187,6 +187,7 @@ class FaceClipper {
     return std::abs(evaluate(form, p)) <= 100 * kZeroValue * scale;
   }
 
+  /// Whether the pieces from `first` on add up to the whole face.
   bool is_covered(std::size_t first) const {
     double share = 0;
     for (std::size_t i = first; i < pieces_.size(); ++i) share += area_share(pieces_[i].corners);
@@ -211,6 +212,15 @@ Pieces clip_to_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& position
   return FaceClipper(mesh, positions, neighbours).clip_all();
 }
 
+std::vector<Vec3> find_positions(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& g : generators) positions.push_back(position(mesh, g));
+  return positions;
+}
+
+namespace {
+
+/// The pieces of the restricted Voronoi diagram; adds the times to `result`.
 Pieces time_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions, Comparison& result) {
   const double start = bench::cpu_milliseconds();
   const auto neighbours = find_delaunay_neighbours(positions);
@@ -221,11 +231,7 @@ Pieces time_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions, 
   return pieces;
 }
 
-std::vector<Vec3> find_positions(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  std::vector<Vec3> positions;
-  for (const SurfacePoint& g : generators) positions.push_back(position(mesh, g));
-  return positions;
-}
+}  // namespace
 
 Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
   Comparison result;
@@ -236,6 +242,7 @@ Comparison compute_rvd(const Mesh& mesh, const std::vector<SurfacePoint>& genera
 
 namespace {
 
+/// The rounds of the localized diagram [28]: islands become pieces of the cells that touch them.
 class IslandSweeper {
  public:
   IslandSweeper(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const std::vector<Vec3>& positions)
@@ -264,6 +271,7 @@ class IslandSweeper {
  private:
   int part(std::size_t piece) const { return parts_.part_of[piece]; }
 
+  /// Only components with their generator count as cells: two islands can't feed on each other.
   void find_touching_cells(const Pieces& pieces, const std::vector<Contact>& contacts) {
     std::vector<std::set<GeneratorId>> touching(parts_.area.size());
     const auto add = [&](std::int32_t from, std::int32_t to) {
@@ -279,6 +287,7 @@ class IslandSweeper {
     for (const auto& cells : touching) touching_.emplace_back(cells.begin(), cells.end());
   }
 
+  /// Cuts a piece of an island by the bisector planes of the cells round it.
   void divide(const FacePiece& piece, const std::vector<GeneratorId>& cells, Pieces& swept) const {
     for (const GeneratorId g : cells) {
       Polygon polygon = cells_.clip(piece.face, piece.corners, g, cells);

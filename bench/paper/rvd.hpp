@@ -21,9 +21,6 @@ std::vector<std::vector<GeneratorId>> find_delaunay_neighbours(const std::vector
 Pieces clip_to_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions,
                              const std::vector<std::vector<GeneratorId>>& neighbours);
 
-/// The pieces of the restricted Voronoi diagram; adds the times to `result`.
-Pieces time_voronoi_cells(const Mesh& mesh, const std::vector<Vec3>& positions, Comparison& result);
-
 /// Where the generators are, mesh units.
 std::vector<Vec3> find_positions(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 

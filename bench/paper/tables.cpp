@@ -1,20 +1,120 @@
-// The contents of each table of section 5: models, numbers of generators, methods, and the figures of a row.
+// The tables of section 5: what a row measures, and the models, numbers of generators and methods of each table.
 //
+// All methods of a run have the same generators. Times are medians of processor time, because another process can only
+// make a run longer; errors are means, because they depend on the generators. The peak of the heap is counted in a run
+// of its own, because counting takes time. E and the turning angles take most of the time of a measurement.
 // Every row names its mesh, which stands for a model of the paper. Tables are independent of each other. The JSON
-// document has our numbers alone; scripts/make_paper.py puts the paper's beside them.
+// document has our numbers alone; scripts/make_paper.py puts the paper's beside them, and reads the keys below.
 #include "tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
+#include "baseline.hpp"
+#include "clocks.hpp"
 #include "comparators.hpp"
 #include "gvd/quality.hpp"
-#include "measure.hpp"
+#include "heap_meter.hpp"
+#include "judge.hpp"
 #include "models.hpp"
 
 namespace gvd::paper {
+namespace {
+
+/// The figures of each run: one value a run in each list.
+struct Samples {
+  std::vector<double> field_ms, diagram_ms, error, turn, islands, open_ends;
+};
+
+void add_sample(const Comparison& result, const Judge* judge, Samples& samples) {
+  samples.field_ms.push_back(result.field_ms);
+  samples.diagram_ms.push_back(result.diagram_ms);
+  samples.islands.push_back(double(result.faults.islands));
+  samples.open_ends.push_back(double(result.faults.open_ends));
+  if (judge == nullptr) return;
+  const Judgement found = judge->judge(result.diagram);
+  samples.error.push_back(found.error.error_integral);
+  samples.turn.push_back(found.error.length > 0 ? found.turning_angle / found.error.length : 0);
+}
+
+double count_kilobytes(const Experiment& experiment, const Comparator& method) {
+  const auto generators = bench::draw_vertex_points(experiment.mesh, experiment.generators, 0);
+  const bench::HeapMeter meter;
+  const Comparison result = method.run(experiment.mesh, generators);
+  return double(meter.peak()) / 1024;
+}
+
+/// Medians of the times and means of all other figures.
+Measurement condense(const std::string& method, const Samples& samples) {
+  Measurement result;
+  result.method = method;
+  result.field_ms = bench::median(samples.field_ms);
+  result.diagram_ms = bench::median(samples.diagram_ms);
+  result.error = summarize(samples.error);
+  result.errors = samples.error;
+  result.turn_per_length = summarize(samples.turn).mean;
+  result.islands = summarize(samples.islands).mean;
+  result.open_ends = summarize(samples.open_ends).mean;
+  return result;
+}
+
+}  // namespace
+
+Statistic summarize(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  Statistic result;
+  const auto count = double(values.size());
+  for (const double value : values) result.mean += value / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - result.mean) * (value - result.mean);
+  if (values.size() > 1) result.deviation = std::sqrt(squares / (count - 1));
+  result.least = *std::min_element(values.begin(), values.end());
+  result.most = *std::max_element(values.begin(), values.end());
+  return result;
+}
+
+std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods) {
+  std::vector<Samples> samples(methods.size());
+  for (int run = 0; run < experiment.runs; ++run) {
+    const auto generators = bench::draw_vertex_points(experiment.mesh, experiment.generators, std::uint64_t(run));
+    std::optional<Judge> judge;
+    if (experiment.errors) judge.emplace(experiment.mesh, generators);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      add_sample(methods[i].run(experiment.mesh, generators), judge ? &*judge : nullptr, samples[i]);
+    }
+  }
+  std::vector<Measurement> all;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    all.push_back(condense(methods[i].name, samples[i]));
+    if (experiment.memory) all.back().memory_kb = count_kilobytes(experiment, methods[i]);
+  }
+  return all;
+}
+
+std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods) {
+  std::vector<OtherMeasurement> all;
+  for (const Comparator& method : methods) all.push_back({method.name, 0, {}});
+  for (int run = 0; run < experiment.runs; ++run) {
+    const auto generators = bench::draw_vertex_points(experiment.mesh, experiment.generators, std::uint64_t(run));
+    const Judge judge(experiment.mesh, generators);
+    const OtherJudge other(experiment.mesh, generators);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const Diagram diagram = methods[i].run(experiment.mesh, generators).diagram;
+      const OtherErrors found = other.judge(diagram);
+      all[i].error += judge.judge(diagram).error.error_integral / experiment.runs;
+      all[i].others.by_marching += found.by_marching / experiment.runs;
+      all[i].others.of_face += found.of_face / experiment.runs;
+      all[i].others.distance += found.distance / experiment.runs;
+    }
+  }
+  return all;
+}
+
 namespace {
 
 using nlohmann::json;
@@ -40,21 +140,10 @@ Wanted want_bunny() { return {"Bunny", 10000, {"bunny", "bunny_28k", "bunny00"}}
 Wanted want_bear() { return {"Bear", 20444, {"bear", "bear.m20"}}; }
 Wanted want_lucy() { return {"Lucy", 19984, {"lucy"}}; }
 
-std::vector<Comparator> pick_methods(const std::vector<std::string>& names) {
-  std::vector<Comparator> picked;
-  const std::vector<Comparator> all = list_comparators();
-  for (const std::string& name : names) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Comparator& one) { return one.name == name; });
-    if (found == all.end()) throw std::logic_error("no method is named " + name);
-    picked.push_back(*found);
-  }
-  return picked;
-}
-
 std::vector<Comparator> ours_and(const std::vector<std::string>& others) {
   std::vector<std::string> names{"paper's steps", "gbgvd planar", "gbgvd circle", "exact"};
   names.insert(names.end(), others.begin(), others.end());
-  return pick_methods(names);
+  return pick_comparators(names);
 }
 
 json to_json(const Measurement& m) {
@@ -79,6 +168,7 @@ void report(const Evaluation& evaluation, const Plan& plan, const Row& row) {
                                 row.found.mesh.face_count(), limit_generators(row)));
 }
 
+/// One row, with the keys that make_paper.py reads. Area and quality are those of the mesh that was measured.
 json measure_row(const Evaluation& evaluation, const Plan& plan, const Row& row) {
   const Mesh& mesh = row.found.mesh;
   const int m = limit_generators(row);
@@ -99,17 +189,34 @@ json measure_row(const Evaluation& evaluation, const Plan& plan, const Row& row)
           {"methods", std::move(methods)}};
 }
 
-json measure_resolutions(const Evaluation& evaluation) {
-  const Plan plan{"1", ours_and({"windows [27]"}), false, true};
+/// A model of a table, and its number of generators.
+struct Setup {
+  Wanted wanted;
+  int generators;
+};
+
+json measure_rows(const Evaluation& evaluation, const Plan& plan, const std::vector<Setup>& setups) {
   json rows = json::array();
-  for (const int thousands : {10, 30, 60, 90, 120, 150}) {
-    Wanted wanted = want_kitten();
-    wanted.faces = 1000 * thousands;
-    rows.push_back(measure_row(evaluation, plan, {wanted.model, evaluation.models.find(wanted), 50}));
+  for (const auto& [wanted, m] : setups) {
+    rows.push_back(measure_row(evaluation, plan, {wanted.model, evaluation.models.find(wanted), m}));
   }
   return rows;
 }
 
+/// The models of table 5, with as many generators as in table 4.
+std::vector<Setup> setups_of_table_5() { return {{want_spot(), 30}, {want_bunny(), 47}, {want_bear(), 21}}; }
+
+/// Table 1: times and memory by the number of faces.
+json measure_resolutions(const Evaluation& evaluation) {
+  std::vector<Setup> setups;
+  for (const int thousands : {10, 30, 60, 90, 120, 150}) {
+    setups.push_back({want_kitten(), 50});
+    setups.back().wanted.faces = 1000 * thousands;
+  }
+  return measure_rows(evaluation, {"1", ours_and({"windows [27]"}), false, true}, setups);
+}
+
+/// Table 2: times and memory by the number of generators.
 json measure_generator_counts(const Evaluation& evaluation) {
   const Plan plan{"2", ours_and({"windows [27]"}), false, true};
   Wanted wanted = want_spot();
@@ -139,6 +246,7 @@ FoundMesh make_low_quality(const FoundMesh& medium) {
   return {fmt::format("{}, decimated, jittered", finer.name), jitter(decimate(finer.mesh, faces), kPercentBelow30, 0)};
 }
 
+/// Table 3: accuracy by the quality of the triangles.
 json measure_qualities(const Evaluation& evaluation) {
   // The paper does not tell its number of generators in table 3.
   constexpr int kGenerators = 30;
@@ -155,20 +263,17 @@ json measure_qualities(const Evaluation& evaluation) {
   return rows;
 }
 
+/// Table 4: the comparison with exact windows.
 json measure_windows(const Evaluation& evaluation) {
   const Plan plan{"4", ours_and({"windows [27]", "unpruned [27]"}), true, false};
-  const std::vector<std::pair<Wanted, int>> wanted{{want_spot(), 30},
-                                                   {want_bunny(), 47},
-                                                   {{"Ant", 14482, {"ant", "rocker_arm"}}, 24},
-                                                   {want_lucy(), 43},
-                                                   {want_bear(), 21},
-                                                   {{"Handok", 20582, {"handok", "fandisk"}}, 35},
-                                                   {{"4-kids", 25014, {"4-kids", "elephant.m20"}}, 83}};
-  json rows = json::array();
-  for (const auto& [model, m] : wanted) {
-    rows.push_back(measure_row(evaluation, plan, {model.model, evaluation.models.find(model), m}));
-  }
-  return rows;
+  return measure_rows(evaluation, plan,
+                      {{want_spot(), 30},
+                       {want_bunny(), 47},
+                       {{"Ant", 14482, {"ant", "rocker_arm"}}, 24},
+                       {want_lucy(), 43},
+                       {want_bear(), 21},
+                       {{"Handok", 20582, {"handok", "fandisk"}}, 35},
+                       {{"4-kids", 25014, {"4-kids", "elephant.m20"}}, 83}});
 }
 
 /// E on Spot depends on the generators, which the paper does not name: at ten random sets of vertices, or more.
@@ -177,7 +282,7 @@ json measure_sets(const Evaluation& evaluation) {
   const Plan plan{"sets", ours_and({}), true, false};
   Evaluation sets = evaluation;
   sets.runs = std::max(kLeastSets, evaluation.runs);
-  return json::array({measure_row(sets, plan, {want_spot().model, sets.models.find(want_spot()), 30})});
+  return measure_rows(sets, plan, {{want_spot(), 30}});
 }
 
 /// What else than E the paper's numbers could be that are not met: E by other distances, by more generators, and of the
@@ -185,7 +290,7 @@ json measure_sets(const Evaluation& evaluation) {
 json measure_other_errors(const Evaluation& evaluation) {
   const Plan plan{"why", ours_and({"windows [27]", "LRVD [28]"}), true, false};
   json rows = json::array();
-  for (const auto& [model, m] : {std::pair{want_spot(), 30}, std::pair{want_bunny(), 47}, std::pair{want_bear(), 21}}) {
+  for (const auto& [model, m] : setups_of_table_5()) {
     const Row row{model.model, evaluation.models.find(model), m};
     report(evaluation, plan, row);
     const Experiment experiment{row.found.mesh, limit_generators(row), evaluation.runs};
@@ -206,25 +311,20 @@ json measure_other_errors(const Evaluation& evaluation) {
   return rows;
 }
 
+/// Table 5: the comparison with straight distances; figure 11 shows the thin plate.
 json measure_straight_distances(const Evaluation& evaluation) {
   const Plan plan{"5", ours_and({"RVD [29]", "LRVD [28]"}), true, false};
-  json rows = json::array();
-  rows.push_back(measure_row(evaluation, plan, {"sphere", {"icosphere", make_icosphere(3)}, 14}));
-  for (const auto& [model, m] : {std::pair{want_spot(), 30}, std::pair{want_bunny(), 47}, std::pair{want_bear(), 21}}) {
-    rows.push_back(measure_row(evaluation, plan, {model.model, evaluation.models.find(model), m}));
-  }
+  json rows = json::array({measure_row(evaluation, plan, {"sphere", {"icosphere", make_icosphere(3)}, 14})});
+  for (json& row : measure_rows(evaluation, plan, setups_of_table_5())) rows.push_back(std::move(row));
   const FoundMesh plate = Models({GVD_SOURCE_DIR "/data"}, 1).find({"thin plate", 0, {"plate"}});
   rows.push_back(measure_row(evaluation, plan, {"thin plate", plate, 12}));
   return rows;
 }
 
+/// Figure 10: how much bisectors zig-zag, beside those of the diffusion diagram.
 json measure_zigzag(const Evaluation& evaluation) {
   const Plan plan{"fig10", ours_and({"diffusion [8]"}), true, false};
-  json rows = json::array();
-  for (const auto& [model, m] : {std::pair{want_spot(), 30}, std::pair{want_bunny(), 47}}) {
-    rows.push_back(measure_row(evaluation, plan, {model.model, evaluation.models.find(model), m}));
-  }
-  return rows;
+  return measure_rows(evaluation, plan, {{want_spot(), 30}, {want_bunny(), 47}});
 }
 
 }  // namespace

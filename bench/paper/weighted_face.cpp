@@ -3,6 +3,10 @@
 // The boundary of the face is a ring of runs, one for each maximal interval with one label. A run that three sources
 // allow to end in an equally far point is closed there and leaves the ring; the ring shrinks until two runs are left.
 // Where no rule applies the ends meet in the mean of the crossings, and the face counts as forced.
+//
+// The paper describes the usual cases: no crossing, two, or three with a branch point. Everything else is a face near
+// which several cells are thin, and is ours. Where paths enter decides which runs of a generator belong together: a
+// shortest path stays in its cell, so that the cell connects its two ends. Polygons need not be convex.
 #include "weighted_face.hpp"
 
 #include <algorithm>
@@ -71,6 +75,8 @@ bool WeightedFace::enters_through(const BoundaryRun& run, const Vec2& p) const {
   return contains(at) || contains(at + 3) || contains(at - 3);
 }
 
+/// Whether p is equally far from three runs' generators, no other one is nearer, and all paths enter through these
+/// runs.
 bool WeightedFace::is_branch_point(const Three& runs, const Vec2& p) const {
   std::array<double, 3> d{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -103,6 +109,7 @@ const std::vector<Vec2>& WeightedFace::find_equidistant_points(const Three& runs
   return entry->second = search_.find(layout_, groups[0], groups[1], groups[2]);
 }
 
+/// The branch points of three runs in the face, moved onto its boundary where they lie outside by rounding.
 std::vector<Bary> WeightedFace::find_branch_points(const Three& runs) const {
   std::vector<Bary> found;
   for (const Vec2& p : find_equidistant_points(runs)) {
@@ -134,11 +141,8 @@ bool WeightedFace::contract_triple(std::vector<BoundaryRun>& runs, Cut& cut) con
 /// Whether the middle of a run is reached through another run of the same generator: the cell connects them.
 bool WeightedFace::is_linked(const BoundaryRun& run, const BoundaryRun& other) const {
   const double middle = std::fmod(0.5 * (run.begin + run.end), 3);
-  const auto corner = std::min(static_cast<std::size_t>(middle), std::size_t{2});
-  Bary bary{0, 0, 0};
-  bary[(corner + 1) % 3] = middle - double(corner);
-  bary[corner] = 1 - bary[(corner + 1) % 3];
-  return enters_through(other, layout_.at(bary));
+  const int corner = std::min(static_cast<int>(middle), 2);
+  return enters_through(other, layout_.at(bary_on_side(corner, middle - corner)));
 }
 
 /// Closes a run between two of one generator, and joins these; whether there was one. `linked`: only if the two are.
@@ -194,11 +198,7 @@ std::vector<BoundaryRun> make_runs(const std::vector<BoundaryCrossing>& crossing
     BoundaryRun run{from.next, {from.bary()}, from.corner + from.t, to.corner + to.t};
     if (i + 1 == n) run.end += 3;
     const int corners = i + 1 < n ? to.corner - from.corner : to.corner + 3 - from.corner;
-    for (int k = 1; k <= corners; ++k) {
-      Bary corner{0, 0, 0};
-      corner[(from.corner + k) % 3] = 1;
-      run.points.push_back(corner);
-    }
+    for (int k = 1; k <= corners; ++k) run.points.push_back(bary_on_side((from.corner + k) % 3, 0));
     run.points.push_back(to.bary());
     runs.push_back(std::move(run));
   }

@@ -4,7 +4,11 @@
 // plane, they are points with additive weights. Along each edge their lower envelope says where the nearest generator
 // changes; a crossing is stored once for both faces. WeightedFace joins the crossings of a triangle. In the unpruned
 // mode each generator's windows cover the whole mesh: the diagram is the same, the time is that of m single-source
-// runs.
+// runs, as the original algorithm has it.
+//
+// Source: C. Xu, Y.-J. Liu, Q. Sun, J. Li, Y. He, Polyline-sourced geodesic Voronoi diagrams on triangle meshes, 2014.
+// Distances are exact; what is not are the segments, because a bisector of weighted points is a hyperbola. So E of this
+// method is what straight segments alone cost. Section 5.3 and table 4 of the paper compare with it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,37 +32,6 @@
 
 namespace gvd::paper {
 
-/// Exact distances from one window propagation for each generator, over the whole mesh: no generator's windows are
-/// pruned by the distances of another one.
-class SeparateWindows final : public DistanceField {
- public:
-  /// Runs the propagations, on one thread. The mesh must outlive this.
-  /// Throws Error{precondition} if the windows of all generators would need more than kMostMemory.
-  SeparateWindows(const Mesh& mesh, const std::vector<VertexId>& generators);
-
-  /// Bytes that the windows may need.
-  static constexpr double kMostMemory = 8e9;
-
-  /// Of every vertex: the distance to its nearest generator, and that generator, the lower one where two are equal.
-  const IdVector<VertexId, double>& distance() const { return distance_; }
-  const IdVector<VertexId, GeneratorId>& label() const { return label_; }
-
-  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
-  void collect(EdgeId e, std::vector<EdgeSource>& sources) const override;
-  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override;
-
- private:
-  void take_nearest();
-  bool can_win(const WindowField& field, VertexId v, double longest) const;
-  bool can_win(const WindowField& field, EdgeId e) const;
-  bool can_win(const WindowField& field, FaceId f) const;
-
-  const Mesh& mesh_;
-  std::vector<WindowField> fields_;  // [generator]
-  IdVector<VertexId, double> distance_;
-  IdVector<VertexId, GeneratorId> label_;
-};
-
 namespace {
 
 /// Vertices are nearer to another generator only if its distance is less by this fraction; rounding decides nothing.
@@ -67,88 +40,102 @@ constexpr double kEqual = 2e-14;
 /// Lengths are enlarged by this fraction: on symmetric meshes a generator wins in a single point of an edge.
 constexpr double kSlack = 1e-9;
 
+/// Bytes that the windows may need.
+constexpr double kMostMemory = 8e9;
+
+/// Throws before the windows fill the memory: as many more will come for each generator that is left.
 void check_memory(std::size_t generators, std::size_t windows) {
   const double bytes = double(generators) * double(windows * (sizeof(Window) + 4));
-  if (bytes <= SeparateWindows::kMostMemory) return;
+  if (bytes <= kMostMemory) return;
   throw Error(ErrorCode::precondition,
               fmt::format("the windows of {} generators, one by one, need {:.1f} GB; take fewer generators", generators,
                           1e-9 * bytes));
 }
 
-}  // namespace
-
-SeparateWindows::SeparateWindows(const Mesh& mesh, const std::vector<VertexId>& generators) : mesh_(mesh) {
+PropagationOptions all_windows() {
   PropagationOptions options;
   options.keep = KeepWindows::all;
   options.threads = 1;
-  for (const VertexId v : generators) {
-    fields_.push_back(propagate_windows(mesh, {v}, options, {}));
-    check_memory(generators.size(), fields_.back().windows.size());
-  }
-  take_nearest();
+  return options;
 }
 
-void SeparateWindows::take_nearest() {
-  const std::size_t n = mesh_.vertex_count();
-  distance_.assign(n, kInfinity);
-  label_.assign(n, GeneratorId());
-  for (std::size_t g = 0; g < fields_.size(); ++g) {
-    for (const VertexId v : mesh_.vertices()) {
-      if (!(fields_[g].distance[v] < distance_[v] * (1 - kEqual))) continue;
-      distance_[v] = fields_[g].distance[v];
-      label_[v] = GeneratorId(g);
+/// Exact distances from one window propagation for each generator, over the whole mesh: no generator's windows are
+/// pruned by the distances of another one.
+class SeparateWindows final : public DistanceField {
+ public:
+  /// Runs the propagations, on one thread. The mesh must outlive this.
+  /// Throws Error{precondition} if the windows of all generators would need more than kMostMemory.
+  SeparateWindows(const Mesh& mesh, const std::vector<VertexId>& generators)
+      : mesh_(mesh), distance_(mesh.vertex_count(), kInfinity), label_(mesh.vertex_count()) {
+    for (const VertexId v : generators) {
+      fields_.push_back(propagate_windows(mesh, {v}, all_windows(), {}));
+      check_memory(generators.size(), fields_.back().windows.size());
+    }
+    for (std::size_t g = 0; g < fields_.size(); ++g) {
+      for (const VertexId v : mesh_.vertices()) {
+        if (!(fields_[g].distance[v] < distance_[v] * (1 - kEqual))) continue;
+        distance_[v] = fields_[g].distance[v];
+        label_[v] = GeneratorId(g);
+      }
     }
   }
-}
 
-/// Whether the generator can be the nearest one in a point within `longest` of v: two distances change by that much
-/// each.
-bool SeparateWindows::can_win(const WindowField& field, VertexId v, double longest) const {
-  return field.distance[v] <= distance_[v] * (1 + kSlack) + 2 * longest * (1 + kSlack);
-}
+  /// Of every vertex: the distance to its nearest generator, and that generator, the lower one where two are equal.
+  const IdVector<VertexId, double>& distance() const { return distance_; }
+  const IdVector<VertexId, GeneratorId>& label() const { return label_; }
 
-bool SeparateWindows::can_win(const WindowField& field, EdgeId e) const {
-  const HalfedgeId h = mesh_.halfedge(e);
-  const double length = mesh_.length(h);
-  return can_win(field, mesh_.from(h), length) && can_win(field, mesh_.to(h), length);
-}
-
-bool SeparateWindows::can_win(const WindowField& field, FaceId f) const {
-  const auto& length = mesh_.shape(f).length;
-  const double longest = *std::max_element(length.begin(), length.end());
-  const auto& corners = mesh_.vertices(f);
-  return std::all_of(corners.begin(), corners.end(), [&](VertexId v) { return can_win(field, v, longest); });
-}
-
-std::vector<EdgeId> SeparateWindows::contested_edges(const ParallelChunks& parallel) const {
-  return find_edges(mesh_, parallel, [&](EdgeId e) {
-    return std::count_if(fields_.begin(), fields_.end(), [&](const WindowField& f) { return can_win(f, e); }) > 1;
-  });
-}
-
-void SeparateWindows::collect(EdgeId e, std::vector<EdgeSource>& sources) const {
-  sources.clear();
-  std::vector<EdgeSource> own;
-  for (std::size_t g = 0; g < fields_.size(); ++g) {
-    if (!can_win(fields_[g], e)) continue;
-    collect_edge_sources(mesh_, fields_[g], mesh_.halfedge(e), own);
-    for (EdgeSource& source : own) source.generator = GeneratorId(g);
-    sources.insert(sources.end(), own.begin(), own.end());
+  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override {
+    return find_edges(mesh_, parallel, [&](EdgeId e) {
+      return std::count_if(fields_.begin(), fields_.end(), [&](const WindowField& f) { return can_win(f, e); }) > 1;
+    });
   }
-}
 
-void SeparateWindows::collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const {
-  sources.clear();
-  std::vector<FaceSource> own;
-  for (std::size_t g = 0; g < fields_.size(); ++g) {
-    if (!can_win(fields_[g], f)) continue;
-    collect_face_sources(mesh_, fields_[g], f, layout, own);
-    for (FaceSource& source : own) source.generator = GeneratorId(g);
-    sources.insert(sources.end(), own.begin(), own.end());
+  void collect(EdgeId e, std::vector<EdgeSource>& sources) const override {
+    collect_winners(e, sources, [&](const WindowField& field, std::vector<EdgeSource>& own) {
+      collect_edge_sources(mesh_, field, mesh_.halfedge(e), own);
+    });
   }
-}
 
-namespace {
+  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override {
+    collect_winners(f, sources, [&](const WindowField& field, std::vector<FaceSource>& own) {
+      collect_face_sources(mesh_, field, f, layout, own);
+    });
+  }
+
+ private:
+  /// The sources in an edge or a face of all generators that can win there.
+  template <class Element, class Source, class CollectOwn>
+  void collect_winners(Element element, std::vector<Source>& sources, const CollectOwn& collect_own) const {
+    sources.clear();
+    std::vector<Source> own;
+    for (std::size_t g = 0; g < fields_.size(); ++g) {
+      if (!can_win(fields_[g], element)) continue;
+      collect_own(fields_[g], own);
+      for (Source& source : own) source.generator = GeneratorId(g);
+      sources.insert(sources.end(), own.begin(), own.end());
+    }
+  }
+
+  /// Whether the generator can be the nearest one in a point within `longest` of v: two distances change by that much
+  /// each.
+  bool can_win(const WindowField& field, VertexId v, double longest) const {
+    return field.distance[v] <= distance_[v] * (1 + kSlack) + 2 * longest * (1 + kSlack);
+  }
+  bool can_win(const WindowField& field, EdgeId e) const {
+    const HalfedgeId h = mesh_.halfedge(e);
+    const double length = mesh_.length(h);
+    return can_win(field, mesh_.from(h), length) && can_win(field, mesh_.to(h), length);
+  }
+  bool can_win(const WindowField& field, FaceId f) const {
+    const double longest = std::ranges::max(mesh_.shape(f).length);
+    return std::ranges::all_of(mesh_.vertices(f), [&](VertexId v) { return can_win(field, v, longest); });
+  }
+
+  const Mesh& mesh_;
+  std::vector<WindowField> fields_;  // [generator]
+  IdVector<VertexId, double> distance_;
+  IdVector<VertexId, GeneratorId> label_;
+};
 
 /// Cuts all faces of a working mesh.
 class FaceCutter {
@@ -202,6 +189,7 @@ struct Propagated {
   IdVector<VertexId, GeneratorId> label;
 };
 
+/// Fills in the distances of all generators at once, or of each by itself.
 void propagate(const WorkingMesh& working, bool unpruned, Propagated& result) {
   const Mesh& mesh = working.mesh();
   if (unpruned) {
@@ -211,10 +199,7 @@ void propagate(const WorkingMesh& working, bool unpruned, Propagated& result) {
     result.distances = std::move(separate);
     return;
   }
-  PropagationOptions options;
-  options.keep = KeepWindows::all;
-  options.threads = 1;
-  result.field = propagate_windows(mesh, working.generator_vertices().raw(), options, {});
+  result.field = propagate_windows(mesh, working.generator_vertices().raw(), all_windows(), {});
   result.distance = result.field.distance;
   result.label = result.field.label;
   result.distances = std::make_unique<WindowDistances>(mesh, result.field);

@@ -1,18 +1,25 @@
 // gvd-bench-remesh: topology, distances, triangles and costs of gvd-remesh, beside the figures of other programs.
 //
-// Times are processor times of one thread. The plain Dijkstra of the same meshes and numbers of generators is the
-// yardstick for other machines.
+// The command runs as a user runs it, on one thread with default options. A row is one mesh with n vertices asked for:
+//   topol          right where Euler characteristic, components and boundary loops are the input's
+//   vert/n         above 1 where the repair added generators for a valid mesh; other programs add vertices, too
+//   Hausd, RMS     the larger of the distances from input to output and back, in % of the bounding box's diagonal
+//   Q, angle       mean of 6 / sqrt(3) times inradius over longest edge; median of the triangles' smallest angles
+//   rounds         diagrams of the repair: each one costs as much as an iteration of the relaxation
+//   CPU, made      processor seconds of the whole command, and of what makes the mesh: without reading and measuring
+//   diagr%         the share of diagrams in `made`
+//   Dijkstra       the plain Dijkstra of the same mesh with n generators: the yardstick for other machines
+// A mesh whose run failed counts among the models, but not in the means.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <iterator>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "baseline.hpp"
-#include "clocks.hpp"
 #include "command_line.hpp"
 #include "remesh_run.hpp"
 
@@ -35,14 +42,6 @@ struct Totals {
   double dijkstra = 0;       ///< seconds
 };
 
-double dijkstra_seconds(const Mesh& mesh, int count) {
-  const EdgeGraph graph = build_edge_graph(mesh);
-  const std::vector<VertexId> vertices = draw_vertices(mesh, std::min(count, mesh.vertex_count()), 0);
-  const double start = cpu_milliseconds();
-  compute_edge_distances(graph, vertices);
-  return (cpu_milliseconds() - start) / 1e3;
-}
-
 void print_head() {
   std::cout << fmt::format("  {:22} {:>5} {:>6} {:>6} {:>6} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>8}\n", "model",
                            "topol", "vert/n", "Hausd", "RMS", "Q", "angle", "rounds", "CPU", "made", "diagr%",
@@ -57,21 +56,19 @@ void print_figures(const std::string& name, const RemeshFigures& f, double dijks
             << std::flush;
 }
 
+/// The figures whose means and sums are printed.
+constexpr double RemeshFigures::*kSummed[]{
+    &RemeshFigures::inflation, &RemeshFigures::hausdorff, &RemeshFigures::rms,     &RemeshFigures::q,
+    &RemeshFigures::angle,     &RemeshFigures::rounds,    &RemeshFigures::seconds, &RemeshFigures::made_seconds};
+
 void add(const RemeshFigures& f, Totals& totals) {
   ++totals.made;
   totals.right += f.right_topology;
   totals.worst_inflation = std::max(totals.worst_inflation, f.inflation);
-  RemeshFigures& sum = totals.sum;
-  sum.inflation += f.inflation;
-  sum.hausdorff += f.hausdorff;
-  sum.rms += f.rms;
-  sum.q += f.q;
-  sum.angle += f.angle;
-  sum.rounds += f.rounds;
-  sum.seconds += f.seconds;
-  sum.made_seconds += f.made_seconds;
+  for (const auto figure : kSummed) totals.sum.*figure += f.*figure;
 }
 
+/// The same mesh with its creases followed: how much of their length is kept. A line of its own, outside of the means.
 void measure_creases(const NamedMesh& input, RemeshRequest request, double angle, Totals& totals) {
   request.features = angle;
   const auto figures = run_remesh(input.mesh, request);
@@ -79,14 +76,14 @@ void measure_creases(const NamedMesh& input, RemeshRequest request, double angle
     std::cout << fmt::format("  {} with --features {}: failed\n", input.name, angle);
     return;
   }
-  print_figures(fmt::format("{} --features", input.name), *figures, dijkstra_seconds(input.mesh, request.vertices));
+  print_figures(fmt::format("{} --features", input.name), *figures, dijkstra_seconds(input.mesh, request.vertices, 1));
   std::cout << fmt::format("  {:22} {:.1f} % of the creases kept\n", "", figures->kept);
   totals.kept.push_back(figures->kept);
 }
 
 void measure_model(const std::string& path, int count, const Settings& settings, Totals& totals) {
   const NamedMesh input = read_named_mesh(path);
-  const double dijkstra = dijkstra_seconds(input.mesh, count);
+  const double dijkstra = dijkstra_seconds(input.mesh, count, 1);
   ++totals.models;
   totals.dijkstra += dijkstra;
   const RemeshRequest request{path, count, std::nullopt};
@@ -96,24 +93,20 @@ void measure_model(const std::string& path, int count, const Settings& settings,
   } else {
     std::cout << fmt::format("  {}: failed\n", input.name) << std::flush;
   }
-  const auto& models = settings.crease_models;
-  if (std::find(models.begin(), models.end(), input.name) != models.end()) {
-    measure_creases(input, request, settings.features, totals);
-  }
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return values.empty() ? 0 : sum / double(values.size());
+  if (contains(settings.crease_models, input.name)) measure_creases(input, request, settings.features, totals);
 }
 
 /// In the order of peer_figures.
 std::vector<double> compared_figures(const Totals& totals) {
   const double made = std::max(1, totals.made);
-  return {double(totals.right),  totals.worst_inflation, totals.sum.hausdorff / made,
-          totals.sum.rms / made, totals.sum.q / made,    totals.sum.seconds,
-          mean(totals.kept)};
+  const double kept = std::accumulate(totals.kept.begin(), totals.kept.end(), 0.0);
+  return {double(totals.right),
+          totals.worst_inflation,
+          totals.sum.hausdorff / made,
+          totals.sum.rms / made,
+          totals.sum.q / made,
+          totals.sum.seconds,
+          kept / std::max(1.0, double(totals.kept.size()))};
 }
 
 void print_means(const Totals& totals) {
@@ -147,13 +140,11 @@ void print_peers(int count, const Totals& totals) {
 
 void add_options(CLI::App& app, Settings& settings) {
   add_mesh_arguments(app, settings.meshes);
-  app.add_option("-n,--vertices", settings.vertex_counts, "numbers of vertices")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+  add_positive(app, "-n,--vertices", settings.vertex_counts, "numbers of vertices");
   app.add_option("--crease-models", settings.crease_models,
                  "names of the meshes that are remeshed with --features, too (default: fandisk)")
       ->delimiter(',');
-  app.add_option("--features", settings.features, "angle for these, degrees (default: 40)")->check(CLI::PositiveNumber);
+  add_positive(app, "--features", settings.features, "angle for these, degrees (default: 40)");
 }
 
 int run(int argc, char** argv) {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "pieces.hpp"
 
 namespace gvd::test {
@@ -14,6 +15,13 @@ paper::Pieces whole_faces(const Mesh& mesh, LabelOf label_of) {
     pieces.push_back({FaceId(f), GeneratorId(label_of(FaceId(f))), paper::whole_face()});
   }
   return pieces;
+}
+
+/// Sum of the areas of the pieces, square mesh units: that of the mesh, if they cover it.
+inline double sum_areas(const Mesh& mesh, const paper::Pieces& pieces) {
+  double sum = 0;
+  for (const FacePiece& piece : pieces) sum += mesh.area(piece.face) * area_share(piece.corners);
+  return sum;
 }
 
 }  // namespace gvd::test

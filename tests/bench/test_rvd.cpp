@@ -1,5 +1,6 @@
 #include "bench/comparisons.hpp"
 #include "bench/flat_grid.hpp"
+#include "bench/pieces_of_faces.hpp"
 #include "comparators.hpp"
 #include "judge.hpp"
 #include "pieces.hpp"
@@ -27,7 +28,7 @@ TEST_CASE("the pieces of RVD cover every mesh") {
     const auto generators = test::random_generators(mesh, 20, 5);
     const auto positions = find_positions(mesh, generators);
     const Pieces pieces = clip_to_voronoi_cells(mesh, positions, find_delaunay_neighbours(positions));
-    CHECK(sum_areas(mesh, pieces) == Approx(test::mesh_area(mesh)).epsilon(1e-9));
+    CHECK(test::sum_areas(mesh, pieces) == Approx(test::mesh_area(mesh)).epsilon(1e-9));
     CHECK(compute_rvd(mesh, generators).faults.open_ends == 0);
   }
 }

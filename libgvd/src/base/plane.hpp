@@ -69,6 +69,14 @@ struct PlaneSegment {
   Vec2 from, to;
 };
 
+/// The position of the point of a segment that is nearest to p: 0 at its beginning `from`, 1 at its end from + along.
+/// 0 for a segment without length. In the plane or in space.
+template <class Point>
+double nearest_on_segment(const Point& from, const Point& along, const Point& p) {
+  const double square = along.squaredNorm();
+  return square > 0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0;
+}
+
 /// The parameters of the point p + s d = q + t e.
 struct LineIntersection {
   double s, t;

@@ -1,12 +1,17 @@
 // Check of a finished diagram, from its public data alone.
 //
 // Ids come first, because every other check looks them up. Then each property of gvd/check.hpp is tested by itself:
-// generators and areas, the points and ends of bisectors, branch points, and the topology of the cells. Nothing that
-// the tracer computed on its way is read, so an error of the tracer can't hide itself.
-// Invariant: no check throws or stops at its first finding. Each finding names the number of its property.
+// the partition of the surface into cells, generators, the points and ends of bisectors, branch points, and the
+// topology of the cells. Nothing that the tracer computed on its way is read, so an error of the tracer can't hide.
+// Cells partition the surface where the label or the pieces of every reached face cover it once, and each vertex has
+// the label of all faces and pieces at it: then cells fit each other across edges.
+// Euler's formula counts what no local check sees: a cell that is missing, or one with a hole that has no bisector.
+// Invariant: no check throws or stops at its first finding. Each finding names the number of its property. Faces and
+// pieces are visited in one order, ascending by face, and areas are summed in that order.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,63 +24,123 @@
 namespace gvd {
 namespace {
 
-class IdCheck {
+template <class IdType>
+bool is_below(IdType id, std::int32_t count) {
+  return id.valid() && id.value() < count;
+}
+
+bool cells_fit(const Diagram& d, const Mesh& mesh) {
+  bool fit = d.cells.size() == d.generators.size();
+  for (const GeneratorId g : d.cells.ids()) fit = fit && d.cells[g].generator == g;
+  return fit &&
+         std::ranges::all_of(d.generators, [&](const SurfacePoint& p) { return is_below(p.face, mesh.face_count()); });
+}
+
+bool is_label(const Diagram& d, GeneratorId g) { return !g.valid() || is_below(g, d.cells.count()); }
+
+bool labels_fit(const Diagram& d, const Mesh& mesh) {
+  const auto is_known = [&](GeneratorId g) { return is_label(d, g); };
+  const auto is_piece = [&](const FacePiece& p) {
+    return is_below(p.face, mesh.face_count()) && is_below(p.generator, d.cells.count());
+  };
+  return d.vertex_label.count() == mesh.vertex_count() && d.vertex_distance.size() == d.vertex_label.size() &&
+         d.face_label.count() == mesh.face_count() && std::ranges::all_of(d.vertex_label, is_known) &&
+         std::ranges::all_of(d.face_label, is_known) && std::ranges::all_of(d.pieces, is_piece);
+}
+
+/// Relative tolerance of areas: they are sums of up to a million rounded terms.
+constexpr double kAreaTolerance = 1e-9;
+
+/// Change of a triangle's area by rounding of a corner's coordinates, relative to the largest coordinate times the
+/// longest edge: one or two rounding steps a corner. It dominates for thin faces far from the origin.
+constexpr double kCornerRounding = 1e-15;
+
+class PartitionCheck {
  public:
-  IdCheck(const Mesh& mesh, const Diagram& diagram, Violations& violations)
-      : mesh_(mesh), diagram_(diagram), violations_(violations) {}
+  PartitionCheck(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations)
+      : mesh_(mesh),
+        diagram_(diagram),
+        reached_(reached),
+        violations_(violations),
+        cell_area_(diagram.cells.size(), 0.0) {}
 
   void run() {
-    check_cells();
-    check_labels();
-    for (const BisectorId b : diagram_.bisectors.ids()) check_bisector(b);
+    check_areas();
+    check_vertex_labels();
   }
 
  private:
-  template <class IdType>
-  static bool below(IdType id, std::int32_t count) {
-    return id.valid() && id.value() < count;
-  }
-  template <class Items, class Test>
-  static bool all(const Items& items, Test test) {
-    return std::all_of(items.begin(), items.end(), test);
-  }
-  bool is_cell(GeneratorId g) const { return below(g, diagram_.cells.count()); }
-  bool is_cell_or_none(GeneratorId g) const { return !g.valid() || is_cell(g); }
-  bool is_face(FaceId f) const { return below(f, mesh_.face_count()); }
-
-  void check_cells() {
-    const Diagram& d = diagram_;
-    bool cells_fit = d.cells.size() == d.generators.size();
-    for (const GeneratorId g : d.cells.ids()) cells_fit = cells_fit && d.cells[g].generator == g;
-    if (cells_fit && all(d.generators, [&](const SurfacePoint& p) { return is_face(p.face); })) return;
-    violations_.add(1, "cells are not numbered like the generators, or a generator lies in no face of the mesh");
+  void check_areas() {
+    double total = 0;
+    for (const FaceId f : mesh_.faces()) {
+      const double share = covered_share(f), expected = reached_.contains(f) ? 1 : 0;
+      if (std::abs(share - expected) > kAreaTolerance) {
+        violations_.add(2, "face", f.index(),
+                        fmt::format("its label and pieces cover {:f} of its area instead of {}", share, int(expected)));
+      }
+      total += expected * mesh_.area(f);
+    }
+    const double tolerance = kAreaTolerance * total + area_rounding();
+    for (const Cell& c : diagram_.cells) {
+      if (std::abs(c.area - cell_area_[c.generator]) <= tolerance) continue;
+      violations_.add(2, "cell", c.generator.index(), "its area is not that of its faces and pieces");
+    }
+    if (next_ < diagram_.pieces.size()) violations_.add(2, "piece", next_, "pieces are not sorted by face");
   }
 
-  void check_labels() {
-    const Diagram& d = diagram_;
-    const auto is_label = [&](GeneratorId g) { return is_cell_or_none(g); };
-    const auto is_piece = [&](const FacePiece& p) { return is_face(p.face) && is_cell(p.generator); };
-    if (d.vertex_label.count() != mesh_.vertex_count() || d.vertex_distance.size() != d.vertex_label.size() ||
-        d.face_label.count() != mesh_.face_count() || !all(d.vertex_label, is_label) || !all(d.face_label, is_label) ||
-        !all(d.pieces, is_piece)) {
-      violations_.add(2,
-                      "labels or pieces do not match the mesh in number, or name a cell or face that does not exist");
+  /// Computes the share of f's area that its label or its pieces cover, and credits it to the cells. Faces come in
+  /// order.
+  double covered_share(FaceId f) {
+    double share = diagram_.face_label[f].valid() ? 1 : 0;
+    const bool cut = next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f;
+    if (cut && share > 0) violations_.add(2, "face", f.index(), "has a label and pieces");
+    if (share > 0) cell_area_[diagram_.face_label[f]] += mesh_.area(f);
+    for (; next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f; ++next_) {
+      const double piece_share = area_share(diagram_.pieces[next_].corners);
+      if (piece_share < -kAreaTolerance) violations_.add(2, "piece", next_, "its area is negative");
+      share += piece_share;
+      cell_area_[diagram_.pieces[next_].generator] += piece_share * mesh_.area(f);
+    }
+    return share;
+  }
+
+  /// The rounding error of the areas of all faces and pieces, whose corners are rounded independently.
+  double area_rounding() const {
+    double edges = 0;
+    const auto longest = [&](FaceId f) { return std::ranges::max(mesh_.shape(f).length); };
+    for (const FaceId f : mesh_.faces()) edges += longest(f);
+    for (const FacePiece& piece : diagram_.pieces) edges += longest(piece.face);
+    return kCornerRounding * mesh_.largest_coordinate() * edges;
+  }
+
+  void check_vertex_labels() {
+    for (const FaceId f : mesh_.faces()) {
+      const GeneratorId g = diagram_.face_label[f];
+      if (!g.valid()) continue;
+      for (const VertexId v : mesh_.vertices(f)) check_vertex_label(v, g);
+    }
+    for (const FacePiece& piece : diagram_.pieces) {
+      for (const Bary& corner : piece.corners) {
+        for (int k = 0; k < 3; ++k) {
+          // Exactly the vertex, since a crossing may be as close to it as rounding allows.
+          const bool at_vertex = corner[(k + 1) % 3] == 0 && corner[(k + 2) % 3] == 0;
+          if (at_vertex) check_vertex_label(mesh_.vertices(piece.face)[k], piece.generator);
+        }
+      }
     }
   }
 
-  void check_bisector(BisectorId id) {
-    const Bisector& b = diagram_.bisectors[id];
-    const auto is_end = [&](BranchPointId e) { return !e.valid() || below(e, diagram_.branch_points.count()); };
-    if (!is_cell_or_none(b.left) || !is_cell_or_none(b.right) ||
-        !all(b.points, [&](const SurfacePoint& p) { return is_face(p.face); })) {
-      violations_.add(3, "bisector", id.index(), "names a cell or face that does not exist");
-    }
-    if (!all(b.ends, is_end)) violations_.add(4, "bisector", id.index(), "ends at a branch point that does not exist");
+  void check_vertex_label(VertexId v, GeneratorId g) {
+    if (diagram_.vertex_label[v] == g) return;
+    violations_.add(2, "vertex", v.index(), "its label is not that of a face or piece at it");
   }
 
   const Mesh& mesh_;
   const Diagram& diagram_;
+  const ReachedFaces& reached_;
   Violations& violations_;
+  IdVector<GeneratorId, double> cell_area_;  // area of the faces and pieces of each cell
+  std::size_t next_ = 0;                     // first piece that is not yet counted
 };
 
 /// The largest distance of a generator from its cell, relative to the bounding box's diagonal: rounding, and a thousand
@@ -89,8 +154,8 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
   for (std::size_t i = 0, n = piece.corners.size(); i < n; ++i) {
     const Bary &a = piece.corners[i], &b = piece.corners[(i + 1) % n];
     const Vec3 from = position(mesh, {piece.face, a}), along = position(mesh, {piece.face, b}) - from;
-    const double t = along.squaredNorm() > 0 ? std::clamp((at - from).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-    if ((from + t * along - at).norm() <= kDistanceTolerance * mesh.bbox_diagonal()) return true;
+    if ((from + nearest_on_segment(from, along, at) * along - at).norm() <= kDistanceTolerance * mesh.bbox_diagonal())
+      return true;
     // Count the sides that the ray from p along the second coordinate crosses.
     if ((a[2] > p.bary[2]) == (b[2] > p.bary[2])) continue;
     const double where = a[1] + (b[1] - a[1]) * (p.bary[2] - a[2]) / (b[2] - a[2]);
@@ -101,9 +166,9 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
 
 bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (diagram.face_label[p.face].valid()) return diagram.face_label[p.face] == g;
-  const auto pieces = std::equal_range(diagram.pieces.begin(), diagram.pieces.end(), FacePiece{p.face, g, {}},
-                                       [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; });
-  return std::any_of(pieces.first, pieces.second,
+  const auto first = std::ranges::lower_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  const auto last = std::ranges::upper_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  return std::any_of(first, last,
                      [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 
@@ -208,8 +273,36 @@ void check_neighbours(const Diagram& diagram, Violations& violations) {
 
 }  // namespace
 
+ReachedFaces::ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& generators)
+    : component_(compute_face_components(mesh)) {
+  std::int32_t count = 0;
+  for (const std::int32_t c : component_) count = std::max(count, c + 1);
+  has_generator_.assign(count, 0);
+  for (const SurfacePoint& g : generators) has_generator_[component_[g.face]] = 1;
+}
+
 void check_ids(const Mesh& mesh, const Diagram& diagram, Violations& violations) {
-  IdCheck(mesh, diagram, violations).run();
+  if (!cells_fit(diagram, mesh)) {
+    violations.add(1, "cells are not numbered like the generators, or a generator lies in no face of the mesh");
+  }
+  if (!labels_fit(diagram, mesh)) {
+    violations.add(2, "labels or pieces do not match the mesh in number, or name a cell or face that does not exist");
+  }
+  const auto is_point = [&](const SurfacePoint& p) { return is_below(p.face, mesh.face_count()); };
+  const auto is_end = [&](BranchPointId e) { return !e.valid() || is_below(e, diagram.branch_points.count()); };
+  for (const BisectorId id : diagram.bisectors.ids()) {
+    const Bisector& b = diagram.bisectors[id];
+    if (!is_label(diagram, b.left) || !is_label(diagram, b.right) || !std::ranges::all_of(b.points, is_point)) {
+      violations.add(3, "bisector", id.index(), "names a cell or face that does not exist");
+    }
+    if (!std::ranges::all_of(b.ends, is_end)) {
+      violations.add(4, "bisector", id.index(), "ends at a branch point that does not exist");
+    }
+  }
+}
+
+void check_partition(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
+  PartitionCheck(mesh, diagram, reached, violations).run();
 }
 
 void check_generators(const Mesh& mesh, const Diagram& diagram, Violations& violations) {

@@ -5,6 +5,7 @@
 // A cell's Euler characteristic is counted over its open interior: along its closed boundary curves vertices and edges
 // cancel. So neither bisectors nor the mesh's boundary are counted. The boundary loops are counted on their own, by
 // union-find over the sides of arcs; tests compare the two.
+// Source: not in the paper, which stops at the bisectors. Cost: O(n) for n faces, of which only those with arcs are cut.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -103,73 +104,12 @@ class LoopCounter {
   std::map<VertexId, std::int32_t> at_vertex_;
 };
 
-/// Labels the faces of a chunk, and cuts those with arcs into pieces.
-class FaceCollector {
- public:
-  FaceCollector(const WorkingMesh& working, const TracedDiagram& traced, IdVector<FaceId, GeneratorId>& face_label)
-      : working_(working), mesh_(working.mesh()), traced_(traced), face_label_(face_label) {}
-
-  void collect(const Chunk& faces) {
-    const std::vector<FaceArc>& arcs = traced_.faces.arcs;
-    auto arc =
-        std::partition_point(arcs.begin(), arcs.end(), [&](const FaceArc& a) { return a.face < FaceId(faces.begin); });
-    for (std::size_t i = faces.begin; i < faces.end; ++i) {
-      const FaceId f(i);
-      const auto begin = arc;
-      while (arc != arcs.end() && arc->face == f) ++arc;
-      if (begin == arc) {
-        collect_whole(f);
-      } else {
-        collect_cut(f, std::span(begin, arc));
-      }
-    }
-  }
-
-  struct Result {
-    std::vector<CellShare> shares;
-    std::vector<FacePiece> pieces;
-  };
-  Result take_result() { return {shares_.take(), std::move(pieces_)}; }
-
- private:
-  void collect_whole(FaceId f) {
-    const GeneratorId g = traced_.labels.label[mesh_.vertices(f)[0]];
-    if (!g.valid()) return;
-    CellShare& share = shares_[g];
-    ++share.euler_characteristic;
-    share.area += mesh_.area(f);
-    if (working_.is_split(f)) {
-      add_piece(f, g, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    } else {
-      face_label_[f] = g;
-    }
-  }
-
-  void collect_cut(FaceId f, std::span<const FaceArc> arcs) {
-    const double area = mesh_.area(f);
-    boundary_crossings(mesh_, traced_.crossings, f, boundary_);
-    trace_pieces(boundary_, arcs, traced_.faces, working_pieces_);
-    for (WorkingPiece& piece : working_pieces_.pieces) {
-      CellShare& share = shares_[piece.generator];
-      ++share.euler_characteristic;
-      share.area += area * std::max(0.0, area_share(piece.corners));  // negative only by rounding
-      add_piece(f, piece.generator, std::move(piece.corners));
-    }
-  }
-
-  void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners) {
-    for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
-    pieces_.push_back({working_.parent(f), g, std::move(corners)});
-  }
-
-  const WorkingMesh& working_;
-  const Mesh& mesh_;
-  const TracedDiagram& traced_;
-  IdVector<FaceId, GeneratorId>& face_label_;
-  CellShares shares_;
-  std::vector<FacePiece> pieces_;
-  std::vector<BoundaryCrossing> boundary_;  // of the current face
-  WorkingPieces working_pieces_;            // of the current face
+/// What the faces of a chunk give: the shares of cells, and the pieces of faces that are cut.
+struct CollectedFaces {
+  CellShares shares;
+  std::vector<FacePiece> pieces;
+  std::vector<BoundaryCrossing> boundary;  ///< of the current face
+  WorkingPieces working_pieces;            ///< of the current face
 };
 
 class CellCollector {
@@ -185,7 +125,7 @@ class CellCollector {
     count_edges();
     collect_faces();
     sort_pieces();
-    find_neighbours();
+    find_neighbours(diagram_);
     const auto loops = count_boundary_loops(working_, traced_);
     for (const GeneratorId g : diagram_.cells.ids()) {
       diagram_.cells[g].generator = g;
@@ -230,16 +170,60 @@ class CellCollector {
   }
 
   void collect_faces() {
-    const auto collect_chunk = [&](const Chunk& chunk) {
-      FaceCollector faces(working_, traced_, diagram_.face_label);
-      faces.collect(chunk);
-      return faces.take_result();
-    };
     const auto chunks = cut_into_chunks(mesh_.face_count(), kChunkFaces);
-    for (FaceCollector::Result& result : parallel_.map(chunks, steps::kPieces, collect_chunk)) {
-      add(result.shares);
-      std::move(result.pieces.begin(), result.pieces.end(), std::back_inserter(diagram_.pieces));
+    const auto collect_chunk = [&](const Chunk& chunk) { return collect_faces(chunk); };
+    for (CollectedFaces& faces : parallel_.map(chunks, steps::kPieces, collect_chunk)) {
+      add(faces.shares.take());
+      std::move(faces.pieces.begin(), faces.pieces.end(), std::back_inserter(diagram_.pieces));
     }
+  }
+
+  /// Labels the faces of a chunk, and cuts those with arcs into pieces. Writes labels of its own faces only.
+  CollectedFaces collect_faces(const Chunk& chunk) {
+    CollectedFaces faces;
+    const std::vector<FaceArc>& arcs = traced_.faces.arcs;
+    auto arc = std::ranges::lower_bound(arcs, FaceId(chunk.begin), {}, &FaceArc::face);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const FaceId f(i);
+      const auto begin = arc;
+      while (arc != arcs.end() && arc->face == f) ++arc;
+      if (begin == arc) {
+        collect_whole(f, faces);
+      } else {
+        collect_cut(f, std::span(begin, arc), faces);
+      }
+    }
+    return faces;
+  }
+
+  void collect_whole(FaceId f, CollectedFaces& faces) {
+    const GeneratorId g = traced_.labels.label[mesh_.vertices(f)[0]];
+    if (!g.valid()) return;
+    CellShare& share = faces.shares[g];
+    ++share.euler_characteristic;
+    share.area += mesh_.area(f);
+    if (working_.is_split(f)) {
+      add_piece(f, g, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, faces);
+    } else {
+      diagram_.face_label[f] = g;
+    }
+  }
+
+  void collect_cut(FaceId f, std::span<const FaceArc> arcs, CollectedFaces& faces) const {
+    const double area = mesh_.area(f);
+    boundary_crossings(mesh_, traced_.crossings, f, faces.boundary);
+    trace_pieces(faces.boundary, arcs, traced_.faces, faces.working_pieces);
+    for (WorkingPiece& piece : faces.working_pieces.pieces) {
+      CellShare& share = faces.shares[piece.generator];
+      ++share.euler_characteristic;
+      share.area += area * std::max(0.0, area_share(piece.corners));  // negative only by rounding
+      add_piece(f, piece.generator, std::move(piece.corners), faces);
+    }
+  }
+
+  void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners, CollectedFaces& faces) const {
+    for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
+    faces.pieces.push_back({working_.parent(f), g, std::move(corners)});
   }
 
   void add(const std::vector<CellShare>& shares) {
@@ -252,21 +236,8 @@ class CellCollector {
 
   /// Only the pieces of faces that generators split are out of order.
   void sort_pieces() {
-    const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
-    if (std::is_sorted(diagram_.pieces.begin(), diagram_.pieces.end(), by_face)) return;
-    std::stable_sort(diagram_.pieces.begin(), diagram_.pieces.end(), by_face);
-  }
-
-  void find_neighbours() {
-    for (const Bisector& b : diagram_.bisectors) {
-      if (b.left == b.right) continue;
-      diagram_.cells[b.left].neighbours.push_back(b.right);
-      diagram_.cells[b.right].neighbours.push_back(b.left);
-    }
-    for (Cell& c : diagram_.cells) {
-      std::sort(c.neighbours.begin(), c.neighbours.end());
-      c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
-    }
+    if (std::ranges::is_sorted(diagram_.pieces, {}, &FacePiece::face)) return;
+    std::ranges::stable_sort(diagram_.pieces, {}, &FacePiece::face);
   }
 
   const WorkingMesh& working_;
@@ -277,6 +248,18 @@ class CellCollector {
 };
 
 }  // namespace
+
+void find_neighbours(Diagram& diagram) {
+  for (const Bisector& b : diagram.bisectors) {
+    if (b.left == b.right) continue;
+    diagram.cells[b.left].neighbours.push_back(b.right);
+    diagram.cells[b.right].neighbours.push_back(b.left);
+  }
+  for (Cell& c : diagram.cells) {
+    std::sort(c.neighbours.begin(), c.neighbours.end());
+    c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
+  }
+}
 
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced) {
   return LoopCounter(working, traced).count();

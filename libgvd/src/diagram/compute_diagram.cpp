@@ -3,8 +3,10 @@
 //
 // Any solver works with any tracer. The envelope tracer reads a `DistanceField`, the tracers of the paper read the
 // generator tables of the faces: each solver provides both. What follows the tracer is the same for all methods.
-// Source: section 4 of the paper, whose steps `Method::paper` keeps one by one.
-// A run throws before it begins, or says in its report what it could not do.
+// Source: section 4 of the paper, whose steps `Method::paper` keeps one by one. The paper's complexity is O((n + m) log
+// (n + m)); marching in buckets is linear in its events, and everything after it is linear in the faces.
+// Invariant: a run throws before it begins, or says in its report what it could not do. Symbolic offsets decide ties in
+// every step and are taken out of the distances at the end.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -143,8 +145,8 @@ void check_diagram_options(const DiagramOptions& options) {
 }
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  check_diagram_options(options);
   if (options.method.solver == Solver::windows) return compute_diagram_and_read(mesh, generators, options, nullptr);
+  check_diagram_options(options);
   const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
   Diagram diagram;

@@ -3,6 +3,8 @@
 // Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Where the difference of the two
 // distances changes its sign inside a panel, the cubic through the samples is split at its roots. Neighbouring panels
 // share the sample between them.
+// Source: equations (11) and (12); the paper names no quadrature. The points of a bisector between two vertices of it
+// are taken to lie on the straight segment, as they are drawn and written.
 // Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
 #include "gvd/error_measure.hpp"
 
@@ -91,15 +93,14 @@ class BisectorSampling {
  private:
   void check(BisectorId id, const Diagram& diagram) const {
     const Bisector& bisector = diagram.bisectors[id];
+    const auto check_point = [&](const SurfacePoint& p) {
+      if (!p.face.valid() || p.face.value() >= mesh_.face_count()) refuse(id, "refers to no face of the mesh");
+    };
     for (const GeneratorId g : {bisector.left, bisector.right}) {
       if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
-      check(id, diagram.generators[g.index()]);
+      check_point(diagram.generators[g.index()]);
     }
-    for (const SurfacePoint& point : bisector.points) check(id, point);
-  }
-
-  void check(BisectorId id, const SurfacePoint& point) const {
-    if (!point.face.valid() || point.face.value() >= mesh_.face_count()) refuse(id, "refers to no face of the mesh");
+    std::ranges::for_each(bisector.points, check_point);
   }
 
   std::size_t add_sample(BisectorId id, const SurfacePoint& point) {

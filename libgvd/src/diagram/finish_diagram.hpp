@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,10 @@ void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, co
 void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                    Diagram& diagram);
 
+/// Fills in the neighbours of the cells: those with a bisector in common. Part of `collect_cells`; a diagram of another
+/// origin may need it, too. Cost: O(b log b) for b bisectors.
+void find_neighbours(Diagram& diagram);
+
 /// The boundary loops of every cell, made of bisectors and of the mesh's boundary. Cost: O(k) for k arcs and boundary
 /// edges.
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
@@ -37,20 +42,16 @@ struct CellShare {
   double area = 0;  ///< square mesh units
 };
 
-/// The shares of cells in a subset of the mesh: a hash map with linear probing, in the order of insertion. Memory and
-/// time depend on the cells in the subset, not on the number of generators.
+/// The shares of cells in a subset of the mesh, in the order of insertion. Memory and time depend on the cells in the
+/// subset, not on the number of generators.
 class CellShares {
  public:
   /// The share of cell g, new if there is none; valid until the next call.
   CellShare& operator[](GeneratorId g) {
     if (last_ < shares_.size() && shares_[last_].generator == g) return shares_[last_];
-    std::size_t slot = find(g);
-    if (slots_[slot] == kNone) {
-      if (2 * shares_.size() >= slots_.size()) slot = grow_and_find(g);
-      slots_[slot] = static_cast<std::uint32_t>(shares_.size());
-      shares_.push_back({g, 0, 0});
-    }
-    last_ = slots_[slot];
+    const auto [known, is_new] = index_.try_emplace(g.value(), shares_.size());
+    if (is_new) shares_.push_back({g, 0, 0});
+    last_ = known->second;
     return shares_[last_];
   }
 
@@ -58,23 +59,7 @@ class CellShares {
   std::vector<CellShare> take() { return std::move(shares_); }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-
-  /// The slot of g, or the free slot for it.
-  std::size_t find(GeneratorId g) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = (static_cast<std::uint32_t>(g.value()) * std::uint64_t{0x9e3779b97f4a7c15} >> 32) & mask;
-    while (slots_[slot] != kNone && shares_[slots_[slot]].generator != g) slot = (slot + 1) & mask;
-    return slot;
-  }
-
-  std::size_t grow_and_find(GeneratorId g) {
-    slots_.assign(2 * slots_.size(), kNone);
-    for (std::uint32_t i = 0; i < shares_.size(); ++i) slots_[find(shares_[i].generator)] = i;
-    return find(g);
-  }
-
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kNone);  // a power of two, at most half full
+  std::unordered_map<std::int32_t, std::size_t> index_;  // of each cell's share
   std::vector<CellShare> shares_;
   std::size_t last_ = 0;  // of the last call: most calls ask for the same cell again
 };

@@ -4,6 +4,10 @@
 // a chain: it begins at a branch point or on the mesh's boundary, and goes on at each crossing with the other arc
 // there. Arcs that remain belong to closed bisectors. The chains are found first, by one thread; several threads then
 // compute their points, in the faces of the input mesh, and the lengths are added in the order of the bisectors.
+//
+// Source: the paper's bisectors grow as wholes (section 4.3); here they follow from the arcs of any tracer.
+// Invariant: every arc belongs to exactly one bisector, and the cell on its left is one and the same all along it. Ends
+// that nothing continues, inside the mesh, are counted: a sound diagram has none.
 #include <algorithm>
 #include <array>
 
@@ -64,23 +68,14 @@ class BisectorTracer {
     for (const BranchPointId b : branch_arcs_.ids()) order_ring(b);
   }
 
-  GeneratorId left_when_leaving(std::int32_t arc, const ArcEnd& from) const {
-    const FaceArc& a = arcs_[arc];
-    return a.begin == from ? a.left : a.right;
-  }
-  GeneratorId right_when_leaving(std::int32_t arc, const ArcEnd& from) const {
-    const FaceArc& a = arcs_[arc];
-    return a.begin == from ? a.right : a.left;
-  }
-
   /// Sorts the arcs at a branch point counter-clockwise: the cell on the left of one is on the right of the next.
   void order_ring(BranchPointId b) {
     auto& ring = branch_arcs_[b];
     if (ring.empty()) return;
     for (auto next = ring.begin() + 1; next != ring.end(); ++next) {
-      const GeneratorId left = left_when_leaving(*(next - 1), at(b));
+      const GeneratorId left = arcs_[*(next - 1)].left_from(at(b));
       const auto found =
-          std::find_if(next, ring.end(), [&](std::int32_t arc) { return right_when_leaving(arc, at(b)) == left; });
+          std::find_if(next, ring.end(), [&](std::int32_t arc) { return arcs_[arc].right_from(at(b)) == left; });
       if (found != ring.end()) std::iter_swap(next, found);
     }
   }
@@ -91,7 +86,7 @@ class BisectorTracer {
       BranchPoint out;
       out.point = input_point(branch.face, branch.bary);
       out.position = position(working_.input(), out.point);
-      for (const std::int32_t arc : branch_arcs_[b]) out.generators.push_back(right_when_leaving(arc, at(b)));
+      for (const std::int32_t arc : branch_arcs_[b]) out.generators.push_back(arcs_[arc].right_from(at(b)));
       out.distance = branch.distance;
       diagram_.branch_points.push_back(std::move(out));
     }
@@ -125,8 +120,8 @@ class BisectorTracer {
   void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
     if (visited_[arc]) return;
     Bisector bisector;
-    bisector.left = left_when_leaving(arc, from);
-    bisector.right = right_when_leaving(arc, from);
+    bisector.left = arcs_[arc].left_from(from);
+    bisector.right = arcs_[arc].right_from(from);
     bisector.closed = closed;
     if (!closed) bisector.ends[0] = from.branch;
     ArcChain& chain = chains_.emplace_back(ArcChain{from, {}});

@@ -71,7 +71,9 @@ TEST_CASE("edges are put back to their midpoints, or to no crossing") {
   crossings[CrossingId(0)].t = 0.125;
   const HalfedgeId h = mesh.halfedge(edges[1]);
   stages.labels.label[mesh.to(h)] = stages.labels.label[mesh.from(h)];
-  cross_at_midpoints(mesh, edges, stages.labels, crossings);
+  const Progress silent;
+  const PaperTracer tracer(stages.working, stages.table(), Front::planar, silent);
+  tracer.cross_at_most_once(edges, stages.labels, crossings);
   CHECK(crossings[crossings.first(edges[0])].t == 0.5);
   CHECK(crossings.count(edges[1]) == 0);
 }
@@ -84,7 +86,6 @@ TEST_CASE("refined segments come near to the bisector of two generators in the p
       Front::circle);
   const Mesh& working = stages.mesh();
   Crossings crossings = find_rough_segments(working, stages.labels);
-  const MidpointDistances midpoints(stages.table(), working.face_count());
   const auto mean_error = [&] {
     double sum = 0;
     for (const Crossing& c : crossings.items()) {
@@ -93,7 +94,7 @@ TEST_CASE("refined segments come near to the bisector of two generators in the p
     return sum / static_cast<double>(crossings.size());
   };
   const double rough = mean_error();
-  const auto estimates = refine_segments(working, midpoints, crossings);
+  const auto estimates = refine_segments(working, stages.table(), crossings);
   CHECK(estimates.size() > 20);
   weld_crossings(estimates, crossings);
   CHECK(rough > 0.15);
@@ -103,12 +104,11 @@ TEST_CASE("refined segments come near to the bisector of two generators in the p
 TEST_CASE("the distance at an edge midpoint is the mean of those at the edge's ends, for every entry of the tables") {
   const Mesh mesh = test::make_sphere(2);
   const test::Stages stages(mesh, test::random_generators(mesh, 9, 1), Front::planar);
-  const MidpointDistances midpoints(stages.table(), stages.mesh().face_count());
   std::size_t entries = 0;
   for (std::int32_t i = 0; i < stages.mesh().face_count(); ++i) {
     const FaceId f(i);
     stages.table().for_each(f, [&](const TableEntry& entry) {
-      const auto middle = midpoints.find(f, entry.generator);
+      const auto middle = find_midpoint_distances(stages.table(), f, entry.generator);
       REQUIRE(middle);
       const auto corner = stages.table().corner_distances(entry);
       for (std::size_t k = 0; k < 3; ++k) REQUIRE((*middle)[k] == 0.5 * (corner[k] + corner[(k + 1) % 3]));
@@ -116,7 +116,7 @@ TEST_CASE("the distance at an edge midpoint is the mean of those at the edge's e
     });
   }
   CHECK(entries > static_cast<std::size_t>(mesh.face_count()));
-  CHECK_FALSE(midpoints.find(FaceId(0), GeneratorId(9)));
+  CHECK_FALSE(find_midpoint_distances(stages.table(), FaceId(0), GeneratorId(9)));
 }
 
 }  // namespace gvd::test_trace_paper

@@ -69,9 +69,7 @@ constexpr double kBesidePolygon = 1e-4;
 
 Bary nearest_of_segment(const Bary& a, const Bary& b, const Bary& p) {
   const Vec2 from = affine_point(a), along = affine_point(b) - from;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? (affine_point(p) - from).dot(along) / length : 0;
-  return mix(a, b, std::clamp(t, 0.0, 1.0));
+  return mix(a, b, nearest_on_segment(from, along, affine_point(p)));
 }
 
 /// The guess or, where it is just beside the polygon, the nearest point of the polygon.

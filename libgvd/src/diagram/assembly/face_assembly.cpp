@@ -81,9 +81,7 @@ std::vector<IntervalPair> collect_pairs(const FacePolygon& polygon, const FaceDi
         pairs.push_back({compute_excess(polygon, distances, own[a], own[b]), own[a], own[b]});
     }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const IntervalPair& a, const IntervalPair& b) {
-    return std::tie(a.excess, a.i, a.j) < std::tie(b.excess, b.i, b.j);
-  });
+  std::ranges::sort(pairs, {}, [](const IntervalPair& p) { return std::tuple(p.excess, p.i, p.j); });
   return pairs;
 }
 

@@ -76,10 +76,7 @@ Bary LabelIntervals::middle_of_interval(int i) const {
   const double half = 0.5 * (begin + end + (end > begin ? 0 : 3));
   const double middle = half < 3 ? half : half - 3;
   const int corner = std::min(static_cast<int>(middle), 2);
-  Bary bary{0, 0, 0};
-  bary[corner] = 1 - (middle - corner);
-  bary[(corner + 1) % 3] = middle - corner;
-  return bary;
+  return bary_on_side(corner, middle - corner);
 }
 
 bool LabelIntervals::path_enters_through(int interval, const Bary& p) {

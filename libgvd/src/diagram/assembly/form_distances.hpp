@@ -58,8 +58,7 @@ class FormDistances final : public FaceDistances {
 
  private:
   const DistanceForm& form(GeneratorId g) const {
-    return *std::lower_bound(forms_.begin(), forms_.end(), g,
-                             [](const DistanceForm& f, GeneratorId wanted) { return f.generator < wanted; });
+    return *std::ranges::lower_bound(forms_, g, {}, &DistanceForm::generator);
   }
 
   const std::vector<DistanceForm>& forms_;

@@ -122,7 +122,7 @@ std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) co
   if (best.source->is_corner) return side;
   const Vec2 start = layout_->corner[side];
   const Vec2 along = layout_->corner[(side + 1) % 3] - start;
-  return side + std::clamp((best.source->entry(p) - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return side + nearest_on_segment(start, along, best.source->entry(p));
 }
 
 double SourceDistances::at(GeneratorId g, const Bary& p) const { return nearest(g, layout_->at(p)).distance; }

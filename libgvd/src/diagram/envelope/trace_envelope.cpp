@@ -6,7 +6,8 @@
 // convex steps alone. So a face closes whatever the distances are.
 //
 // Chunks of edges and of faces share nothing but the input, and their results are joined in order (ParallelChunks).
-// Source: not in the paper; docs/developer/exact.md describes the method.
+// Source: not in the paper, which interpolates crossings and draws straight arcs (section 4.2); docs/developer/exact.md
+// describes the method. Cost: O(n) to find the contested edges, then the work of the k edges and faces near bisectors.
 #include "diagram/envelope/trace_envelope.hpp"
 
 #include <algorithm>
@@ -82,11 +83,9 @@ class FaceAssembler {
   void measure_branches(const OpenFace& face) {
     for (BranchPointId id = face.first_branch(); id < face.end_branch(); id = BranchPointId(id.value() + 1)) {
       FaceBranch& branch = result_.diagram.branches[id];
-      const ArcEnd here = at(id);
       double least = kInfinity;
       for (const FaceArc& arc : face.arcs()) {
-        if (arc.begin != here && arc.end != here) continue;
-        least = std::min(least, plain_.at(arc.begin == here ? arc.left : arc.right, branch.bary));
+        if (arc.ends_at(at(id))) least = std::min(least, plain_.at(arc.left_from(at(id)), branch.bary));
       }
       branch.distance = std::isfinite(least) ? least : plain_.nearest_of_all(branch.bary);
     }
@@ -119,42 +118,49 @@ class FaceAssembler {
   AssembledFaces result_;
 };
 
-}  // namespace
-
-/// Finds the crossings of one edge after the other.
-class EnvelopeTracer::EdgeCrosser {
- public:
-  EdgeCrosser(const EnvelopeTracer& tracer, const NearestLabels& labels) : tracer_(tracer), labels_(labels) {}
+/// Finds the crossings of one edge after the other, from the lower envelope of its sources.
+struct EdgeCrosser {
+  const Mesh& mesh;
+  const DistanceField& field;
+  const SymbolicOffset& offset;
+  const NearestLabels& labels;
+  EdgeEnvelope envelope{};  // of the current edge
+  EdgeCrossings crossings{};
+  std::vector<EdgeSource> sources{};
+  std::vector<Crossing> result{};
 
   /// Appends all crossings of e.
   void cross(EdgeId e) {
     build_envelope(e);
-    crossings_.append_all(envelope_, e, first(e), last(e), result_);
+    crossings.append_all(envelope, e, first(e), last(e), result);
   }
   /// Appends one crossing of e, where the labels of its ends differ.
   void cross_once(EdgeId e) {
     if (first(e) == last(e)) return;
     build_envelope(e);
-    crossings_.append_single(envelope_, e, first(e), last(e), result_);
+    crossings.append_single(envelope, e, first(e), last(e), result);
   }
 
-  std::vector<Crossing> take_result() { return std::move(result_); }
-
- private:
-  GeneratorId first(EdgeId e) const { return labels_.label[tracer_.mesh_.from(tracer_.mesh_.halfedge(e))]; }
-  GeneratorId last(EdgeId e) const { return labels_.label[tracer_.mesh_.to(tracer_.mesh_.halfedge(e))]; }
+  GeneratorId first(EdgeId e) const { return labels.label[mesh.from(mesh.halfedge(e))]; }
+  GeneratorId last(EdgeId e) const { return labels.label[mesh.to(mesh.halfedge(e))]; }
   void build_envelope(EdgeId e) {
-    tracer_.field_.collect(e, sources_);
-    envelope_.build(sources_, tracer_.mesh_.length(e), tracer_.offset_);
+    field.collect(e, sources);
+    envelope.build(sources, mesh.length(e), offset);
   }
-
-  const EnvelopeTracer& tracer_;
-  const NearestLabels& labels_;
-  EdgeEnvelope envelope_;  // of the current edge
-  EdgeCrossings crossings_;
-  std::vector<EdgeSource> sources_;
-  std::vector<Crossing> result_;
 };
+
+/// Crosses edges by several threads; each chunk begins with a copy of the crosser.
+std::vector<Crossing> cross_all(const EdgeCrosser& crosser, void (EdgeCrosser::*cross_edge)(EdgeId),
+                                const std::vector<EdgeId>& edges, const ParallelChunks& parallel,
+                                const StepPart& step) {
+  return parallel.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
+    EdgeCrosser own = crosser;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) (own.*cross_edge)(edges[i]);
+    return std::move(own.result);
+  });
+}
+
+}  // namespace
 
 EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
                                const ParallelChunks& parallel)
@@ -166,21 +172,14 @@ EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& 
 
 Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
   const std::vector<EdgeId> edges = field_.contested_edges(parallel_);
-  return Crossings(mesh_.edge_count(), cross(edges, labels, steps::kCrossings, &EdgeCrosser::cross));
+  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
+  return {mesh_.edge_count(), cross_all(crosser, &EdgeCrosser::cross, edges, parallel_, steps::kCrossings)};
 }
 
 void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                         Crossings& crossings) const {
-  crossings.replace(edges, cross(edges, labels, steps::kCrossingsAgain, &EdgeCrosser::cross_once));
-}
-
-std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
-                                            const StepPart& step, CrossEdge cross_edge) const {
-  return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-    EdgeCrosser crosser(*this, labels);
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) (crosser.*cross_edge)(edges[i]);
-    return crosser.take_result();
-  });
+  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
+  crossings.replace(edges, cross_all(crosser, &EdgeCrosser::cross_once, edges, parallel_, steps::kCrossingsAgain));
 }
 
 void EnvelopeTracer::close_faces(TracedDiagram& traced) const {

@@ -30,11 +30,6 @@ class EnvelopeTracer final : public DiagramTracer {
   void close_faces(TracedDiagram& traced) const override;
 
  private:
-  class EdgeCrosser;
-  using CrossEdge = void (EdgeCrosser::*)(EdgeId);
-  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels, const StepPart& step,
-                              CrossEdge cross_edge) const;
-
   const Mesh& mesh_;
   const DistanceField& field_;
   const ParallelChunks& parallel_;

@@ -4,6 +4,9 @@
 // g that is nearer to g (see NearestLabels). So a chain of uncrossed edges connects it to the vertex of g. That chain
 // may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex that
 // growth moved. There vertices are unanchored: members of their own, united with their neighbours one by one.
+// Source: the paper takes cells to be connected, which rounded distances and growth do not ensure.
+// Invariant: a cell is connected exactly if all of its members are in the set of its generator's vertex. The members
+// are far fewer than the vertices: one for each generator, unanchored vertex and piece of a crossed face.
 #include <algorithm>
 #include <map>
 #include <span>
@@ -158,7 +161,7 @@ class ComponentFinder {
     for (int i = 0; i < std::ssize(members_); ++i) {
       // The smallest member represents its set, and the vertices of the generators come first.
       if (sets_.find(i) == members_[i].generator.value()) continue;
-      for (int corner = 0; corner < 3; ++corner) edges.push_back(mesh_.edge(Mesh::halfedge(members_[i].face, corner)));
+      for (const HalfedgeId h : Mesh::halfedges(members_[i].face)) edges.push_back(mesh_.edge(h));
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -3,6 +3,7 @@
 // A crossing is stored once, on its edge; both faces read it from there (BoundaryCrossing turns it round where the face
 // runs through the edge backwards). So two faces can't disagree about a bisector, whatever the distances are. A tracer
 // that crosses some edges again replaces their crossings all at once; ids of crossings change by this.
+// The list costs 24 bytes a crossing and 4 bytes an edge; most edges have none. Replacing costs one pass over the list.
 #include "diagram/graph/crossings.hpp"
 
 #include <algorithm>

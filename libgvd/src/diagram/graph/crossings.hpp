@@ -58,6 +58,14 @@ class Crossings {
   IdVector<EdgeId, std::int32_t> first_;
 };
 
+/// The point of a face's boundary at parameter t along the halfedge of a corner; the corner itself for 0.
+inline Bary bary_on_side(int corner, double t) {
+  Bary result{0, 0, 0};
+  result[corner] = 1 - t;
+  result[(corner + 1) % 3] = t;
+  return result;
+}
+
 /// A crossing on the boundary of a face, as the face sees it counter-clockwise.
 struct BoundaryCrossing {
   CrossingId id;
@@ -67,12 +75,7 @@ struct BoundaryCrossing {
   GeneratorId next;      ///< the cell after it
 
   /// Barycentric coordinates in the face.
-  Bary bary() const {
-    Bary result{0, 0, 0};
-    result[corner] = 1 - t;
-    result[(corner + 1) % 3] = t;
-    return result;
-  }
+  Bary bary() const { return bary_on_side(corner, t); }
 };
 
 /// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; a loop over faces

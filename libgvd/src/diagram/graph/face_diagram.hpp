@@ -27,6 +27,11 @@ struct FaceArc {
   ArcEnd begin, end;
   GeneratorId left, right;                        ///< cells, on the way from begin to end
   std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
+
+  bool ends_at(const ArcEnd& e) const { return begin == e || end == e; }
+  /// The cells on the way from one of its ends to the other.
+  GeneratorId left_from(const ArcEnd& e) const { return begin == e ? left : right; }
+  GeneratorId right_from(const ArcEnd& e) const { return begin == e ? right : left; }
 };
 
 /// A branch point of the working mesh.

@@ -4,6 +4,7 @@
 // crossing, then along arcs with the piece on the left, turning at branch points, until an arc ends on the boundary
 // again. Every label interval has exactly one piece; a piece may have several intervals. The cell on its left tells
 // which arc goes on, because the cells round a crossing or a branch point differ.
+// Invariant: the pieces of a face share no interior point and cover it, since each side of each arc is walked once.
 #include <algorithm>
 #include <compare>
 #include <utility>
@@ -75,11 +76,7 @@ class PieceTracer {
     corners.push_back(from.bary());
     const bool wraps = to.corner < from.corner || (to.corner == from.corner && to.t <= from.t);
     const int last = to.corner + (wraps ? 3 : 0);
-    for (int corner = from.corner + 1; corner <= last; ++corner) {
-      Bary bary{0, 0, 0};
-      bary[corner % 3] = 1;
-      corners.push_back(bary);
-    }
+    for (int corner = from.corner + 1; corner <= last; ++corner) corners.push_back(bary_on_side(corner % 3, 0));
   }
 
   /// Follows arcs from boundary crossing i through the face, with the piece on the left, to the boundary. Returns the

@@ -4,6 +4,8 @@
 // generator: such a neighbour supports them. A chain of supported vertices along edges ends at the generator's vertex,
 // which is why only unsupported vertices need a look when the components of cells are found. New labels come from
 // labelled neighbours by Dijkstra's algorithm along the edges, so that every relabelled vertex is supported.
+// Source: labels and classes of faces are those of section 3 of the paper; it knows no relabelling.
+// Invariant: the vertex of a generator has the label of that generator, even where offsets say otherwise.
 #include "diagram/graph/nearest_labels.hpp"
 
 #include <algorithm>

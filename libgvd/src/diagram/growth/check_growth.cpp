@@ -4,7 +4,8 @@
 // crossings on the rim. The checks run from the cheap to the costly one, and each relies on those before it: positions
 // of arcs, for example, are read only once the arcs lie in the gap's faces.
 // Invariant: a gap that passes fits the diagram around it. Its cells stay connected along the edges, and its arcs form
-// a planar graph in every face.
+// a planar graph in every face. A gap that fails is not mended: it grows again by other rules or with more faces, and
+// is assembled in the end. So a check that is too strict costs time, and one that is too lax would cost validity.
 #include "diagram/growth/check_growth.hpp"
 
 #include <algorithm>
@@ -23,58 +24,35 @@ const Crossing& crossing_of(const GapNode& node, const Crossings& crossings) {
   return node.kind == GapNode::Kind::rim ? crossings[node.rim] : node.crossing;
 }
 
-class GapNodeCheck {
- public:
-  GapNodeCheck(const Mesh& mesh, const Crossings& crossings, const Gap& gap, const GrownGap& grown)
-      : mesh_(mesh), crossings_(crossings), gap_(gap), grown_(grown), faces_(grown.nodes.size()) {}
-
-  bool run(const GapEdges& edges) {
-    for (const GapArc& arc : grown_.arcs) {
-      if (!fits(grown_.nodes[arc.begin], arc.face, arc.left, arc.right)) return false;
-      if (!fits(grown_.nodes[arc.end], arc.face, arc.right, arc.left)) return false;
-      for (const int n : {arc.begin, arc.end}) faces_[n].push_back(arc.face);
-    }
-    for (std::size_t n = 0; n < grown_.nodes.size(); ++n) {
-      if (!has_its_arcs(grown_.nodes[n], faces_[n])) return false;
-    }
-    return rim_is_complete(edges);
+/// Whether an arc may begin or end at a node: the node lies in its face, and between its two cells.
+bool fits(const Mesh& mesh, const Crossings& crossings, const GapNode& node, const GapArc& arc, bool begins) {
+  const GeneratorId left = begins ? arc.left : arc.right, right = begins ? arc.right : arc.left;
+  if (node.kind == GapNode::Kind::branch) {
+    return node.face == arc.face && *std::min_element(node.bary.begin(), node.bary.end()) >= 0;
   }
+  const Crossing& c = crossing_of(node, crossings);
+  const HalfedgeId h = mesh.halfedge(c.edge), twin = mesh.twin(h);
+  // Seen from the crossing into the face of h, the edge's first vertex lies on the left.
+  if (Mesh::face(h) == arc.face) return left == c.before && right == c.after;
+  return twin.valid() && Mesh::face(twin) == arc.face && left == c.after && right == c.before;
+}
 
- private:
-  /// Whether an arc in f, with these cells on its sides when it leaves the node, may end at the node.
-  bool fits(const GapNode& node, FaceId f, GeneratorId left, GeneratorId right) const {
-    if (!gap_.contains(f)) return false;
-    if (node.kind == GapNode::Kind::branch) {
-      return node.face == f && *std::min_element(node.bary.begin(), node.bary.end()) >= 0;
-    }
-    const Crossing& c = crossing_of(node, crossings_);
-    const HalfedgeId h = mesh_.halfedge(c.edge), twin = mesh_.twin(h);
-    // Seen from the crossing into the face of h, the edge's first vertex lies on the left.
-    if (Mesh::face(h) == f) return left == c.before && right == c.after;
-    return twin.valid() && Mesh::face(twin) == f && left == c.after && right == c.before;
+/// Whether a node ends as many arcs as it must; `faces` are theirs.
+bool has_its_arcs(const Mesh& mesh, const GapNode& node, const std::vector<FaceId>& faces) {
+  if (node.kind == GapNode::Kind::branch) return faces.size() == 3;
+  if (node.kind == GapNode::Kind::rim || mesh.is_boundary(node.crossing.edge)) return faces.size() == 1;
+  return faces.size() == 2 && faces[0] != faces[1];
+}
+
+/// Whether every crossing of the rim is exactly one node.
+bool rim_is_complete(const GapEdges& edges, const GrownGap& grown) {
+  std::vector<CrossingId> rim;
+  for (const GapNode& node : grown.nodes) {
+    if (node.kind == GapNode::Kind::rim) rim.push_back(node.rim);
   }
-
-  bool has_its_arcs(const GapNode& node, const std::vector<FaceId>& faces) const {
-    if (node.kind == GapNode::Kind::branch) return faces.size() == 3;
-    if (node.kind == GapNode::Kind::rim || mesh_.is_boundary(node.crossing.edge)) return faces.size() == 1;
-    return faces.size() == 2 && faces[0] != faces[1];
-  }
-
-  bool rim_is_complete(const GapEdges& edges) const {
-    std::vector<CrossingId> rim;
-    for (const GapNode& node : grown_.nodes) {
-      if (node.kind == GapNode::Kind::rim) rim.push_back(node.rim);
-    }
-    std::sort(rim.begin(), rim.end());
-    return rim.size() == edges.rim_crossing_count() && std::adjacent_find(rim.begin(), rim.end()) == rim.end();
-  }
-
-  const Mesh& mesh_;
-  const Crossings& crossings_;
-  const Gap& gap_;
-  const GrownGap& grown_;
-  std::vector<std::vector<FaceId>> faces_;  // of the arcs that end at each node
-};
+  std::sort(rim.begin(), rim.end());
+  return rim.size() == edges.rim_crossing_count() && std::adjacent_find(rim.begin(), rim.end()) == rim.end();
+}
 
 /// Labels of a gap's vertices that follow from the labels on its rim, those of its generators, and its crossings.
 class GapLabels {
@@ -219,13 +197,12 @@ GapEdges::GapEdges(const Mesh& mesh, const Crossings& crossings, const Gap& gap,
 
 void GapEdges::collect_edges(const Mesh& mesh, const Gap& gap) {
   for (const FaceId f : gap.faces) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = Mesh::halfedge(f, corner);
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
       edges_.push_back({mesh.edge(h), is_rim(mesh, gap, h), {}});
     }
   }
-  std::sort(edges_.begin(), edges_.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; });
-  const auto same = [](const auto& a, const auto& b) { return a.edge == b.edge; };
+  std::ranges::sort(edges_, {}, &GapEdge::edge);
+  const auto same = [](const GapEdge& a, const GapEdge& b) { return a.edge == b.edge; };
   edges_.erase(std::unique(edges_.begin(), edges_.end(), same), edges_.end());
 }
 
@@ -238,8 +215,7 @@ void GapEdges::collect_crossings(const Crossings& crossings, const GrownGap& gro
   for (const GapNode& node : grown.nodes) {
     if (node.kind == GapNode::Kind::crossing) crossings_.push_back(node.crossing);
   }
-  std::sort(crossings_.begin(), crossings_.end(),
-            [](const auto& a, const auto& b) { return std::tuple(a.edge, a.t) < std::tuple(b.edge, b.t); });
+  std::ranges::sort(crossings_, {}, [](const Crossing& c) { return std::tuple(c.edge, c.t); });
 }
 
 std::size_t GapEdges::rim_crossing_count() const {
@@ -263,7 +239,19 @@ bool GapEdges::are_consistent() const {
 
 bool check_gap_nodes(const Mesh& mesh, const Crossings& crossings, const Gap& gap, const GapEdges& edges,
                      const GrownGap& grown) {
-  return GapNodeCheck(mesh, crossings, gap, grown).run(edges);
+  std::vector<std::vector<FaceId>> faces(grown.nodes.size());  // of the arcs that end at each node
+  for (const GapArc& arc : grown.arcs) {
+    if (!gap.contains(arc.face)) return false;
+    for (const bool begins : {true, false}) {
+      const int n = begins ? arc.begin : arc.end;
+      if (!fits(mesh, crossings, grown.nodes[n], arc, begins)) return false;
+      faces[n].push_back(arc.face);
+    }
+  }
+  for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
+    if (!has_its_arcs(mesh, grown.nodes[n], faces[n])) return false;
+  }
+  return rim_is_complete(edges, grown);
 }
 
 std::optional<std::vector<std::pair<VertexId, GeneratorId>>> find_moved_labels(const WorkingMesh& working,

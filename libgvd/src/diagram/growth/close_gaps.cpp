@@ -115,8 +115,7 @@ class GapCloser {
   std::vector<FaceId> faces_around(const Gap& gap) const {
     std::vector<FaceId> around;
     for (const FaceId f : gap.faces) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId h = Mesh::halfedge(f, corner);
+      for (const HalfedgeId h : Mesh::halfedges(f)) {
         if (is_rim(mesh_, gap, h)) around.push_back(Mesh::face(mesh_.twin(h)));
       }
     }
@@ -124,13 +123,9 @@ class GapCloser {
   }
 
   bool may_grow(const Gap& gap) const {
-    return std::none_of(gap.faces.begin(), gap.faces.end(), [&](FaceId f) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const EdgeId e = mesh_.edge(Mesh::halfedge(f, corner));
-        if (std::binary_search(plan_.forbidden.begin(), plan_.forbidden.end(), e)) return true;
-      }
-      return false;
-    });
+    const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(plan_.forbidden, mesh_.edge(h)); };
+    return std::ranges::none_of(gap.faces,
+                                [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
   }
 
   /// Puts a grown gap in the place of those that it consists of.
@@ -191,9 +186,7 @@ class GapInstaller {
         if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_id_[c][n]});
       }
     }
-    std::sort(all.begin(), all.end(), [](const NumberedCrossing& a, const NumberedCrossing& b) {
-      return std::tuple(a.crossing.edge, a.crossing.t) < std::tuple(b.crossing.edge, b.crossing.t);
-    });
+    std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
     return all;
   }
 
@@ -202,8 +195,7 @@ class GapInstaller {
     IdVector<EdgeId, char> inside(mesh_.edge_count(), 0);
     for (const ClosedGap& c : closed_) {
       for (const FaceId f : c.gap.faces) {
-        for (int corner = 0; corner < 3; ++corner) {
-          const HalfedgeId h = Mesh::halfedge(f, corner);
+        for (const HalfedgeId h : Mesh::halfedges(f)) {
           if (!is_rim(mesh_, c.gap, h)) inside[mesh_.edge(h)] = 1;
         }
       }
@@ -248,8 +240,8 @@ std::vector<Gap> connect_gaps(const Mesh& mesh, const IdVector<FaceId, char>& is
     Gap& gap = gaps.emplace_back(Gap{{first}});
     is_left[first] = 0;
     for (std::size_t k = 0; k < gap.faces.size(); ++k) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId twin = mesh.twin(Mesh::halfedge(gap.faces[k], corner));
+      for (const HalfedgeId h : Mesh::halfedges(gap.faces[k])) {
+        const HalfedgeId twin = mesh.twin(h);
         if (!twin.valid() || !is_left[Mesh::face(twin)]) continue;
         is_left[Mesh::face(twin)] = 0;
         gap.faces.push_back(Mesh::face(twin));

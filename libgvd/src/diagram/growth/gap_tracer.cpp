@@ -30,7 +30,7 @@ struct FaceForms {
 
   /// Distance of generator g at a point of the face, mesh units.
   double distance(GeneratorId g, const std::array<double, 3>& bary) const {
-    const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& x) { return x.generator == g; });
+    const auto form = std::ranges::find(forms, g, &DistanceForm::generator);
     if (front == Front::planar) return form->at(bary);
     double squared = form->at(bary);
     for (int i = 0; i < 3; ++i) {
@@ -50,8 +50,8 @@ void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t
     int arcs = 0;
     for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
       const FaceArc& arc = diagram.arcs[a];
-      if (arc.begin != at(id) && arc.end != at(id)) continue;
-      sum += forms.distance(arc.begin == at(id) ? arc.left : arc.right, branch.bary);
+      if (!arc.ends_at(at(id))) continue;
+      sum += forms.distance(arc.left_from(at(id)), branch.bary);
       ++arcs;
     }
     branch.distance = sum / arcs;
@@ -106,8 +106,7 @@ void GapTracer::close(const std::vector<Gap>& gaps, TracedDiagram& traced) const
   const std::vector<ClosedGap> closed = close_gaps(growth, traced.crossings, gaps, plan_, progress_);
   install_gaps(mesh(), closed, traced);
   assemble_faces(growth, traced.crossings, faces_of(closed), traced.faces, progress_);
-  std::stable_sort(traced.faces.arcs.begin(), traced.faces.arcs.end(),
-                   [](const FaceArc& a, const FaceArc& b) { return a.face < b.face; });
+  std::ranges::stable_sort(traced.faces.arcs, {}, &FaceArc::face);
   traced.counts.gaps = std::ssize(gaps);
   traced.counts.gaps_grown = 0;
   for (const ClosedGap& c : closed) traced.counts.gaps_grown += std::ssize(c.merged);

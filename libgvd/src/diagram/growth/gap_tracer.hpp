@@ -27,6 +27,7 @@ class GapTracer : public DiagramTracer {
 
   GrowthInput input(const NearestLabels& labels) const { return {working_, table_, labels, front_}; }
   const Mesh& mesh() const { return working_.mesh(); }
+  const GeneratorTable& table() const { return table_; }
   Front front() const { return front_; }
   const Progress& progress() const { return progress_; }
   /// Fills in the arcs and branch points of all crossed faces, ascending by face: by growth through the gaps, and by
@@ -58,9 +59,7 @@ class GrowthTracer : public GapTracer {
   /// All references must outlive the tracer.
   GrowthTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress);
 
-  /// The rough crossings of all edges, between the labels of their ends.
   Crossings cross_edges(const NearestLabels& labels) const override;
-  /// Replaces the crossings of these edges, ascending, by at most one, between the labels of the edge's ends.
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                           Crossings& crossings) const override;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside

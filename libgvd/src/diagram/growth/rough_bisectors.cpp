@@ -209,12 +209,10 @@ std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
     const bool one_label =
         input.labels.label[a] == input.labels.label[b] && input.labels.label[b] == input.labels.label[c];
     if (one_label && count_competing(input.table, f) <= 1) continue;
-    for (int corner = 0; corner < 3; ++corner) is_near[mesh.edge(Mesh::halfedge(f, corner))] = 1;
+    for (const HalfedgeId h : Mesh::halfedges(f)) is_near[mesh.edge(h)] = 1;
   }
   std::vector<EdgeId> edges;
-  for (const EdgeId e : mesh.edges()) {
-    if (is_near[e]) edges.push_back(e);
-  }
+  std::ranges::copy_if(mesh.edges(), std::back_inserter(edges), [&](EdgeId e) { return is_near[e] != 0; });
   return edges;
 }
 

@@ -29,13 +29,14 @@ void append_midpoint(const Mesh& mesh, EdgeId e, const NearestLabels& labels, st
 int corner_between(int first_edge, int second_edge) { return second_edge == first_edge + 1 ? second_edge : 0; }
 
 /// Images in f of the apex's generator, on its side of the rough segment, and of the other one, on the other side.
-std::optional<FaceImages> unfold_apart(const Mesh& mesh, const MidpointDistances& midpoints, FaceId f, int apex,
+std::optional<FaceImages> unfold_apart(const Mesh& mesh, const GeneratorTable& table, FaceId f, int apex,
                                        const BoundaryCrossing& leaving) {
   const auto corner = FaceLayout(mesh, f).corner;
   const int next = (apex + 1) % 3, before = (apex + 2) % 3;
   const Vec2 t1 = 0.5 * (corner[apex] + corner[next]), t2 = 0.5 * (corner[before] + corner[apex]);
   // The cell of the apex lies before the crossing on the edge that leaves it.
-  const auto own = midpoints.find(f, leaving.previous), others = midpoints.find(f, leaving.next);
+  const auto own = find_midpoint_distances(table, f, leaving.previous);
+  const auto others = find_midpoint_distances(table, f, leaving.next);
   if (!own || !others) return std::nullopt;
   // From t1 to t2 the apex lies on the left.
   return FaceImages{f, corner, unfold_source(t2, t1, (*own)[before], (*own)[apex]),
@@ -44,20 +45,11 @@ std::optional<FaceImages> unfold_apart(const Mesh& mesh, const MidpointDistances
 
 }  // namespace
 
-MidpointDistances::MidpointDistances(const GeneratorTable& table, std::int32_t face_count)
-    : table_(table), of_entry_(table.entry_count()) {
-  for (const FaceId f : IdRange<FaceId>(face_count)) {
-    table.for_each(f, [&](const TableEntry& entry) {
-      const auto d = table.corner_distances(entry);
-      of_entry_[table.find(f, entry.generator)] = {0.5 * (d[0] + d[1]), 0.5 * (d[1] + d[2]), 0.5 * (d[2] + d[0])};
-    });
-  }
-}
-
-std::optional<std::array<double, 3>> MidpointDistances::find(FaceId f, GeneratorId g) const {
-  const std::int32_t entry = table_.find(f, g);
+std::optional<std::array<double, 3>> find_midpoint_distances(const GeneratorTable& table, FaceId f, GeneratorId g) {
+  const std::int32_t entry = table.find(f, g);
   if (entry < 0) return std::nullopt;
-  return of_entry_[entry];
+  const auto d = table.corner_distances(table.entry(entry));
+  return std::array{0.5 * (d[0] + d[1]), 0.5 * (d[1] + d[2]), 0.5 * (d[2] + d[0])};
 }
 
 Crossings find_rough_segments(const Mesh& mesh, const NearestLabels& labels) {
@@ -66,14 +58,7 @@ Crossings find_rough_segments(const Mesh& mesh, const NearestLabels& labels) {
   return {mesh.edge_count(), std::move(crossings)};
 }
 
-void cross_at_midpoints(const Mesh& mesh, const std::vector<EdgeId>& edges, const NearestLabels& labels,
-                        Crossings& crossings) {
-  std::vector<Crossing> midpoints;
-  for (const EdgeId e : edges) append_midpoint(mesh, e, labels, midpoints);
-  crossings.replace(edges, midpoints);
-}
-
-std::vector<CrossingEstimate> refine_segments(const Mesh& mesh, const MidpointDistances& midpoints,
+std::vector<CrossingEstimate> refine_segments(const Mesh& mesh, const GeneratorTable& table,
                                               const Crossings& crossings) {
   std::vector<CrossingEstimate> estimates;
   std::vector<BoundaryCrossing> boundary;
@@ -82,24 +67,26 @@ std::vector<CrossingEstimate> refine_segments(const Mesh& mesh, const MidpointDi
     if (boundary.size() != 2) continue;
     const int apex = corner_between(boundary[0].corner, boundary[1].corner);
     const BoundaryCrossing& leaving = boundary[boundary[0].corner == apex ? 0 : 1];
-    const auto images = unfold_apart(mesh, midpoints, f, apex, leaving);
+    const auto images = unfold_apart(mesh, table, f, apex, leaving);
     if (images) estimate_crossings(mesh, crossings, boundary, *images, estimates);
   }
   return estimates;
 }
 
 PaperTracer::PaperTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress)
-    : GapTracer(working, table, front, progress, {kPaperRules}), midpoints_(table, mesh().face_count()) {}
+    : GapTracer(working, table, front, progress, {kPaperRules}) {}
 
 Crossings PaperTracer::cross_edges(const NearestLabels& labels) const { return find_rough_segments(mesh(), labels); }
 
 void PaperTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                      Crossings& crossings) const {
-  cross_at_midpoints(mesh(), edges, labels, crossings);
+  std::vector<Crossing> midpoints;
+  for (const EdgeId e : edges) append_midpoint(mesh(), e, labels, midpoints);
+  crossings.replace(edges, midpoints);
 }
 
 void PaperTracer::close_faces(TracedDiagram& traced) const {
-  weld_crossings(refine_segments(mesh(), midpoints_, traced.crossings), traced.crossings);
+  weld_crossings(refine_segments(mesh(), table(), traced.crossings), traced.crossings);
   IdVector<FaceId, char> is_branching(mesh().face_count());
   for (const FaceId f : mesh().faces()) {
     is_branching[f] = classify(mesh(), traced.labels.label, f) == FaceClass::branching;
