@@ -270,7 +270,7 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
   report_diagram(run, result.diagram);
 }
 
-LloydResult relax(Run& run, const Mesh& mesh, const ConstrainedStart& start, const OwnOptions& own,
+LloydResult relax(Run& run, const Mesh& mesh, const WeightedStart& start, const OwnOptions& own,
                   RelaxationTrace& trace) {
   LloydOptions options = make_lloyd_options(own.relaxation, start, run.options().compute);
   trace = {};
@@ -314,7 +314,7 @@ void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const ConstrainedStart start = constrain_start(input, make_generators(run, input), own.constraints, run.options());
+  const WeightedStart start = make_relaxation_start(input, make_generators(run, input), own.constraints, run.options());
   if (!start.freedom.empty()) run.console().note(describe_freedom(start.freedom));
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);

@@ -93,7 +93,7 @@ void register_remesh(CLI::App& line, Settings& settings) {
 
 /// The generators that a remesh begins with.
 struct RelaxedStart {
-  ConstrainedStart constrained;
+  WeightedStart constrained;
   std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
 };
 
@@ -136,7 +136,7 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& 
   report_start_options(run, options, iterations);
   ConstraintOptions constraints = options.constraints;
   constraints.prefers_boundary = !options.loose_boundary;
-  RelaxedStart start{constrain_start(input, make_generators(run, input, count), constraints, run.options()), {}};
+  RelaxedStart start{make_relaxation_start(input, make_generators(run, input, count), constraints, run.options()), {}};
   const std::vector<Freedom>& freedom = start.constrained.freedom;
   if (!freedom.empty()) run.console().note(describe_freedom(freedom));
   if (iterations > 0) relax(run, input.mesh, start, iterations);
@@ -149,7 +149,7 @@ Placement default_placement(const GeneratorOptions& generators) {
   return generators.are_listed() ? Placement::generator : PlacementOptions().method;
 }
 
-RemeshOptions remesh_options(Run& run, const Mesh& mesh, const ConstrainedStart& start, const Settings& settings) {
+RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& start, const Settings& settings) {
   RemeshOptions options = settings.remesh;
   options.creases = trace_creases(mesh, start.creases, start.corner_distance);
   options.placement.method = settings.place.value_or(default_placement(run.options().generators));

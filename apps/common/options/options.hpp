@@ -85,9 +85,8 @@ struct Options {
 
 /// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
 struct ConstraintOptions {
-  std::optional<std::int32_t> count;  ///< of sampled generators, instead of the options'
-  std::string fixed;                  ///< a list of generators that stay; empty: none
-  std::optional<double> features;     ///< angle of creases, degrees
+  std::string fixed;               ///< a list of generators that stay; empty: none
+  std::optional<double> features;  ///< angle of creases, degrees
   bool keep_boundary = false;
   /// Keep the boundary where generators are sampled, and enough of them are left beside it.
   bool prefers_boundary = false;
