@@ -8,11 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "common/diagram_members.hpp"
 #include "common/options/options.hpp"
+#include "gvd/error.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {
@@ -25,11 +26,24 @@ std::int64_t count_disc_cells(const Diagram& diagram) {
                        [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
 }
 
+/// The shortest digits that bring the same double back.
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+
 std::string format_generator(const ReportedGenerator& generator) {
-  const auto& [point, position, snap_distance] = generator;
-  const std::string snapped = snap_distance ? ",\"snap_distance\":" + json_number(*snap_distance) : "";
-  return fmt::format("{},\"position\":[{},{},{}]{}}}", open_point(point), json_number(position.x()),
-                     json_number(position.y()), json_number(position.z()), snapped);
+  const auto& [point, at, snap_distance] = generator;
+  const auto& [u, v, w] = point.bary;
+  return fmt::format("{{\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]{}}}", point.face.value(), u, v, w,
+                     json_number(at.x()), json_number(at.y()), json_number(at.z()),
+                     snap_distance ? ",\"snap_distance\":" + json_number(*snap_distance) : "");
+}
+
+void write_generators(std::ostream& out, const std::vector<ReportedGenerator>& generators) {
+  const char* before = "[\n  ";
+  for (const ReportedGenerator& generator : generators) {
+    out << before << format_generator(generator);
+    before = ",\n  ";
+  }
+  out << (generators.empty() ? "[]" : "\n]");
 }
 
 }  // namespace
@@ -110,14 +124,14 @@ void RunReport::write(std::ostream& out) const {
   for (const auto& [name, value] : document_->items()) {
     out << separator << '"' << name << "\":";
     if (name == "generators") {
-      write_array(out, generators_, "\n  ", format_generator, "\n]");
+      write_generators(out, generators_);
     } else {
       out << value.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     separator = ",\n";
   }
   out << "}\n";
-  finish(out);
+  if (!out.flush()) throw Error(ErrorCode::unwritable_output, "the output stream could not be written");
 }
 
 }  // namespace gvd::app

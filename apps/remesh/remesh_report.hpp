@@ -1,6 +1,5 @@
 #pragma once
 
-#include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,9 +8,8 @@
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
-#include "gvd/soup.hpp"
 
-// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
+// The result of gvd-remesh for its user: members of the report, and notes.
 namespace gvd::app {
 
 /// Adds options of the remesh to the member `options` of the report. `options.max_added` must be the bound that holds
@@ -32,16 +30,5 @@ std::vector<std::string> describe_remesh(const RemeshResult& result, const Remes
 
 /// The note on a map: whether it is one-to-one, and how far vertices move.
 std::string describe_map(const RemeshMap& map);
-
-/// Writes the diagram of all generators as `gvd-diagram/1` with one more member, `"remesh"`:
-/// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i stands for
-/// generator i, and is at it with Placement::generator.
-/// The point of a face is its branch point, on `mesh`. Throws Error{unwritable_output}. Cost: O(n).
-void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result);
-
-/// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
-/// it has the point of the output, null where the vertex was dropped. docs/guide/formats.md describes it. The stream is
-/// flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
-void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map);
 
 }  // namespace gvd::app

@@ -1,8 +1,8 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 //
 // Whole faces get the label of the generator whose cell has them, so that borders run along edges; --cut splits the
-// faces along the bisectors, and each new face knows its parent. The JSON of -o is that of the diagram with one more
-// member, so that a reader of diagrams reads it too. Labels are ids of generators, -1 where none reaches.
+// faces along the bisectors, and each new face knows its parent (gvd/segment.hpp). The report has the figures of the
+// regions, and notes tell what users should not miss: generators that own no face, and faces that none reaches.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "common/command.hpp"
-#include "common/diagram_members.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/region_statistics.hpp"
@@ -94,38 +93,6 @@ void report_regions(Json& results, const Mesh& mesh, const IdVector<FaceId, Gene
   results["faces"] = mesh.face_count();
   results["unreached_faces"] = count_unreached(label);
   results["regions"] = std::move(regions);
-}
-
-template <class Ids>
-void write_ids(std::ostream& out, const Ids& ids) {
-  write_array(out, ids, "", [](auto id) { return fmt::format("{}", id.value()); });
-}
-
-/// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
-void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
-                             const Segmentation& segmentation) {
-  out << open_diagram(mesh, diagram) << ",\"face_labels\":";
-  write_ids(out, segmentation.face_label);
-  out << "}\n";
-  finish(out);
-}
-
-/// Writes the diagram with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
-/// "vertex_labels":[],"vertex_distances":[]}`: labels and parents are those of the faces; a distance is null for none.
-void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
-                    const CutVertices& vertices) {
-  out << open_diagram(mesh, diagram) << ",\"cut_mesh\":{";
-  write_mesh_members(out, cut.mesh);
-  out << ",\n\"labels\":";
-  write_ids(out, cut.label);
-  out << ",\n\"parents\":";
-  write_ids(out, cut.parent);
-  out << ",\n\"vertex_labels\":";
-  write_ids(out, vertices.label);
-  out << ",\n\"vertex_distances\":";
-  write_array(out, vertices.distance, "", json_number);
-  out << "}}\n";
-  finish(out);
 }
 
 void note_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
