@@ -43,11 +43,8 @@ struct OwnOptions {
 };
 
 /// The values of --accelerate, which the report gives for each iteration too.
-const std::vector<std::pair<std::string, Acceleration>>& acceleration_names() {
-  static const std::vector<std::pair<std::string, Acceleration>> names{
-      {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
-  return names;
-}
+const Choices<Acceleration> kAccelerations{
+    {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
 
 constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
@@ -58,39 +55,37 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-constexpr app::Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
+constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
 // The upper end is the largest double below 2.
-constexpr app::Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
+constexpr Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
 
-void register_relaxation(CLI::App& line, app::OwnOptions& own) {
+void register_relaxation(CLI::App& line, OwnOptions& own) {
   LloydOptions &options = own.relaxation, plain;
   plain.acceleration = Acceleration::none;
   line.option_defaults()->group("Relaxation");
-  app::add_choice(
-      line, "--accelerate", options.acceleration, app::acceleration_names(),
-      "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's mixing of the last "
-      "steps, or by Lloyd's method alone");
-  app::add_choice(line, "--relocate", options.relocate, app::Choices<bool>{{"on", true}, {"off", false}},
-                  "Move generators from cells with little energy to distant cells with much, where that lowers the "
-                  "energy at once (default: on, with --accelerate none off)");
-  app::add_number(line, "--iterations", options.max_iterations, kIterations,
-                  fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
-                              max_iterations(options), max_iterations(plain)));
-  app::add_number(line, "--tolerance", options.energy_tolerance, app::kNotNegative,
-                  fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, "
-                              "with --accelerate none {}); 1e-5 saves about half of the time",
-                              energy_tolerance(options), energy_tolerance(plain)));
-  app::add_number(line, "--move-tolerance", options.move_tolerance, app::kNotNegative,
-                  fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
-                              "radius (default: {})",
-                              options.move_tolerance));
-  app::add_number(
-      line, "--step", options.step, kStep,
-      fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
-                  options.step));
-  app::add_number(line, "--time-limit", own.time_limit, app::kNotNegative,
-                  "Stop after the iteration in which the relaxation has taken this many seconds; the result then "
-                  "differs between runs (default: none)");
+  add_choice(line, "--accelerate", options.acceleration, kAccelerations,
+             "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's mixing of the last "
+             "steps, or by Lloyd's method alone");
+  add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
+             "Move generators from cells with little energy to distant cells with much, where that lowers the "
+             "energy at once (default: on, with --accelerate none off)");
+  add_number(line, "--iterations", options.max_iterations, kIterations,
+             fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
+                         max_iterations(options), max_iterations(plain)));
+  add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
+             fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, "
+                         "with --accelerate none {}); 1e-5 saves about half of the time",
+                         energy_tolerance(options), energy_tolerance(plain)));
+  add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
+             fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
+                         "radius (default: {})",
+                         options.move_tolerance));
+  add_number(line, "--step", options.step, kStep,
+             fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
+                         options.step));
+  add_number(line, "--time-limit", own.time_limit, kNotNegative,
+             "Stop after the iteration in which the relaxation has taken this many seconds; the result then "
+             "differs between runs (default: none)");
 }
 
 const char* describe(LloydStop stop) {
@@ -100,21 +95,15 @@ const char* describe(LloydStop stop) {
   return kSentences[static_cast<std::size_t>(stop)];
 }
 
-/// The name of an acceleration as on the command line.
-const std::string& acceleration_name(Acceleration acceleration) {
-  const auto has_value = [acceleration](const auto& choice) { return choice.second == acceleration; };
-  return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
-}
-
 /// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
-const char* measure_name(const LloydIteration& iteration) {
-  return iteration.is_sampled ? "sampled" : method_name(iteration.method);
+std::string measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : name_in(kMethods, iteration.method);
 }
 
 /// How the step of an iteration was found, in one word.
 std::string step_name(const LloydIteration& iteration) {
   if (iteration.relocated > 0) return "relocation";
-  return iteration.by == Acceleration::none ? "lloyd" : acceleration_name(iteration.by);
+  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerations, iteration.by);
 }
 
 /// One array for each figure of the iterations. The first energy is that of the given generators.
@@ -146,7 +135,7 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
 
 void report_own_options(Json& reported, const OwnOptions& own) {
   const LloydOptions& options = own.relaxation;
-  reported["accelerate"] = acceleration_name(options.acceleration);
+  reported["accelerate"] = name_in(kAccelerations, options.acceleration);
   reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
   reported["tolerance"] = energy_tolerance(options);
@@ -205,7 +194,8 @@ void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoi
 
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
   out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
-  const char* first = result.iterations.empty() ? method_name(method) : measure_name(result.iterations.front());
+  const std::string first =
+      result.iterations.empty() ? name_in(kMethods, method) : measure_name(result.iterations.front());
   out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
   for (std::size_t i = 0; i < result.iterations.size(); ++i) {
     const LloydIteration& done = result.iterations[i];
@@ -336,17 +326,17 @@ void lloyd(Run& run, const OwnOptions& own) {
 int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
-  app::OwnOptions own;
-  app::Command command({"gvd-lloyd",
-                        "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                        kExamples,
-                        {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
+  OwnOptions own;
+  Command command({"gvd-lloyd",
+                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                   kExamples,
+                   {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_relaxation(command.line(), own);
-  app::register_constraints(command.line(), own.constraints);
+  register_constraints(command.line(), own.constraints);
   command.add_target(
       "--points", "FILE",
       "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)",
       {"ply", "xyz", "npy"});
   command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV");
-  return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
+  return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
 }

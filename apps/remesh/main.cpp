@@ -51,12 +51,8 @@ struct Settings {
   bool carry = false;
 };
 
-/// The values of --place.
-const std::vector<std::pair<std::string, Placement>>& placement_names() {
-  static const std::vector<std::pair<std::string, Placement>> names{
-      {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
-  return names;
-}
+const Choices<Placement> kPlacements{
+    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -67,28 +63,28 @@ constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
     "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
 
-constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
+constexpr Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
 constexpr const char* kMap = "--map";
 
 void register_remesh(CLI::App& line, Settings& settings) {
   line.option_defaults()->group("Remesh");
-  app::add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
-                  "Most generators that may be added (default: ten for each given one, component, boundary loop and "
-                  "handle, and 100 more)");
-  app::add_flag(line, "--no-refine", settings.no_refine,
-                "Add no generators: refuse where the given ones are too few for a valid mesh")
+  add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
+             "Most generators that may be added (default: ten for each given one, component, boundary loop and "
+             "handle, and 100 more)");
+  add_flag(line, "--no-refine", settings.no_refine,
+           "Add no generators: refuse where the given ones are too few for a valid mesh")
       ->excludes("--max-added");
-  app::add_flag(line, "--exact-count", settings.no_refine,
-                "The same as --no-refine: exactly the given number of vertices, or none")
+  add_flag(line, "--exact-count", settings.no_refine,
+           "The same as --no-refine: exactly the given number of vertices, or none")
       ->excludes("--max-added");
-  app::add_choice(line, "--place", settings.place, app::placement_names(),
-                  "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
-                  "(default: fit, for --generators and --vertices generator)");
-  app::add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
-                "Accept triangles that intersect each other; without it, generators are added there");
-  app::add_flag(line, "--carry", settings.carry,
-                "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates");
+  add_choice(line, "--place", settings.place, kPlacements,
+             "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
+             "(default: fit, for --generators and --vertices generator)");
+  add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
+           "Accept triangles that intersect each other; without it, generators are added there");
+  add_flag(line, "--carry", settings.carry,
+           "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates");
 }
 
 /// The generators that a remesh begins with.
@@ -160,9 +156,7 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   options.refine = !settings.no_refine;
   options.diagram = make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
-  for (const auto& [name, value] : placement_names()) {
-    if (value == options.placement.method) run.report().options()["place"] = name;
-  }
+  run.report().options()["place"] = name_in(kPlacements, options.placement.method);
   report_remesh_options(run.report().options(), options);
   return options;
 }
@@ -312,9 +306,8 @@ struct Carried {
 
 /// `standard_input`: the text that standard input held, if INPUT is `-`.
 MeshAttributes read_attributes(const InputOptions& input, const std::string& standard_input) {
-  const auto format = format_from_extension(input.format);
-  if (input.path != "-") return read_mesh_attributes(input.path, format);
-  return parse_mesh_attributes(standard_input, *format, kStandardInput);
+  if (input.path != "-") return read_mesh_attributes(input.path, input.format);
+  return parse_mesh_attributes(standard_input, *input.format, kStandardInput);
 }
 
 /// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
@@ -380,17 +373,17 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   Settings settings;
-  app::CommandInfo info{"gvd-remesh",
-                        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
-                        kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
+  CommandInfo info{"gvd-remesh",
+                   "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
+                   kExamples,
+                   {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
   info.sizes = true;
   info.materials = false;  // the coarse mesh has no labels
-  app::Command command(info);
-  app::register_relaxation(command.line(), settings.relaxation);
+  Command command(info);
+  register_relaxation(command.line(), settings.relaxation);
   register_remesh(command.line(), settings);
   command.add_target(kMap, "FILE.json",
                      "Write each output vertex's point of INPUT, and each input vertex's point of the output",
                      {"json"});
-  return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
+  return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
 }

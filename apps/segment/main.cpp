@@ -32,6 +32,8 @@ constexpr const char* kExamples =
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
+const Choices<FaceLabels> kLabels{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}};
+
 /// A note names this many generators.
 constexpr std::size_t kNamed = 8;
 
@@ -46,8 +48,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   const std::string& stats = run.options().output.own.at("--stats");
   reported["cut"] = own.cut;
   reported["stats"] = stats.empty() ? nullptr : Json(stats);
-  const char* const labels = options.labels == FaceLabels::smooth ? "smooth" : "nearest";
-  reported["labels"] = own.cut ? nullptr : Json(labels);
+  reported["labels"] = own.cut ? nullptr : Json(name_in(kLabels, options.labels));
 }
 
 /// Faces that no generator reaches.
@@ -172,16 +173,15 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   OwnOptions own;
-  app::Command command({"gvd-segment",
-                        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
-                        kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
+  Command command({"gvd-segment",
+                   "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
+                   kExamples,
+                   {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
   command.line().option_defaults()->group("Regions");
-  app::add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  app::add_choice(command.line(), "--labels", own.labels,
-                  app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}},
-                  "Whole faces on a bisector: shortest borders, or largest share (default: smooth)")
+  add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
+  add_choice(command.line(), "--labels", own.labels, kLabels,
+             "Whole faces on a bisector: shortest borders, or largest share (default: smooth)")
       ->excludes("--cut");
   command.add_target("--stats", "FILE.csv", "Write area, perimeter, radius, neighbours of each region as CSV");
-  return command.run(argc, argv, [&](app::Run& run) { segment(run, own); });
+  return command.run(argc, argv, [&](Run& run) { segment(run, own); });
 }

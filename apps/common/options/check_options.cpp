@@ -16,6 +16,7 @@
 #include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -65,7 +66,7 @@ bool may_be_read(const std::string& path) {
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   const bool has_list_piped = options.generators.file == "-", into_folder = !options.output.folder.empty();
-  if (options.input.path == "-" && options.input.format.empty()) {
+  if (options.input.path == "-" && !options.input.format) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   if (options.input.path == "-" && has_list_piped) {

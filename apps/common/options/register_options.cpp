@@ -31,12 +31,10 @@ void register_input(CLI::App& app, InputOptions& input) {
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
-  add_choice(app, "--input-format", input.format,
-             Choices<std::string>{{"obj", "obj"}, {"ply", "ply"}, {"off", "off"}, {"stl", "stl"}},
+  add_choice(app, "--input-format", input.format, kMeshFormats,
              "The input's format; needed with -, else told from content and extension");
   add_choice(
-      app, "--on-defect", input.on_defect,
-      Choices<std::string>{{"error", "error"}, {"repair", "repair"}, {"largest", "largest"}},
+      app, "--on-defect", input.on_defect, kDefectPolicies,
       "What to do about defects of the mesh: refuse them, make the repairs that lose nothing (default), or repair "
       "and keep the largest component");
 }
@@ -161,7 +159,8 @@ std::vector<ValueRule> compute_rules(CLI::App& app, ComputeOptions& compute) {
   CLI::Option *const method = app.get_option("--method"), *const chord = app.get_option("--chord-tolerance");
   const auto clash = [&compute]() -> std::string {
     if (!compute.chord_tolerance || compute.method == Method::exact) return "";
-    return fmt::format("--method {} and --chord-tolerance exclude each other: keep one", method_name(compute.method));
+    return fmt::format("--method {} and --chord-tolerance exclude each other: keep one",
+                       name_in(kMethods, compute.method));
   };
   const auto frontless = [&compute]() -> std::string {
     if (compute.method != Method::exact) return "";

@@ -4,6 +4,7 @@
 
 #include "common/options/typed_options.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <memory>
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -12,18 +11,10 @@
 #include <string_view>
 
 #include "common/options/options.hpp"
+#include "gvd/text.hpp"
 
 // Kinds of options that CLI11 lacks: numbers in any locale, names of values, flags that can be turned off.
 namespace gvd::app {
-
-/// The number that `text` spells in full, in any locale. Nothing where it spells no number, or one that T can't hold.
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// A closed range of accepted values, and its description for messages.
 template <class T>
