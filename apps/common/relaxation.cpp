@@ -38,26 +38,34 @@ Density choose_density(const CheckedMesh& input, const ConstraintOptions& option
 
 }  // namespace
 
-WeightedStart make_relaxation_start(const CheckedMesh& input, std::vector<SurfacePoint> points,
-                                    const ConstraintOptions& constraints, const Options& run) {
-  Density density = choose_density(input, constraints, run.input.path);
-  const StartOptions options{run.generators.are_listed(), read_fixed(input, constraints.fixed), constraints.features,
-                             constraints.keep_boundary, constraints.prefers_boundary};
-  return {constrain_start(input.mesh, std::move(points), options), std::move(density)};
+WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<SurfacePoint> points,
+                               const ConstraintOptions& constraints) {
+  Density density = choose_density(input, constraints, run.options().input.path);
+  const StartOptions options{run.options().generators.are_listed(), read_fixed(input, constraints.fixed),
+                             constraints.features, constraints.keep_boundary, constraints.prefers_boundary};
+  WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
+  const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
+  if (!start.freedom.empty()) {
+    run.console().note(fmt::format("generators: {} fixed, {} on creases, {} free", count(Freedom::fixed),
+                                   count(Freedom::on_crease), count(Freedom::free)));
+  }
+  return start;
 }
 
-std::string describe_freedom(const std::vector<Freedom>& freedom) {
-  const auto count = [&](Freedom kind) { return std::count(freedom.begin(), freedom.end(), kind); };
-  return fmt::format("generators: {} fixed, {} on creases, {} free", count(Freedom::fixed), count(Freedom::on_crease),
-                     count(Freedom::free));
-}
-
-LloydOptions make_lloyd_options(LloydOptions options, const WeightedStart& start, const ComputeOptions& compute) {
+LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& start, LloydOptions options) {
   options.freedom = start.freedom;
   options.creases = start.creases;
   options.density = start.density;
-  options.diagram = make_diagram_options(compute);
-  return options;
+  options.diagram = make_diagram_options(run.options().compute);
+  if (!options.progress) options.progress = run.progress();
+  options.on_iteration = [&run, most = max_iterations(options), also = std::move(options.on_iteration)](
+                             std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
+    if (also) also(iterations, energy, generators);
+    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
+  };
+  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
+  run.console().set_status("");
+  return result;
 }
 
 const char* name_of(LloydStop stop) {

@@ -170,7 +170,12 @@ class RelaxationTrace {
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   /// To be called from LloydOptions::on_iteration. Iterations that count as one with those before are forgotten.
-  void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators);
+  void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
+    seconds_.resize(iterations + 1);
+    seconds_.back() = seconds();
+    generators_.resize(iterations + 1);
+    generators_.back() = generators;
+  }
 
   /// The generators after so many iterations; 0: at the start.
   const std::vector<SurfacePoint>& generators(std::size_t iterations) const { return generators_[iterations]; }
@@ -184,13 +189,6 @@ class RelaxationTrace {
   std::vector<double> seconds_;                        ///< at the start, and after each iteration
   std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
 };
-
-void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
-  seconds_.resize(iterations + 1);
-  seconds_.back() = seconds();
-  generators_.resize(iterations + 1);
-  generators_.back() = generators;
-}
 
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
   out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
@@ -262,17 +260,16 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
 
 LloydResult relax(Run& run, const Mesh& mesh, const WeightedStart& start, const OwnOptions& own,
                   RelaxationTrace& trace) {
-  LloydOptions options = make_lloyd_options(own.relaxation, start, run.options().compute);
+  LloydOptions options = own.relaxation;
   trace = {};
-  if (own.time_limit) options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
-  options.progress = own.time_limit ? limit_progress(run.progress(), trace, *own.time_limit) : run.progress();
-  options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
-                                                             const std::vector<SurfacePoint>& generators) {
+  if (own.time_limit) {
+    options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
+    options.progress = limit_progress(run.progress(), trace, *own.time_limit);
+  }
+  options.on_iteration = [&trace](std::int64_t iterations, double, const std::vector<SurfacePoint>& generators) {
     trace.note(iterations, generators);
-    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
-  run.console().set_status("");
+  LloydResult result = run_relaxation(run, mesh, start, std::move(options));
   report_result(run, mesh, result);
   return result;
 }
@@ -304,8 +301,7 @@ void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const WeightedStart start = make_relaxation_start(input, make_generators(run, input), own.constraints, run.options());
-  if (!start.freedom.empty()) run.console().note(describe_freedom(start.freedom));
+  const WeightedStart start = start_relaxation(run, input, make_generators(run, input), own.constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);

@@ -32,10 +32,10 @@
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/remesh_scenes.hpp"
 #include "gvd/text.hpp"
 #include "remesh/relax_options.hpp"
 #include "remesh/remesh_report.hpp"
-#include "remesh/remesh_scenes.hpp"
 
 namespace gvd::app {
 namespace {
@@ -94,15 +94,9 @@ struct RelaxedStart {
 };
 
 void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
-  LloydOptions options = make_lloyd_options({}, start.constrained, run.options().compute);
+  LloydOptions options;
   options.max_iterations = iterations;
-  options.progress = run.progress();
-  options.on_iteration = [&run, iterations](std::int64_t done, double energy, const std::vector<SurfacePoint>&) {
-    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", done, iterations, energy));
-  };
-  LloydResult result =
-      run.timed("relaxation", [&] { return relax_generators(mesh, start.constrained.points, options); });
-  run.console().set_status("");
+  LloydResult result = run_relaxation(run, mesh, start.constrained, std::move(options));
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
                                    counted(std::ssize(result.iterations), "iteration", "iterations"),
                                    result.initial_energy, result.final_energy));
@@ -132,9 +126,7 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& 
   report_start_options(run, options, iterations);
   ConstraintOptions constraints = options.constraints;
   constraints.prefers_boundary = !options.loose_boundary;
-  RelaxedStart start{make_relaxation_start(input, make_generators(run, input, count), constraints, run.options()), {}};
-  const std::vector<Freedom>& freedom = start.constrained.freedom;
-  if (!freedom.empty()) run.console().note(describe_freedom(freedom));
+  RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   run.report().set_generators(input.mesh, start.constrained.points);
   return start;

@@ -54,18 +54,12 @@ struct Entry {
   const toml::node* node;
 };
 
-/// The place of a key; before version 3 of the library that of its value.
-template <class Key>
-Entry read_entry(const Key& key, const toml::node& node, const std::string& file) {
-  Entry entry{std::string(std::string_view(key)), place_in_file(file, node.source()), &node};
-  if constexpr (requires { key.source(); }) entry.place = place_in_file(file, key.source());
-  return entry;
-}
-
 /// The entries in the order of the file: a table of the library is sorted by its keys.
 std::vector<Entry> list_entries(const toml::table& table, const std::string& file) {
   std::vector<Entry> entries;
-  for (const auto& [key, node] : table) entries.push_back(read_entry(key, node, file));
+  for (const auto& [key, node] : table) {
+    entries.push_back({std::string(key.str()), place_in_file(file, key.source()), &node});
+  }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.node->source().begin < b.node->source().begin; });
   return entries;

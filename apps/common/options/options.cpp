@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gvd/text.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -74,11 +76,6 @@ Json to_json(const Options& options) {
   add_compute(json, options.compute);
   add_output(json, options.output);
   return json;
-}
-
-std::string to_lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
 }
 
 std::string file_extension(const std::string& path) {

@@ -128,9 +128,6 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute);
 /// The options as they were understood, defaults included; null for what was not given. For the report.
 nlohmann::ordered_json to_json(const Options& options);
 
-/// `text` with small letters in place of the capitals of ASCII, in any locale.
-std::string to_lower(std::string text);
-
 /// The extension of `path` in lower case, without its dot; empty where it has none.
 std::string file_extension(const std::string& path);
 

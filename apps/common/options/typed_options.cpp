@@ -29,7 +29,7 @@ std::optional<double> unit_factor(std::string_view unit) {
 }  // namespace
 
 ParsedSize parse_size(std::string_view text) {
-  const std::string lower = to_lower(std::string(text));
+  const std::string lower = to_lower(text);
   const char* const last = lower.data() + lower.size();
   double number = 0;
   const auto [end, error] = std::from_chars(lower.data(), last, number);

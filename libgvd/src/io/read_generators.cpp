@@ -17,8 +17,7 @@ namespace gvd {
 namespace {
 
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string extension = to_lower(path.extension().string());
   if (extension == ".json") return GeneratorFormat::json;
   if (extension == ".csv") return GeneratorFormat::csv;
   return extension == ".txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
