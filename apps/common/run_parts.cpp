@@ -233,7 +233,7 @@ void report_diagram(Run& run, const Diagram& diagram) {
         counted(report.straightened_faces, "face", "faces"), report.straightened_error));
   }
   if (report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is not complete: {} no branch point",
+    run.console().note(fmt::format("the diagram is incomplete: {} no branch point",
                                    counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
   }
 }
@@ -243,7 +243,7 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   const bool has_own =
       std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
   if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
-    run.console().note("no file is written; name one with -o, --report, --diagram or --view");
+    run.console().note("no file was written; name one with -o, --report, --diagram or --view");
   }
   if (output.files.empty()) return;
   run.timed("write", [&] {

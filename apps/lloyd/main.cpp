@@ -64,28 +64,30 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
   plain.acceleration = Acceleration::none;
   line.option_defaults()->group("Relaxation");
   add_choice(line, "--accelerate", options.acceleration, kAccelerations,
-             "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's mixing of the last "
+             "How to find the steps: by a quasi-Newton method (lbfgs, the default), by Anderson mixing of the last "
              "steps, or by Lloyd's method alone");
   add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
-             "Move generators from cells with little energy to distant cells with much, where that lowers the "
-             "energy at once (default: on, with --accelerate none off)");
+             "Move generators from cells with little energy to distant cells with much, where that lowers the energy "
+             "at once (default: on; off with --accelerate none)");
   add_number(line, "--iterations", options.max_iterations, kIterations,
-             fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
+             fmt::format("Largest number of iterations (default: {}; {} with --accelerate none)",
                          max_iterations(options), max_iterations(plain)));
   add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
-             fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, "
-                         "with --accelerate none {}); 1e-5 saves about half of the time",
+             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it (default: {}; {} "
+                         "with --accelerate none); 1e-5 takes about half the time",
                          energy_tolerance(options), energy_tolerance(plain)));
   add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
              fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
                          "radius (default: {})",
                          options.move_tolerance));
-  add_number(line, "--step", options.step, kStep,
-             fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
-                         options.step));
+  add_number(
+      line, "--step", options.step, kStep,
+      fmt::format(
+          "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
+          options.step));
   add_number(line, "--time-limit", own.time_limit, kNotNegative,
-             "Stop after the iteration in which the relaxation has taken this many seconds; the result then "
-             "differs between runs (default: none)");
+             "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
+             "(default: no limit)");
 }
 
 const char* describe(LloydStop stop) {

@@ -70,21 +70,22 @@ constexpr const char* kMap = "--map";
 void register_remesh(CLI::App& line, Settings& settings) {
   line.option_defaults()->group("Remesh");
   add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
-             "Most generators that may be added (default: ten for each given one, component, boundary loop and "
-             "handle, and 100 more)");
+             "Largest number of generators to add (default: ten for each given generator, component, boundary loop and "
+             "handle, plus 100)");
   add_flag(line, "--no-refine", settings.no_refine,
-           "Add no generators: refuse where the given ones are too few for a valid mesh")
+           "Add no generators; fail if the given ones are too few for a valid mesh")
       ->excludes("--max-added");
   add_flag(line, "--exact-count", settings.no_refine,
-           "The same as --no-refine: exactly the given number of vertices, or none")
+           "The same as --no-refine: exactly the given number of vertices, or no mesh")
       ->excludes("--max-added");
   add_choice(line, "--place", settings.place, kPlacements,
-             "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
-             "(default: fit, for --generators and --vertices generator)");
+             "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
+             "the surface (default: fit; generator with --generators and --vertices)");
   add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
-           "Accept triangles that intersect each other; without it, generators are added there");
+           "Accept triangles that intersect each other instead of adding generators there");
   add_flag(line, "--carry", settings.carry,
-           "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates");
+           "Carry over the colours and other properties of a PLY input to PLY output, and texture coordinates to PLY "
+           "and OBJ output");
 }
 
 /// The generators that a remesh begins with.
@@ -374,8 +375,8 @@ int main(int argc, char** argv) {
   Command command(info);
   register_relaxation(command.line(), settings.relaxation);
   register_remesh(command.line(), settings);
-  command.add_target(kMap, "FILE.json",
-                     "Write each output vertex's point of INPUT, and each input vertex's point of the output",
-                     {"json"});
+  command.add_target(
+      kMap, "FILE.json",
+      "Write the point of INPUT for each output vertex, and the point of the output for each input vertex", {"json"});
   return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
 }

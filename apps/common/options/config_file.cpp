@@ -85,7 +85,7 @@ toml::table parse_toml(const std::string& content, const std::string& file) {
     return toml::parse(content, file);
   } catch (const toml::parse_error& error) {
     refuse_file(place_in_file(file, error.source()),
-                fmt::format("{}no TOML: {}", key_before(content, error.source().begin.line),
+                fmt::format("{}not valid TOML: {}", key_before(content, error.source().begin.line),
                             printable(std::string(error.description()), kReasonLength)));
   }
 }
@@ -121,7 +121,7 @@ TakenTypes taken_types(const CLI::Option& option) {
   if (type == "N") return {"i", "a whole number"};
   if (type == "NUMBER") return {"if", "a number"};
   if (type == "SIZE") return {"ifs", "a string such as \"2G\", or a number of bytes"};
-  if (type == "LIST") return {"is", "an array of whole numbers, as [3, 17], or a string, as \"3,17\""};
+  if (type == "LIST") return {"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
   return {"s", is_list(option) ? "a string, or an array of strings" : "a string in quotes"};
 }
 
@@ -163,11 +163,11 @@ const CLI::Option& find_option(const Entry& entry, const CLI::App& app) {
     }
   }
   const std::string key = printable(entry.key);
-  if (entry.node->is_table()) refuse_file(entry.place, key + ": is a table; write its keys without one");
+  if (entry.node->is_table()) refuse_file(entry.place, key + ": is a table; write its keys outside of tables");
   const auto meant = suggest_name(entry.key, all);
-  refuse_file(entry.place, key + ": is no option; " +
+  refuse_file(entry.place, key + ": is not an option; " +
                                (meant ? "did you mean " + *meant + "?"
-                                      : "keys are the names of options without dashes in front: input-format"));
+                                      : "keys are names of options without leading dashes, such as input-format"));
 }
 
 bool excludes_any_given(const CLI::Option& option) {

@@ -35,7 +35,7 @@ ParsedSize parse_size(std::string_view text) {
   const auto [end, error] = std::from_chars(lower.data(), last, number);
   const std::optional<double> factor = unit_factor({end, last});
   if (!factor || error == std::errc::invalid_argument || !std::isfinite(number)) {
-    return {0, fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text)};
+    return {0, fmt::format("'{}' is not a size; write a number with K, M, G or T, such as 500M or 2G", text)};
   }
   const bool overflows = error != std::errc{} && lower.find("e-") == lower.npos;
   const double bytes = number * *factor;

@@ -91,7 +91,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, Target& target,
       target = value;
       return "";
     }
-    return fmt::format("'{}' is none of {}", text, listed);
+    return fmt::format("'{}' is not one of {}", text, listed);
   };
   return add_parsed(app, names, listed, store, description);
 }

@@ -51,7 +51,7 @@ TEST_CASE("sizes have binary units, in any spelling") {
 TEST_CASE("what is no size is refused") {
   for (const char* text : {"", "G", "B", "1X", "1 G", "1GG", "1i", "nan", "inf", "G1", "1e", "infK"}) {
     CAPTURE(text);
-    CHECK_THAT(parse_size(text).wrong, Contains("is no size; write a number with K, M, G or T, as 500M or 2G"));
+    CHECK_THAT(parse_size(text).wrong, Contains("is not a size; write a number with K, M, G or T, such as 500M or 2G"));
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a wrong value is refused with what is expected, and the target stays"
   refused("--length", "nan", "is not a finite number above 0");
   refused("--length", "inf", "is not a finite number above 0");
   refused("--length", "1,5", "is not a finite number above 0");
-  refused("--colour", "blue", "is none of red|green");
+  refused("--colour", "blue", "is not one of red|green");
 }
 
 TEST_CASE("help shows the type of each option") {
