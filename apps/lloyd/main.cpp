@@ -147,24 +147,6 @@ void report_own_options(Json& reported, const OwnOptions& own) {
   reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
 }
 
-void report_relaxation(Json& results, const LloydResult& result) {
-  results["iterations"] = result.iterations.size();
-  results["stop"] = name_of(result.stop);
-  add_iterations(results, result);
-  results["residual"] = result.residual;
-  results["mean_cell_radius"] = result.mean_cell_radius;
-  results["diagrams"] = result.diagrams;
-  results["area_variation"] = area_variation(result.diagram.cells);
-}
-
-/// One line each: iterations and energies, and how even the areas are.
-std::vector<std::string> describe_relaxation(const LloydResult& result) {
-  return {fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
-                      counted(std::ssize(result.iterations), "iteration", "iterations"), result.initial_energy,
-                      result.final_energy, describe(result.stop)),
-          fmt::format("areas of the cells: coefficient of variation {:.3g}", area_variation(result.diagram.cells))};
-}
-
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.
 class RelaxationTrace {
  public:
@@ -211,35 +193,28 @@ constexpr std::size_t kMostScenes = 12;
 /// default.
 constexpr double kCoarseChords = 0.05;
 
-DiagramOptions coarse(DiagramOptions options) {
-  options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
-  return options;
-}
-
 ViewScene make_scene(const Mesh& mesh, const Diagram& diagram, std::string name, double energy) {
   ViewScene scene = make_view_scene(std::move(name), mesh, diagram);
   scene.figures.push_back({"Energy", fmt::format("{:.6g}", energy)});
   return scene;
 }
 
-double energy_after(const LloydResult& relaxed, std::size_t iterations) {
-  return iterations == 0 ? relaxed.initial_energy : relaxed.iterations[iterations - 1].energy;
-}
-
 /// The scenes of the page: the relaxed generators, the start, and iterations between them, evenly over the run.
 /// `options`: of their diagrams, which are computed but for the last.
 std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult& relaxed, const RelaxationTrace& trace,
-                                             const DiagramOptions& options) {
+                                             DiagramOptions options) {
   const std::size_t last = relaxed.iterations.size(), gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, 1));
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
   scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
   scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
   if (last > 0) scenes[0].iteration = last;
   for (std::size_t k = 0; k < gaps; ++k) {
-    const std::size_t iterations = (k * last + gaps / 2) / gaps;  // rounded to the nearest
-    const Diagram diagram = compute_diagram(mesh, trace.generators(iterations), k == 0 ? options : coarse(options));
-    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy_after(relaxed, iterations)));
-    if (last > 0) scenes.back().iteration = iterations;
+    const std::size_t done = (k * last + gaps / 2) / gaps;  // rounded to the nearest
+    const double energy = done == 0 ? relaxed.initial_energy : relaxed.iterations[done - 1].energy;
+    const Diagram diagram = compute_diagram(mesh, trace.generators(done), options);
+    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy));
+    if (last > 0) scenes.back().iteration = done;
+    options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
   }
   return scenes;
 }
@@ -252,9 +227,20 @@ Progress limit_progress(const Progress& progress, const RelaxationTrace& trace, 
 }
 
 void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
-  report_relaxation(run.report().results(), result);
+  const double variation = area_variation(result.diagram.cells);
+  Json& results = run.report().results();
+  results["iterations"] = result.iterations.size();
+  results["stop"] = name_of(result.stop);
+  add_iterations(results, result);
+  results["residual"] = result.residual;
+  results["mean_cell_radius"] = result.mean_cell_radius;
+  results["diagrams"] = result.diagrams;
+  results["area_variation"] = variation;
   run.figures().energy = result.final_energy;
-  for (const std::string& line : describe_relaxation(result)) run.console().note(line);
+  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
+                                 counted(std::ssize(result.iterations), "iteration", "iterations"),
+                                 result.initial_energy, result.final_energy, describe(result.stop)));
+  run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
   run.report().generators().clear();
   run.report().set_generators(mesh, result.generators);
   report_diagram(run, result.diagram);
@@ -277,11 +263,8 @@ LloydResult relax(Run& run, const Mesh& mesh, const WeightedStart& start, const 
 }
 
 void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
-  LabelledMesh output{mesh};
-  output.face_label = &diagram.face_label;
-  output.vertex_label = &diagram.vertex_label;
-  output.vertex_distance = &diagram.vertex_distance;
-  output.diagram = &diagram;
+  const LabelledMesh output{mesh,    &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
+                            &diagram};
   const auto list = [&](GeneratorFormat format) {
     return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
   };

@@ -133,15 +133,11 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& 
   return start;
 }
 
-/// Listed generators are where the user wants the vertices.
-Placement default_placement(const GeneratorOptions& generators) {
-  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
-}
-
 RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& start, const Settings& settings) {
   RemeshOptions options = settings.remesh;
   options.creases = trace_creases(mesh, start.creases, start.corner_distance);
-  options.placement.method = settings.place.value_or(default_placement(run.options().generators));
+  if (run.options().generators.are_listed()) options.placement.method = Placement::generator;  // as the user wants
+  if (settings.place) options.placement.method = *settings.place;
   for (std::size_t i = 0; i < start.freedom.size(); ++i) {
     if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -51,56 +52,29 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   reported["labels"] = own.cut ? nullptr : Json(name_in(kLabels, options.labels));
 }
 
-/// Faces that no generator reaches.
-std::int64_t count_unreached(const IdVector<FaceId, GeneratorId>& label) {
-  return std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
-}
-
 /// The note on generators that own no face. It names a few of them; the report lists all.
-std::string describe_without_face(const std::vector<GeneratorId>& without_face) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kNamed, without_face.size()); ++i) {
-    names += fmt::format("{}{}", i > 0 ? ", " : "", without_face[i].value());
+std::string describe_without_face(const std::vector<std::int32_t>& ids) {
+  const auto named = ids.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, ids.size()));
+  return fmt::format(
+      "{} inside faces of other regions: {}{}",
+      counted(std::ssize(ids), "generator owns no face, its cell lies", "generators own no face, their cells lie"),
+      fmt::join(ids.begin(), named, ", "), named == ids.end() ? "" : ", ...");
+}
+
+/// Reports the size of each of `count` regions, and notes the faces that none has.
+void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
+  const auto unreached = std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
+  if (unreached > 0) {
+    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
   }
-  if (without_face.size() > kNamed) names += ", ...";
-  return fmt::format("{} inside faces of other regions: {}",
-                     counted(std::ssize(without_face), "generator owns no face, its cell lies",
-                             "generators own no face, their cells lie"),
-                     names);
-}
-
-void report_segmentation(Json& results, const Segmentation& segmentation) {
-  Json without_face = Json::array();
-  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
-  results["generators_without_face"] = std::move(without_face);
-  results["moved_faces"] = segmentation.moved_faces;
-  results["given_faces"] = segmentation.given_faces;
-  results["smoothed_faces"] = segmentation.smoothed_faces;
-}
-
-/// Lengths are in mesh units.
-void report_borders(Json& results, double border_length, double bisector_length) {
-  results["border_length"] = border_length;
-  results["border_ratio"] = bisector_length > 0 ? Json(border_length / bisector_length) : Json();
-}
-
-/// Reports the size of each of `count` regions.
-void report_regions(Json& results, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
-  Json regions = Json::array();
+  Json& results = run.report().results();
+  results["faces"] = mesh.face_count();
+  results["unreached_faces"] = unreached;
+  Json& regions = results["regions"] = Json::array();
   const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, label, count);
   for (const GeneratorId g : sizes.ids()) {
     regions.push_back({{"label", g.value()}, {"faces", sizes[g].faces}, {"area", sizes[g].area}});
   }
-  results["faces"] = mesh.face_count();
-  results["unreached_faces"] = count_unreached(label);
-  results["regions"] = std::move(regions);
-}
-
-void note_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
-  if (const std::int64_t unreached = count_unreached(label); unreached > 0) {
-    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
-  }
-  report_regions(run.report().results(), mesh, label, count);
 }
 
 void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
@@ -108,26 +82,31 @@ void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write
   write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
 }
 
-void note_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
-  const double borders = compute_border_length(mesh, segmentation.face_label);
-  if (!segmentation.without_face.empty()) run.console().note(describe_without_face(segmentation.without_face));
-  report_segmentation(run.report().results(), segmentation);
-  if (diagram.length > 0) {
+/// Lengths are in mesh units.
+void report_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
+  const double borders = compute_border_length(mesh, segmentation.face_label), bisectors = diagram.length;
+  std::vector<std::int32_t> without_face;
+  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
+  if (!without_face.empty()) run.console().note(describe_without_face(without_face));
+  if (bisectors > 0) {
     run.console().detail(
-        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / diagram.length));
+        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / bisectors));
   }
-  report_borders(run.report().results(), borders, diagram.length);
-  note_regions(run, mesh, segmentation.face_label, diagram.generators.size());
+  Json& results = run.report().results();
+  results["generators_without_face"] = std::move(without_face);
+  results["moved_faces"] = segmentation.moved_faces;
+  results["given_faces"] = segmentation.given_faces;
+  results["smoothed_faces"] = segmentation.smoothed_faces;
+  results["border_length"] = borders;
+  results["border_ratio"] = bisectors > 0 ? Json(borders / bisectors) : Json();
+  report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
 }
 
 void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
-  note_segmentation(run, mesh, diagram, segmentation);
-  LabelledMesh output{mesh};
-  output.face_label = &segmentation.face_label;
-  output.vertex_label = &diagram.vertex_label;
-  output.vertex_distance = &diagram.vertex_distance;
-  output.diagram = &diagram;
+  report_segmentation(run, mesh, diagram, segmentation);
+  const LabelledMesh output{mesh,    &segmentation.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
+                            &diagram};
   write_files(run, output, [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
 }
 
@@ -138,14 +117,8 @@ void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
   }
   run.report().results()["uncut_faces"] = cut.uncut_faces;
-  note_regions(run, cut.mesh, cut.label, diagram.generators.size());
-  LabelledMesh output{cut.mesh};
-  output.face_label = &cut.label;
-  output.face_parent = &cut.parent;
-  output.vertex_label = &vertices.label;
-  output.vertex_distance = &vertices.distance;
-  output.diagram = &diagram;
-  output.diagram_mesh = &mesh;
+  report_regions(run, cut.mesh, cut.label, diagram.generators.size());
+  const LabelledMesh output{cut.mesh, &cut.label, &cut.parent, &vertices.label, &vertices.distance, &diagram, &mesh};
   write_files(run, output, [&](std::ostream& out) { write_cut_json(out, mesh, diagram, cut, vertices); });
 }
 
