@@ -95,11 +95,7 @@ void register_compute(CLI::App& app, ComputeOptions& compute) {
              "--method gbgvd)");
   add_number(app, "--threads", compute.threads, kThreads,
              "Number of threads (default: all cores); it does not change the result");
-  const auto store = [&compute](const std::string& text) {
-    const ParsedSize size = parse_size(text);
-    if (size.wrong.empty()) compute.max_memory = size.bytes;
-    return size.wrong;
-  };
+  const auto store = [&compute](const std::string& text) { return parse_size(text, compute.max_memory); };
   add_parsed(app, "--max-memory", "SIZE", store, "End the run if it needs more memory than this, as in 500M or 2G");
   add_flag(app, "--verify", compute.verify, "After the run, measure the error of the diagram against exact distances");
 }

@@ -39,15 +39,10 @@ std::optional<T> parse_number_in(std::string_view text, const Range<T>& range) {
   return value && *value >= range.low && *value <= range.high ? value : std::nullopt;
 }
 
-/// A size, or what is wrong with its text.
-struct ParsedSize {
-  std::int64_t bytes = 0;
-  std::string wrong;  ///< empty where nothing is
-};
-
-/// "500M" as bytes: a number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth, in capital or
-/// small letters; nothing for bytes. "B" or "iB" may follow. From 1 byte to 2^60.
-ParsedSize parse_size(std::string_view text);
+/// Stores "500M" as bytes: a number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth, in
+/// capital or small letters; nothing for bytes. "B" or "iB" may follow. From 1 byte to 2^60. Returns what is wrong with
+/// the text; empty where nothing is.
+std::string parse_size(std::string_view text, std::optional<std::int64_t>& bytes);
 
 /// Stores a text of the user's. Returns what is wrong with it; empty where nothing is.
 using StoreText = std::function<std::string(const std::string&)>;
