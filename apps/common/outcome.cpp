@@ -26,26 +26,18 @@ namespace gvd::app {
 namespace {
 
 struct CodeWords {
-  ErrorCode code;
   ExitCode exit_code;
   const char* words;
 };
 
-constexpr CodeWords kNoValidResult{ErrorCode::no_valid_result, kNoResult, "no valid result"};
-constexpr CodeWords kCodes[]{{ErrorCode::invalid_option, kUsage, "usage"},
-                             {ErrorCode::unreadable_input, kUnreadableInput, "unreadable input"},
-                             {ErrorCode::precondition, kPreconditionNotMet, "precondition not met"},
-                             kNoValidResult,
-                             {ErrorCode::unwritable_output, kNotWritten, "not written"},
-                             {ErrorCode::interrupted, kInterrupted, "interrupted"},
-                             {ErrorCode::reader_gone, kReaderGone, "reader gone"}};
-
-const CodeWords& words_of(ErrorCode code) {
-  for (const CodeWords& each : kCodes) {
-    if (each.code == code) return each;
-  }
-  return kNoValidResult;
-}
+/// Of each ErrorCode, in their order.
+constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
+                                           {kUnreadableInput, "unreadable input"},
+                                           {kPreconditionNotMet, "precondition not met"},
+                                           {kNoResult, "no valid result"},
+                                           {kNotWritten, "not written"},
+                                           {kReaderGone, "reader gone"},
+                                           {kInterrupted, "interrupted"}}};
 
 /// This ends a message behind other advice.
 constexpr std::string_view kAllow = ", or set allow_intersections";
@@ -152,7 +144,7 @@ Outcome describe_failure(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const Error& error) {
-    const CodeWords& words = words_of(error.code());
+    const CodeWords& words = kCodes[static_cast<std::size_t>(error.code())];
     const bool gone = error.code() == ErrorCode::reader_gone;
     return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
   } catch (const std::bad_alloc&) {

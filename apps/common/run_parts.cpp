@@ -52,7 +52,7 @@ CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& file : output.files) {
-    const auto format = parse_output_format(file == "-" ? stdout_format(output) : file_extension(file));
+    const auto format = parse_output_format(format_of(output, file));
     if (format) check_format(mesh, *format);
   }
 }
@@ -162,7 +162,7 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, Outp
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
                const std::map<std::string, OutputWriter>& own_formats) {
   const bool standard = path == "-";
-  const std::string format = standard ? stdout_format(run.options().output) : file_extension(path);
+  const std::string format = format_of(run.options().output, path);
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
     if (standard) return write_standard_output(own->second);

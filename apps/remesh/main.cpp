@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -145,8 +144,11 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   options.refine = !settings.no_refine;
   options.diagram = make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
-  run.report().options()["place"] = name_in(kPlacements, options.placement.method);
-  report_remesh_options(run.report().options(), options);
+  Json& reported = run.report().options();
+  reported["place"] = name_in(kPlacements, options.placement.method);
+  reported["max_added"] = *options.max_added;
+  reported["allow_intersections"] = options.allow_intersections;
+  reported["no_refine"] = !options.refine;
   return options;
 }
 
@@ -246,18 +248,13 @@ std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& se
   return *found.count;
 }
 
-bool writes(const OutputOptions& output, std::string_view format) {
-  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
-    return (file == "-" ? stdout_format(output) : file_extension(file)) == format;
-  });
-}
-
 /// Refuses what contradicts the outputs or does nothing.
 void check_settings(const Options& options, const Settings& settings) {
   if (options.output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
-  if (settings.carry && !writes(options.output, "ply") && !writes(options.output, "obj")) {
+  const std::vector<std::string> written = written_formats(options.output);
+  if (settings.carry && !contains(written, "ply") && !contains(written, "obj")) {
     throw Error(ErrorCode::invalid_option,
                 "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
   }
@@ -282,8 +279,7 @@ RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool 
 /// Writes `--map`; the report and a note tell how good the map is.
 void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   if (run.options().output.own.at(kMap).empty()) return;
-  report_map(run.report().results(), map);
-  run.console().note(describe_map(map));
+  run.console().note(report_map(run.report().results(), map));
   write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
@@ -313,7 +309,7 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
   if (carried.properties.empty() && carried.texture.empty()) {
     run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
                                    options.path == "-" ? kStandardInput : options.path));
-  } else if (!carried.properties.empty() && !writes(run.options().output, "ply")) {
+  } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
     run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
   return carried;

@@ -134,16 +134,7 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
                               100 * std::max(there.rms, back.rms) / diagonal));
 }
 
-/// Null where the map is one-to-one.
-Json obstacle(const RemeshMap& map) { return map.one_to_one ? Json() : Json(map.obstacle); }
-
 }  // namespace
-
-void report_remesh_options(Json& options, const RemeshOptions& remesh) {
-  options["max_added"] = *remesh.max_added;
-  options["allow_intersections"] = remesh.allow_intersections;
-  options["no_refine"] = !remesh.refine;
-}
 
 void report_remesh(Json& results, const Mesh& mesh, const RemeshResult& result) {
   results["added_generators"] = result.added;
@@ -168,14 +159,18 @@ void report_trials(Json& results, double target, const Fewest& found) {
   results["search"] = {{"hausdorff", target}, {"trials", std::move(trials)}};
 }
 
-void report_map(Json& results, const RemeshMap& map) {
+std::string report_map(Json& results, const RemeshMap& map) {
   results["map"] = {{"one_to_one", map.one_to_one},
-                    {"obstacle", obstacle(map)},
+                    {"obstacle", map.one_to_one ? Json() : Json(map.obstacle)},
                     {"kept_faces", map.kept_faces},
                     {"reversed_faces", map.reversed_faces},
                     {"collapsed_faces", map.collapsed_faces},
                     {"largest_move", map.largest_move},
                     {"mean_move", map.mean_move}};
+  const std::string move = fmt::format("vertices are {:.3g} from their points on average", map.mean_move);
+  return map.one_to_one
+             ? "map: one-to-one; " + move
+             : fmt::format("map: nearest points, several vertices may have the same one: {}; {}", map.obstacle, move);
 }
 
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {
@@ -191,13 +186,6 @@ std::vector<std::string> describe_remesh(const RemeshResult& result, const Remes
   describe_intersections(result.certificate, lines);
   describe_distance(result, lines);
   return lines;
-}
-
-std::string describe_map(const RemeshMap& map) {
-  const std::string move = fmt::format("vertices are {:.3g} from their points on average", map.mean_move);
-  return map.one_to_one
-             ? "map: one-to-one; " + move
-             : fmt::format("map: nearest points, several vertices may have the same one: {}; {}", map.obstacle, move);
 }
 
 }  // namespace gvd::app

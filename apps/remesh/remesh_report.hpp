@@ -12,23 +12,17 @@
 // The result of gvd-remesh for its user: members of the report, and notes.
 namespace gvd::app {
 
-/// Adds options of the remesh to the member `options` of the report. `options.max_added` must be the bound that holds
-/// for the run, given or not.
-void report_remesh_options(nlohmann::ordered_json& options, const RemeshOptions& remesh);
-
 /// Adds the certificate and the quality of a remesh to the member `results` of the report.
 void report_remesh(nlohmann::ordered_json& results, const Mesh& mesh, const RemeshResult& result);
 
 /// Adds the trials of --error. `target`: the distance that it asks for, mesh units.
 void report_trials(nlohmann::ordered_json& results, double target, const Fewest& found);
 
-/// Adds how good the map of --map is.
-void report_map(nlohmann::ordered_json& results, const RemeshMap& map);
+/// Adds how good the map of --map is. Returns the note on it: whether it is one-to-one, and how far vertices move.
+std::string report_map(nlohmann::ordered_json& results, const RemeshMap& map);
 
-/// The notes on a remesh, one line each. `options`: those that gave the result, with the bound as above.
+/// The notes on a remesh, one line each. `options`: those that gave the result; `max_added` must
+/// be the bound that held for the run, given or not.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);
-
-/// The note on a map: whether it is one-to-one, and how far vertices move.
-std::string describe_map(const RemeshMap& map);
 
 }  // namespace gvd::app

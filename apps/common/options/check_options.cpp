@@ -136,7 +136,7 @@ void check_standard_output(const OutputOptions& output) {
   if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
     refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
   }
-  const std::string format = stdout_format(output);
+  const std::string format = format_of(output, "-");
   const bool is_binary = (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb";
   if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
     refuse(

@@ -56,7 +56,17 @@ void add_output(Json& json, const OutputOptions& output) {
 
 }  // namespace
 
-std::string stdout_format(const OutputOptions& output) { return output.formats.empty() ? "" : output.formats.front(); }
+std::string format_of(const OutputOptions& output, const std::string& file) {
+  if (file != "-") return file_extension(file);
+  return output.formats.empty() ? "" : output.formats.front();
+}
+
+std::vector<std::string> written_formats(const OutputOptions& output) {
+  std::vector<std::string> written;
+  if (!output.folder.empty()) written = output.formats;
+  for (const std::string& file : output.files) written.push_back(format_of(output, file));
+  return written;
+}
 
 DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   DiagramOptions options;

@@ -119,8 +119,11 @@ std::string name_in(const Choices<T>& choices, const T& value) {
   return "";
 }
 
-/// The format of standard output.
-std::string stdout_format(const OutputOptions& output);
+/// The format of a file of `-o`: its extension, or for "-" that of standard output.
+std::string format_of(const OutputOptions& output, const std::string& file);
+
+/// The formats that a run writes to files of `-o`, to standard output, or into the folder.
+std::vector<std::string> written_formats(const OutputOptions& output);
 
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);

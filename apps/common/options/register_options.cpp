@@ -143,14 +143,11 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
 
 /// Why an option for some formats does nothing, unless a file or standard output gets one of them.
 std::string why_unused(const OutputOptions& output, const Formats& wanted, const std::string& reason) {
-  const bool into_folder = !output.folder.empty(), piped = contains(output.files, "-");
-  Formats written = into_folder ? output.formats : Formats{};
-  for (const std::string& file : output.files) {
-    written.push_back(file == "-" ? stdout_format(output) : file_extension(file));
+  for (const std::string& format : written_formats(output)) {
+    if (contains(wanted, format)) return "";
   }
-  const auto is_wanted = [&](const std::string& format) { return contains(wanted, format); };
-  if (std::any_of(written.begin(), written.end(), is_wanted)) return "";
-  return fmt::format(fmt::runtime(reason), into_folder || piped ? "--output-format" : "-o");
+  const bool names_formats = !output.folder.empty() || contains(output.files, "-");
+  return fmt::format(fmt::runtime(reason), names_formats ? "--output-format" : "-o");
 }
 
 std::vector<ValueRule> compute_rules(CLI::App& app, ComputeOptions& compute) {

@@ -21,7 +21,7 @@ TEST_CASE("the defaults are the contract's") {
   const DiagramOptions diagram = make_diagram_options(options.compute);
   CHECK(diagram.method == Method::exact);
   CHECK(diagram.chord_tolerance == 1e-4);
-  CHECK(stdout_format(options.output) == "ply");
+  CHECK(format_of(options.output, "-") == "ply");
 }
 
 TEST_CASE("every option is stored in its field") {
@@ -71,7 +71,7 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
-  CHECK(stdout_format(options.output) == "json");
+  CHECK(format_of(options.output, "-") == "json");
   CHECK(options.output.view == "v.html");
   CHECK(options.output.up == UpAxis::minus_x);
   CHECK(options.quiet);
@@ -117,7 +117,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
   const Options file = with("output = \"-\"\noutput-format = \"json\"\n", {"a.obj", "-n", "3", "-o", "a.obj"});
-  CHECK(stdout_format(file.output) == "ply");
+  CHECK(format_of(file.output, "-") == "ply");
 }
 
 TEST_CASE("a list of vertices has one index between each two commas") {
