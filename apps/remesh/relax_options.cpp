@@ -44,9 +44,9 @@ void check_relaxation(const RelaxOptions& options, const GeneratorOptions& gener
                      : !options.constraints.fixed.empty() ? "--fixed"
                                                           : nullptr;
   if (!idle) return;
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("{}: no generator is moved; {}", idle,
-                          options.iterations ? "leave out one of it and --relax none" : "ask for it with --relax N"));
+  throw Error(ErrorCode::invalid_option, fmt::format("{}: no generator is moved; {}", idle,
+                                                     options.iterations ? "leave it out, or leave out --relax none"
+                                                                        : "ask for it with --relax N"));
 }
 
 }  // namespace gvd::app

@@ -51,7 +51,7 @@ TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where
   CHECK(report["generators"][0]["position"] == report_of(run + fixed)["generators"][0]["position"]);
   const CommandResult idle = run_command("gvd-remesh", run + fixed + " --relax none");
   CHECK(idle.exit_code == 2);
-  CHECK_THAT(idle.err, Contains("--fixed: no generator is moved; leave out one of it and --relax none"));
+  CHECK_THAT(idle.err, Contains("--fixed: no generator is moved; leave it out, or leave out --relax none"));
   const CommandResult listed =
       run_command("gvd-remesh", data_file("figure.obj") + " --vertices 1,9 --density curvature");
   CHECK(listed.exit_code == 2);
