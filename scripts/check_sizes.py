@@ -28,7 +28,7 @@ MEDIAN_SOURCE_LINES = 120
 MOST_FOLDERS = 45
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today, to be lowered and never raised. The aims are 46000, 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 48050, ("apps",): 5200, ("apps/common",): 3700}
+MOST_LINES = {("libgvd", "apps", "bench"): 48050, ("apps",): 4420, ("apps/common",): 3260}
 # The aim is 0.15.
 SHARE_OF_COMMENTS = 0.145
 CASTS_PER_THOUSAND_LINES = 6

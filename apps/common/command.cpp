@@ -22,7 +22,7 @@ std::string help_footer(const std::string& examples) {
   return "\nExamples:\n" + examples +
          "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
          "5 no valid result or out of memory, 6 output could not be written,\n"
-         "130 interrupted; of several inputs, that of the first one that failed.\n";
+         "130 interrupted; with several inputs, the code of the first one that failed.\n";
 }
 
 /// The description of a command whose options may not find the memory that they need.

@@ -16,9 +16,9 @@
 #include <new>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "common/console.hpp"
-#include "common/name_options.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
 
@@ -26,26 +26,39 @@ namespace gvd::app {
 namespace {
 
 struct CodeWords {
-  ErrorCode code;
   ExitCode exit_code;
   const char* words;
 };
 
-constexpr CodeWords kNoValidResult{ErrorCode::no_valid_result, kNoResult, "no valid result"};
-constexpr CodeWords kCodes[]{{ErrorCode::invalid_option, kUsage, "usage"},
-                             {ErrorCode::unreadable_input, kUnreadableInput, "unreadable input"},
-                             {ErrorCode::precondition, kPreconditionNotMet, "precondition not met"},
-                             kNoValidResult,
-                             {ErrorCode::unwritable_output, kNotWritten, "not written"},
-                             {ErrorCode::interrupted, kInterrupted, "interrupted"},
-                             {ErrorCode::reader_gone, kReaderGone, "reader gone"}};
+/// Of each ErrorCode, in their order.
+constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
+                                           {kUnreadableInput, "unreadable input"},
+                                           {kPreconditionNotMet, "precondition not met"},
+                                           {kNoResult, "no valid result"},
+                                           {kNotWritten, "not written"},
+                                           {kReaderGone, "reader gone"},
+                                           {kInterrupted, "interrupted"}}};
 
-const CodeWords& words_of(ErrorCode code) {
-  for (const CodeWords& each : kCodes) {
-    if (each.code == code) return each;
-  }
-  return kNoValidResult;
-}
+/// This ends a message behind other advice.
+constexpr std::string_view kAllow = ", or set allow_intersections";
+constexpr std::string_view kAllowOption = ", or add --allow-intersections";
+
+struct Advice {
+  std::string_view of_library;
+  std::string_view of_command;
+};
+
+constexpr std::array<Advice, 8> kAdvice{{
+    {"name the format", "name the format with --input-format obj, ply, off or stl"},
+    {"allow its repair", "allow its repair with --on-defect repair"},
+    {"give the list as CSV", "give the list as CSV with --generators-format csv"},
+    {"raise max_snap", "raise --max-snap"},
+    {"set merge_coincident", "add --merge-coincident"},
+    {"set refine", "leave --no-refine or --exact-count out"},
+    {"raise max_added", "raise --max-added"},
+    {"choose PLY, OBJ, OFF or VTP",
+     "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},
+}};
 
 /// The options that the message of a shortage depends on.
 ComputeOptions g_compute;
@@ -113,12 +126,25 @@ constinit thread_local bool t_ending = false;
 
 }  // namespace
 
+std::string name_options(std::string message) {
+  if (message.ends_with(kAllow)) {
+    message.resize(message.size() - kAllow.size());
+    return name_options(std::move(message)).append(kAllowOption);
+  }
+  for (const Advice& advice : kAdvice) {
+    if (!message.ends_with(advice.of_library)) continue;
+    message.replace(message.size() - advice.of_library.size(), advice.of_library.size(), advice.of_command);
+    break;
+  }
+  return message;
+}
+
 Outcome describe_failure(const std::exception_ptr& failure) {
   if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
   try {
     std::rethrow_exception(failure);
   } catch (const Error& error) {
-    const CodeWords& words = words_of(error.code());
+    const CodeWords& words = kCodes[static_cast<std::size_t>(error.code())];
     const bool gone = error.code() == ErrorCode::reader_gone;
     return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
   } catch (const std::bad_alloc&) {

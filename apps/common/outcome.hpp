@@ -28,6 +28,10 @@ struct Outcome {
   std::string summary = "done";  ///< in a few words: "unreadable input"
 };
 
+/// The message of an error for users of a command. libgvd knows no command line: its advice names its own fields, as in
+/// "raise max_snap". Where a message ends so, it ends with the option that does it.
+std::string name_options(std::string message);
+
 /// Runs `work`, and turns what it throws into an outcome: exit code 2 to 6, 130 or 141 for a gvd::Error of each code, 5
 /// where memory runs out or a thread can't be started. A reader of the output that is gone has no message: nobody is
 /// left to tell. Lifts the limit of memory at the end.

@@ -1,17 +1,141 @@
-// A run of a command: times and progress, which the library asks for by callbacks.
+// A run of a command: its report, times and progress.
 //
-// The library reads no clock and prints nothing. A step's time is reported when its StepTimes ends, after an exception
-// too. The progress callback draws the bar and cancels the library's work once a signal has come.
+// The report is one JSON document (gvd-report/1), which the body of the run fills in and writes at its end. Members
+// stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may have a
+// million, and written one a line, in the form in which `parse_generators` reads them. The library reads no clock and
+// prints nothing. A step's time is reported when its StepTimes ends, after an exception too. The progress callback
+// draws the bar and cancels the library's work once a signal has come.
 
 #include "common/run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "common/process.hpp"
+#include "gvd/error.hpp"
+#include "gvd/version.hpp"
 
 namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::int64_t count_disc_cells(const Diagram& diagram) {
+  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
+                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
+}
+
+/// The shortest digits that bring the same double back.
+std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+
+std::string format_generator(const ReportedGenerator& generator) {
+  const auto& [point, at, snap_distance] = generator;
+  const auto& [u, v, w] = point.bary;
+  return fmt::format("{{\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]{}}}", point.face.value(), u, v, w,
+                     json_number(at.x()), json_number(at.y()), json_number(at.z()),
+                     snap_distance ? ",\"snap_distance\":" + json_number(*snap_distance) : "");
+}
+
+void write_generators(std::ostream& out, const std::vector<ReportedGenerator>& generators) {
+  const char* before = "[\n  ";
+  for (const ReportedGenerator& generator : generators) {
+    out << before << format_generator(generator);
+    before = ",\n  ";
+  }
+  out << (generators.empty() ? "[]" : "\n]");
+}
+
+}  // namespace
+
+RunReport::RunReport(const std::string& command, const Options& options)
+    : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/1"},
+                                            {"command", command},
+                                            {"version", version()},
+                                            {"options", to_json(options)},
+                                            {"seed", options.generators.seed},
+                                            {"input", nullptr},
+                                            {"generators", nullptr},
+                                            {"diagram", nullptr},
+                                            {"timings_ms", Json::object()},
+                                            {"peak_memory_bytes", 0},
+                                            {"results", Json::object()}})) {}
+
+RunReport::~RunReport() = default;
+
+Json& RunReport::options() { return (*document_)["options"]; }
+
+Json& RunReport::results() { return (*document_)["results"]; }
+
+void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
+  Json counts = Json::object();
+  for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
+  (*document_)["input"] = {{"vertices", mesh.vertices},
+                           {"faces", mesh.faces},
+                           {"components", mesh.components},
+                           {"boundary_loops", mesh.boundary_loops},
+                           {"euler_characteristic", mesh.euler_characteristic},
+                           {"area", mesh.area},
+                           {"bbox_diagonal", mesh.bbox_diagonal},
+                           {"defects", std::move(counts)}};
+}
+
+void RunReport::set_diagram(const Diagram& diagram) {
+  (*document_)["diagram"] = {{"branch_points", diagram.branch_points.size()},
+                             {"bisectors", diagram.bisectors.size()},
+                             {"length", diagram.length},
+                             {"cells", diagram.cells.size()},
+                             {"disc_cells", count_disc_cells(diagram)},
+                             {"trivial_faces", diagram.report.face_classes.trivial},
+                             {"ordinary_faces", diagram.report.face_classes.ordinary},
+                             {"branching_faces", diagram.report.face_classes.branching},
+                             {"gaps", diagram.report.gaps},
+                             {"gaps_grown", diagram.report.gaps_grown},
+                             {"gaps_assembled", diagram.report.gaps_assembled},
+                             {"unresolved_ends", diagram.report.unresolved_ends},
+                             {"relabelled_vertices", diagram.report.relabelled_vertices},
+                             {"straightened_faces", diagram.report.straightened_faces},
+                             {"straightened_error", diagram.report.straightened_error},
+                             {"verify", nullptr}};
+}
+
+void RunReport::set_error_measure(const ErrorMeasure& error) {
+  (*document_)["diagram"]["verify"] = {{"error_integral", error.error_integral},
+                                       {"error_mean", error.error_mean},
+                                       {"error_max", error.error_max},
+                                       {"length", error.length}};
+}
+
+void RunReport::set_time(std::string_view step, double milliseconds) {
+  (*document_)["timings_ms"][std::string(step)] = milliseconds;
+}
+
+void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
+
+void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  generators_.resize(points.size(), {{}, Vec3::Zero(), {}});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(generators_[i].point == points[i])) generators_[i] = {points[i], position(mesh, points[i]), {}};
+  }
+}
+
+void RunReport::write(std::ostream& out) const {
+  const char* separator = "{";
+  for (const auto& [name, value] : document_->items()) {
+    out << separator << '"' << name << "\":";
+    if (name == "generators") {
+      write_generators(out, generators_);
+    } else {
+      out << value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    separator = ",\n";
+  }
+  out << "}\n";
+  if (!out.flush()) throw Error(ErrorCode::unwritable_output, "the output stream could not be written");
+}
 
 StepTimes::StepTimes(Run& run) : run_(run) { check_interrupt(); }
 

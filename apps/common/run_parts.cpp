@@ -2,7 +2,9 @@
 //
 // Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
 // report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
-// mesh are refused as soon as the mesh is known.
+// mesh are refused as soon as the mesh is known. Listed generators are where the user wants them: they are only moved
+// to the surface. Sampling is seeded, so that the same options give the same points. A length of edges becomes a number
+// of generators by the area that each one has in an even triangulation.
 
 #include "common/run_parts.hpp"
 
@@ -10,14 +12,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 
-#include "common/choose_generators.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
 #include "gvd/verify.hpp"
@@ -29,23 +33,17 @@ namespace {
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
 PolygonSoup read(const InputOptions& input, std::string* standard_input) {
-  const auto format = format_from_extension(input.format);
-  if (input.path != "-") return read_soup(input.path, format);
+  if (input.path != "-") return read_soup(input.path, input.format);
   std::string bytes = read_standard_input();
-  PolygonSoup soup = parse_soup(bytes, *format, kStandardInput);
+  PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
   if (standard_input != nullptr) *standard_input = std::move(bytes);
   return soup;
-}
-
-DefectPolicy policy(const std::string& name) {
-  if (name == "error") return DefectPolicy::error;
-  return name == "largest" ? DefectPolicy::largest : DefectPolicy::repair;
 }
 
 /// Adds the name of the input to the errors of build_mesh, which knows no file.
 CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
   try {
-    return build_mesh(soup, policy(input.on_defect));
+    return build_mesh(soup, input.on_defect);
   } catch (const Error& error) {
     throw Error(error.code(), name_of(input) + ": " + error.what(), error.element());
   }
@@ -54,7 +52,7 @@ CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& file : output.files) {
-    const auto format = parse_output_format(file == "-" ? stdout_format(output) : file_extension(file));
+    const auto format = parse_output_format(format_of(output, file));
     if (format) check_format(mesh, *format);
   }
 }
@@ -66,6 +64,59 @@ void note_changes(Console& console, const ResolvedGenerators& resolved) {
   if (resolved.merged == 0) return;
   console.note(fmt::format("generators: {}",
                            counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
+}
+
+GeneratorList read_list(const GeneratorOptions& options) {
+  if (options.file == "-") {
+    const std::string content = read_standard_input();
+    return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
+  }
+  if (!options.vertices) return read_generators(options.file, options.format);
+  GeneratorList list{"--vertices", {}};
+  for (const std::int64_t vertex : *options.vertices) {
+    list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
+  }
+  return list;
+}
+
+ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, const Progress& progress) {
+  ResolveOptions options;
+  options.input_vertices = &input.mesh_vertex;
+  options.max_snap = asked.max_snap;
+  options.merge_coincident = asked.merge_coincident;
+  options.progress = progress;
+  return resolve_generators(input.mesh, read_list(asked), options);
+}
+
+/// The number of generators for a mean length of edges.
+std::int32_t count_for(const Mesh& mesh, double edge) {
+  const double count = even_count(compute_area(mesh), edge);
+  if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer edges", edge, count));
+}
+
+ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& progress) {
+  const GeneratorOptions& asked = run.generators;
+  SamplingOptions options;
+  options.seed = asked.seed;
+  options.front = make_diagram_options(run.compute).front;
+  options.progress = progress;
+  if (asked.count) options.count = *asked.count;
+  if (asked.target_edge) options.count = count_for(mesh, *asked.target_edge);
+  if (asked.radius) options.radius = *asked.radius;
+  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
+  ResolvedGenerators sampled;
+  sampled.points = sample_generators(mesh, options);
+  sampled.snap_distance.resize(sampled.points.size());
+  return sampled;
+}
+
+/// The generators that the options ask for, exactly as many as they say: those of a list, snapped to the surface, or
+/// sampled ones.
+ResolvedGenerators choose_generators(const CheckedMesh& input, const Options& options, const Progress& progress) {
+  return options.generators.are_listed() ? resolve(input, options.generators, progress)
+                                         : sample(input.mesh, options, progress);
 }
 
 /// Computes the diagram, and reports the time of each of its steps as "diagram: step".
@@ -111,7 +162,7 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, Outp
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
                const std::map<std::string, OutputWriter>& own_formats) {
   const bool standard = path == "-";
-  const std::string format = standard ? stdout_format(run.options().output) : file_extension(path);
+  const std::string format = format_of(run.options().output, path);
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
     if (standard) return write_standard_output(own->second);
@@ -182,7 +233,7 @@ void report_diagram(Run& run, const Diagram& diagram) {
         counted(report.straightened_faces, "face", "faces"), report.straightened_error));
   }
   if (report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is not complete: {} no branch point",
+    run.console().note(fmt::format("the diagram is incomplete: {} no branch point",
                                    counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
   }
 }
@@ -192,7 +243,7 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   const bool has_own =
       std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
   if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
-    run.console().note("no file is written; name one with -o, --report, --diagram or --view");
+    run.console().note("no file was written; name one with -o, --report, --diagram or --view");
   }
   if (output.files.empty()) return;
   run.timed("write", [&] {

@@ -24,8 +24,9 @@ namespace gvd::app {
 /// held where INPUT is that: it can be read only once.
 CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
 
-/// Chooses the generators by the options (`choose_generators`), and reports them. `count`: of sampled ones, in place of
-/// that of the options.
+/// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
+/// ones. `count`: of sampled ones, in place of that of the options. Throws what read_generators, resolve_generators and
+/// sample_generators throw.
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count = {});
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "common/outcome.hpp"
 #include "common/process.hpp"
@@ -27,7 +29,7 @@ std::int64_t displayed_width(const std::string& text) {
 }
 
 /// Appends a column to the lines of a table; `cells[0]` is its title.
-void append_column(std::vector<std::string>& lines, const std::vector<std::string>& cells, bool right = true) {
+void append_column(std::vector<std::string>& lines, const std::vector<std::string>& cells, bool right) {
   std::int64_t width = 0;
   for (const std::string& cell : cells) width = std::max(width, displayed_width(cell));
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -44,12 +46,8 @@ void print_error(const std::string& command, const std::string& input, const std
   Console(command, {}, false, false).error(has_name ? message : fmt::format("{}: {}", input, message));
 }
 
-struct RunEnd {
-  Outcome outcome;
-  RunFigures figures;
-};
-
-RunEnd run_one(const std::string& command, const Options& options, const std::function<void(Run&)>& body) {
+std::pair<Outcome, RunFigures> run_one(const std::string& command, const Options& options,
+                                       const std::function<void(Run&)>& body) {
   const std::string& input = options.input.path;
   report_termination(command, input);
   Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.quiet, options.verbose);
@@ -87,26 +85,20 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
 }
 
 std::vector<std::string> format_results(const std::vector<RunResult>& results) {
-  std::vector<std::string> inputs{"input"}, words{"result"}, regions{"regions"}, errors{"E"}, energies{"energy"},
-      times{"time"};
-  bool has_error = false, has_energy = false;
+  std::array<std::vector<std::string>, 6> columns{{{"input"}, {"result"}, {"regions"}, {"E"}, {"energy"}, {"time"}}};
   for (const auto& [input, word, figures, seconds] : results) {
-    inputs.push_back(input);
-    words.push_back(word);
-    regions.push_back(figures.regions ? fmt::format("{}", *figures.regions) : "-");
-    errors.push_back(figure(figures.error_integral));
-    energies.push_back(figure(figures.energy));
-    times.push_back(fmt::format("{:.2f} s", seconds));
-    has_error = has_error || errors.back() != "-";
-    has_energy = has_energy || energies.back() != "-";
+    const std::string regions = figures.regions ? fmt::format("{}", *figures.regions) : "-";
+    const std::array<std::string, 6> cells{
+        input, word, regions, figure(figures.error_integral), figure(figures.energy), fmt::format("{:.2f} s", seconds)};
+    for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(cells[i]);
   }
-  std::vector<std::string> lines(inputs.size());
-  append_column(lines, inputs, false);
-  append_column(lines, words, false);
-  append_column(lines, regions);
-  if (has_error) append_column(lines, errors);
-  if (has_energy) append_column(lines, energies);
-  append_column(lines, times);
+  std::vector<std::string> lines(results.size() + 1);
+  for (const std::vector<std::string>& cells : columns) {
+    const bool is_text = cells[0] == "input" || cells[0] == "result",
+               may_lack = cells[0] == "E" || cells[0] == "energy";
+    const bool lacks = std::count(cells.begin(), cells.end(), "-") == std::ssize(results);
+    if (!may_lack || !lacks) append_column(lines, cells, !is_text);
+  }
   return lines;
 }
 

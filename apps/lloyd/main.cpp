@@ -43,11 +43,8 @@ struct OwnOptions {
 };
 
 /// The values of --accelerate, which the report gives for each iteration too.
-const std::vector<std::pair<std::string, Acceleration>>& acceleration_names() {
-  static const std::vector<std::pair<std::string, Acceleration>> names{
-      {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
-  return names;
-}
+const Choices<Acceleration> kAccelerations{
+    {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
 
 constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
@@ -58,39 +55,39 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-constexpr app::Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
+constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
 // The upper end is the largest double below 2.
-constexpr app::Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
+constexpr Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
 
-void register_relaxation(CLI::App& line, app::OwnOptions& own) {
+void register_relaxation(CLI::App& line, OwnOptions& own) {
   LloydOptions &options = own.relaxation, plain;
   plain.acceleration = Acceleration::none;
   line.option_defaults()->group("Relaxation");
-  app::add_choice(
-      line, "--accelerate", options.acceleration, app::acceleration_names(),
-      "How steps are found: by a quasi-Newton method (lbfgs, the default), by Anderson's mixing of the last "
-      "steps, or by Lloyd's method alone");
-  app::add_choice(line, "--relocate", options.relocate, app::Choices<bool>{{"on", true}, {"off", false}},
-                  "Move generators from cells with little energy to distant cells with much, where that lowers the "
-                  "energy at once (default: on, with --accelerate none off)");
-  app::add_number(line, "--iterations", options.max_iterations, kIterations,
-                  fmt::format("Largest number of iterations (default: {}, with --accelerate none {})",
-                              max_iterations(options), max_iterations(plain)));
-  app::add_number(line, "--tolerance", options.energy_tolerance, app::kNotNegative,
-                  fmt::format("Stop once iterations lower the energy by less than this fraction of it (default: {}, "
-                              "with --accelerate none {}); 1e-5 saves about half of the time",
-                              energy_tolerance(options), energy_tolerance(plain)));
-  app::add_number(line, "--move-tolerance", options.move_tolerance, app::kNotNegative,
-                  fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
-                              "radius (default: {})",
-                              options.move_tolerance));
-  app::add_number(
+  add_choice(line, "--accelerate", options.acceleration, kAccelerations,
+             "How to find the steps: by a quasi-Newton method (lbfgs, the default), by Anderson mixing of the last "
+             "steps, or by Lloyd's method alone");
+  add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
+             "Move generators from cells with little energy to distant cells with much, where that lowers the energy "
+             "at once (default: on; off with --accelerate none)");
+  add_number(line, "--iterations", options.max_iterations, kIterations,
+             fmt::format("Largest number of iterations (default: {}; {} with --accelerate none)",
+                         max_iterations(options), max_iterations(plain)));
+  add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
+             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it (default: {}; {} "
+                         "with --accelerate none); 1e-5 takes about half the time",
+                         energy_tolerance(options), energy_tolerance(plain)));
+  add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
+             fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
+                         "radius (default: {})",
+                         options.move_tolerance));
+  add_number(
       line, "--step", options.step, kStep,
-      fmt::format("Length of Lloyd's steps, as a fraction of the way to the centroid, below 2 (default: {})",
-                  options.step));
-  app::add_number(line, "--time-limit", own.time_limit, app::kNotNegative,
-                  "Stop after the iteration in which the relaxation has taken this many seconds; the result then "
-                  "differs between runs (default: none)");
+      fmt::format(
+          "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
+          options.step));
+  add_number(line, "--time-limit", own.time_limit, kNotNegative,
+             "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
+             "(default: no limit)");
 }
 
 const char* describe(LloydStop stop) {
@@ -100,21 +97,15 @@ const char* describe(LloydStop stop) {
   return kSentences[static_cast<std::size_t>(stop)];
 }
 
-/// The name of an acceleration as on the command line.
-const std::string& acceleration_name(Acceleration acceleration) {
-  const auto has_value = [acceleration](const auto& choice) { return choice.second == acceleration; };
-  return std::find_if(acceleration_names().begin(), acceleration_names().end(), has_value)->first;
-}
-
 /// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
-const char* measure_name(const LloydIteration& iteration) {
-  return iteration.is_sampled ? "sampled" : method_name(iteration.method);
+std::string measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : name_in(kMethods, iteration.method);
 }
 
 /// How the step of an iteration was found, in one word.
 std::string step_name(const LloydIteration& iteration) {
   if (iteration.relocated > 0) return "relocation";
-  return iteration.by == Acceleration::none ? "lloyd" : acceleration_name(iteration.by);
+  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerations, iteration.by);
 }
 
 /// One array for each figure of the iterations. The first energy is that of the given generators.
@@ -146,7 +137,7 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
 
 void report_own_options(Json& reported, const OwnOptions& own) {
   const LloydOptions& options = own.relaxation;
-  reported["accelerate"] = acceleration_name(options.acceleration);
+  reported["accelerate"] = name_in(kAccelerations, options.acceleration);
   reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
   reported["tolerance"] = energy_tolerance(options);
@@ -156,24 +147,6 @@ void report_own_options(Json& reported, const OwnOptions& own) {
   reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
 }
 
-void report_relaxation(Json& results, const LloydResult& result) {
-  results["iterations"] = result.iterations.size();
-  results["stop"] = name_of(result.stop);
-  add_iterations(results, result);
-  results["residual"] = result.residual;
-  results["mean_cell_radius"] = result.mean_cell_radius;
-  results["diagrams"] = result.diagrams;
-  results["area_variation"] = area_variation(result.diagram.cells);
-}
-
-/// One line each: iterations and energies, and how even the areas are.
-std::vector<std::string> describe_relaxation(const LloydResult& result) {
-  return {fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
-                      counted(std::ssize(result.iterations), "iteration", "iterations"), result.initial_energy,
-                      result.final_energy, describe(result.stop)),
-          fmt::format("areas of the cells: coefficient of variation {:.3g}", area_variation(result.diagram.cells))};
-}
-
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.
 class RelaxationTrace {
  public:
@@ -181,7 +154,12 @@ class RelaxationTrace {
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   /// To be called from LloydOptions::on_iteration. Iterations that count as one with those before are forgotten.
-  void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators);
+  void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
+    seconds_.resize(iterations + 1);
+    seconds_.back() = seconds();
+    generators_.resize(iterations + 1);
+    generators_.back() = generators;
+  }
 
   /// The generators after so many iterations; 0: at the start.
   const std::vector<SurfacePoint>& generators(std::size_t iterations) const { return generators_[iterations]; }
@@ -196,16 +174,10 @@ class RelaxationTrace {
   std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
 };
 
-void RelaxationTrace::note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
-  seconds_.resize(iterations + 1);
-  seconds_.back() = seconds();
-  generators_.resize(iterations + 1);
-  generators_.back() = generators;
-}
-
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
   out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
-  const char* first = result.iterations.empty() ? method_name(method) : measure_name(result.iterations.front());
+  const std::string first =
+      result.iterations.empty() ? name_in(kMethods, method) : measure_name(result.iterations.front());
   out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
   for (std::size_t i = 0; i < result.iterations.size(); ++i) {
     const LloydIteration& done = result.iterations[i];
@@ -221,35 +193,28 @@ constexpr std::size_t kMostScenes = 12;
 /// default.
 constexpr double kCoarseChords = 0.05;
 
-DiagramOptions coarse(DiagramOptions options) {
-  options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
-  return options;
-}
-
 ViewScene make_scene(const Mesh& mesh, const Diagram& diagram, std::string name, double energy) {
   ViewScene scene = make_view_scene(std::move(name), mesh, diagram);
   scene.figures.push_back({"Energy", fmt::format("{:.6g}", energy)});
   return scene;
 }
 
-double energy_after(const LloydResult& relaxed, std::size_t iterations) {
-  return iterations == 0 ? relaxed.initial_energy : relaxed.iterations[iterations - 1].energy;
-}
-
 /// The scenes of the page: the relaxed generators, the start, and iterations between them, evenly over the run.
 /// `options`: of their diagrams, which are computed but for the last.
 std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult& relaxed, const RelaxationTrace& trace,
-                                             const DiagramOptions& options) {
+                                             DiagramOptions options) {
   const std::size_t last = relaxed.iterations.size(), gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, 1));
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
   scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
   scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
   if (last > 0) scenes[0].iteration = last;
   for (std::size_t k = 0; k < gaps; ++k) {
-    const std::size_t iterations = (k * last + gaps / 2) / gaps;  // rounded to the nearest
-    const Diagram diagram = compute_diagram(mesh, trace.generators(iterations), k == 0 ? options : coarse(options));
-    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy_after(relaxed, iterations)));
-    if (last > 0) scenes.back().iteration = iterations;
+    const std::size_t done = (k * last + gaps / 2) / gaps;  // rounded to the nearest
+    const double energy = done == 0 ? relaxed.initial_energy : relaxed.iterations[done - 1].energy;
+    const Diagram diagram = compute_diagram(mesh, trace.generators(done), options);
+    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy));
+    if (last > 0) scenes.back().iteration = done;
+    options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
   }
   return scenes;
 }
@@ -262,37 +227,44 @@ Progress limit_progress(const Progress& progress, const RelaxationTrace& trace, 
 }
 
 void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
-  report_relaxation(run.report().results(), result);
+  const double variation = area_variation(result.diagram.cells);
+  Json& results = run.report().results();
+  results["iterations"] = result.iterations.size();
+  results["stop"] = name_of(result.stop);
+  add_iterations(results, result);
+  results["residual"] = result.residual;
+  results["mean_cell_radius"] = result.mean_cell_radius;
+  results["diagrams"] = result.diagrams;
+  results["area_variation"] = variation;
   run.figures().energy = result.final_energy;
-  for (const std::string& line : describe_relaxation(result)) run.console().note(line);
+  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
+                                 counted(std::ssize(result.iterations), "iteration", "iterations"),
+                                 result.initial_energy, result.final_energy, describe(result.stop)));
+  run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
   run.report().generators().clear();
   run.report().set_generators(mesh, result.generators);
   report_diagram(run, result.diagram);
 }
 
-LloydResult relax(Run& run, const Mesh& mesh, const ConstrainedStart& start, const OwnOptions& own,
+LloydResult relax(Run& run, const Mesh& mesh, const WeightedStart& start, const OwnOptions& own,
                   RelaxationTrace& trace) {
-  LloydOptions options = make_lloyd_options(own.relaxation, start, run.options().compute);
+  LloydOptions options = own.relaxation;
   trace = {};
-  if (own.time_limit) options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
-  options.progress = own.time_limit ? limit_progress(run.progress(), trace, *own.time_limit) : run.progress();
-  options.on_iteration = [&, most = max_iterations(options)](std::int64_t iterations, double energy,
-                                                             const std::vector<SurfacePoint>& generators) {
+  if (own.time_limit) {
+    options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
+    options.progress = limit_progress(run.progress(), trace, *own.time_limit);
+  }
+  options.on_iteration = [&trace](std::int64_t iterations, double, const std::vector<SurfacePoint>& generators) {
     trace.note(iterations, generators);
-    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
   };
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
-  run.console().set_status("");
+  LloydResult result = run_relaxation(run, mesh, start, std::move(options));
   report_result(run, mesh, result);
   return result;
 }
 
 void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
-  LabelledMesh output{mesh};
-  output.face_label = &diagram.face_label;
-  output.vertex_label = &diagram.vertex_label;
-  output.vertex_distance = &diagram.vertex_distance;
-  output.diagram = &diagram;
+  const LabelledMesh output{mesh,    &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
+                            &diagram};
   const auto list = [&](GeneratorFormat format) {
     return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
   };
@@ -314,8 +286,7 @@ void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const ConstrainedStart start = constrain_start(input, make_generators(run, input), own.constraints, run.options());
-  if (!start.freedom.empty()) run.console().note(describe_freedom(start.freedom));
+  const WeightedStart start = start_relaxation(run, input, make_generators(run, input), own.constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);
@@ -336,17 +307,17 @@ void lloyd(Run& run, const OwnOptions& own) {
 int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
-  app::OwnOptions own;
-  app::Command command({"gvd-lloyd",
-                        "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                        kExamples,
-                        {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
+  OwnOptions own;
+  Command command({"gvd-lloyd",
+                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                   kExamples,
+                   {"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}});
   register_relaxation(command.line(), own);
-  app::register_constraints(command.line(), own.constraints);
+  register_constraints(command.line(), own.constraints);
   command.add_target(
       "--points", "FILE",
       "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)",
       {"ply", "xyz", "npy"});
   command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV");
-  return command.run(argc, argv, [&](app::Run& run) { lloyd(run, own); });
+  return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
 }

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,10 +31,10 @@
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/remesh_scenes.hpp"
 #include "gvd/text.hpp"
 #include "remesh/relax_options.hpp"
 #include "remesh/remesh_report.hpp"
-#include "remesh/remesh_scenes.hpp"
 
 namespace gvd::app {
 namespace {
@@ -51,12 +50,8 @@ struct Settings {
   bool carry = false;
 };
 
-/// The values of --place.
-const std::vector<std::pair<std::string, Placement>>& placement_names() {
-  static const std::vector<std::pair<std::string, Placement>> names{
-      {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
-  return names;
-}
+const Choices<Placement> kPlacements{
+    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -67,46 +62,41 @@ constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
     "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
 
-constexpr app::Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
+constexpr Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
 constexpr const char* kMap = "--map";
 
 void register_remesh(CLI::App& line, Settings& settings) {
   line.option_defaults()->group("Remesh");
-  app::add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
-                  "Most generators that may be added (default: ten for each given one, component, boundary loop and "
-                  "handle, and 100 more)");
-  app::add_flag(line, "--no-refine", settings.no_refine,
-                "Add no generators: refuse where the given ones are too few for a valid mesh")
+  add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
+             "Largest number of generators to add (default: ten for each given generator, component, boundary loop and "
+             "handle, plus 100)");
+  add_flag(line, "--no-refine", settings.no_refine,
+           "Add no generators; fail if the given ones are too few for a valid mesh")
       ->excludes("--max-added");
-  app::add_flag(line, "--exact-count", settings.no_refine,
-                "The same as --no-refine: exactly the given number of vertices, or none")
+  add_flag(line, "--exact-count", settings.no_refine,
+           "The same as --no-refine: exactly the given number of vertices, or no mesh")
       ->excludes("--max-added");
-  app::add_choice(line, "--place", settings.place, app::placement_names(),
-                  "Vertices at the generators, at the best points for their cells' planes, or fitted to the surface "
-                  "(default: fit, for --generators and --vertices generator)");
-  app::add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
-                "Accept triangles that intersect each other; without it, generators are added there");
-  app::add_flag(line, "--carry", settings.carry,
-                "Give PLY output the colours and other properties of a PLY input, PLY and OBJ its texture coordinates");
+  add_choice(line, "--place", settings.place, kPlacements,
+             "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
+             "the surface (default: fit; generator with --generators and --vertices)");
+  add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
+           "Accept triangles that intersect each other instead of adding generators there");
+  add_flag(line, "--carry", settings.carry,
+           "Carry over the colours and other properties of a PLY input to PLY output, and texture coordinates to PLY "
+           "and OBJ output");
 }
 
 /// The generators that a remesh begins with.
 struct RelaxedStart {
-  ConstrainedStart constrained;
+  WeightedStart constrained;
   std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
 };
 
 void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
-  LloydOptions options = make_lloyd_options({}, start.constrained, run.options().compute);
+  LloydOptions options;
   options.max_iterations = iterations;
-  options.progress = run.progress();
-  options.on_iteration = [&run, iterations](std::int64_t done, double energy, const std::vector<SurfacePoint>&) {
-    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", done, iterations, energy));
-  };
-  LloydResult result =
-      run.timed("relaxation", [&] { return relax_generators(mesh, start.constrained.points, options); });
-  run.console().set_status("");
+  LloydResult result = run_relaxation(run, mesh, start.constrained, std::move(options));
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
                                    counted(std::ssize(result.iterations), "iteration", "iterations"),
                                    result.initial_energy, result.final_energy));
@@ -136,23 +126,17 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& 
   report_start_options(run, options, iterations);
   ConstraintOptions constraints = options.constraints;
   constraints.prefers_boundary = !options.loose_boundary;
-  RelaxedStart start{constrain_start(input, make_generators(run, input, count), constraints, run.options()), {}};
-  const std::vector<Freedom>& freedom = start.constrained.freedom;
-  if (!freedom.empty()) run.console().note(describe_freedom(freedom));
+  RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   run.report().set_generators(input.mesh, start.constrained.points);
   return start;
 }
 
-/// Listed generators are where the user wants the vertices.
-Placement default_placement(const GeneratorOptions& generators) {
-  return generators.are_listed() ? Placement::generator : PlacementOptions().method;
-}
-
-RemeshOptions remesh_options(Run& run, const Mesh& mesh, const ConstrainedStart& start, const Settings& settings) {
+RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& start, const Settings& settings) {
   RemeshOptions options = settings.remesh;
   options.creases = trace_creases(mesh, start.creases, start.corner_distance);
-  options.placement.method = settings.place.value_or(default_placement(run.options().generators));
+  if (run.options().generators.are_listed()) options.placement.method = Placement::generator;  // as the user wants
+  if (settings.place) options.placement.method = *settings.place;
   for (std::size_t i = 0; i < start.freedom.size(); ++i) {
     if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
   }
@@ -160,10 +144,11 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const ConstrainedStart&
   options.refine = !settings.no_refine;
   options.diagram = make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
-  for (const auto& [name, value] : placement_names()) {
-    if (value == options.placement.method) run.report().options()["place"] = name;
-  }
-  report_remesh_options(run.report().options(), options);
+  Json& reported = run.report().options();
+  reported["place"] = name_in(kPlacements, options.placement.method);
+  reported["max_added"] = *options.max_added;
+  reported["allow_intersections"] = options.allow_intersections;
+  reported["no_refine"] = !options.refine;
   return options;
 }
 
@@ -263,18 +248,13 @@ std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& se
   return *found.count;
 }
 
-bool writes(const OutputOptions& output, std::string_view format) {
-  return std::any_of(output.files.begin(), output.files.end(), [&](const std::string& file) {
-    return (file == "-" ? stdout_format(output) : file_extension(file)) == format;
-  });
-}
-
 /// Refuses what contradicts the outputs or does nothing.
 void check_settings(const Options& options, const Settings& settings) {
   if (options.output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
-  if (settings.carry && !writes(options.output, "ply") && !writes(options.output, "obj")) {
+  const std::vector<std::string> written = written_formats(options.output);
+  if (settings.carry && !contains(written, "ply") && !contains(written, "obj")) {
     throw Error(ErrorCode::invalid_option,
                 "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
   }
@@ -299,8 +279,7 @@ RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool 
 /// Writes `--map`; the report and a note tell how good the map is.
 void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   if (run.options().output.own.at(kMap).empty()) return;
-  report_map(run.report().results(), map);
-  run.console().note(describe_map(map));
+  run.console().note(report_map(run.report().results(), map));
   write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
@@ -312,9 +291,8 @@ struct Carried {
 
 /// `standard_input`: the text that standard input held, if INPUT is `-`.
 MeshAttributes read_attributes(const InputOptions& input, const std::string& standard_input) {
-  const auto format = format_from_extension(input.format);
-  if (input.path != "-") return read_mesh_attributes(input.path, format);
-  return parse_mesh_attributes(standard_input, *format, kStandardInput);
+  if (input.path != "-") return read_mesh_attributes(input.path, input.format);
+  return parse_mesh_attributes(standard_input, *input.format, kStandardInput);
 }
 
 /// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
@@ -331,7 +309,7 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
   if (carried.properties.empty() && carried.texture.empty()) {
     run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
                                    options.path == "-" ? kStandardInput : options.path));
-  } else if (!carried.properties.empty() && !writes(run.options().output, "ply")) {
+  } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
     run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }
   return carried;
@@ -380,17 +358,17 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   Settings settings;
-  app::CommandInfo info{"gvd-remesh",
-                        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
-                        kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
+  CommandInfo info{"gvd-remesh",
+                   "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
+                   kExamples,
+                   {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
   info.sizes = true;
   info.materials = false;  // the coarse mesh has no labels
-  app::Command command(info);
-  app::register_relaxation(command.line(), settings.relaxation);
+  Command command(info);
+  register_relaxation(command.line(), settings.relaxation);
   register_remesh(command.line(), settings);
-  command.add_target(kMap, "FILE.json",
-                     "Write each output vertex's point of INPUT, and each input vertex's point of the output",
-                     {"json"});
-  return command.run(argc, argv, [&](app::Run& run) { run_remesh(run, settings); });
+  command.add_target(
+      kMap, "FILE.json",
+      "Write the point of INPUT for each output vertex, and the point of the output for each input vertex", {"json"});
+  return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
 }

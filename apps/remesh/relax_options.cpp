@@ -12,7 +12,7 @@
 namespace gvd::app {
 namespace {
 
-constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000, nor 'none'"};
+constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000 or 'none'"};
 
 }  // namespace
 
@@ -24,13 +24,13 @@ void register_relaxation(CLI::App& app, RelaxOptions& options) {
   };
   app.option_defaults()->group("Relaxation");
   add_parsed(app, "--relax", "N|none", store,
-             fmt::format("Iterations that move the generators to the centroids of their cells first; 'none' moves none "
-                         "(default: {}, for --generators and --vertices none)",
+             fmt::format("Iterations that first move the generators to the centroids of their cells; 'none' leaves "
+                         "them in place (default: {}; none with --generators and --vertices)",
                          kDefaultRelaxation));
   register_constraints(app, options.constraints);
   add_flag(app, "--loose-boundary", options.loose_boundary,
-           "Put no generators on the boundary: the outline then runs through generators beside it (default: "
-           "--keep-boundary for -n and --radius, where it takes at most four fifths of them)")
+           "Put no generators on the boundary; the outline then runs through generators beside it (default with -n and "
+           "--radius: --keep-boundary, if it takes at most four fifths of the generators)")
       ->excludes("--keep-boundary");
 }
 
@@ -44,9 +44,9 @@ void check_relaxation(const RelaxOptions& options, const GeneratorOptions& gener
                      : !options.constraints.fixed.empty() ? "--fixed"
                                                           : nullptr;
   if (!idle) return;
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("{}: no generator is moved; {}", idle,
-                          options.iterations ? "leave out one of it and --relax none" : "ask for it with --relax N"));
+  throw Error(ErrorCode::invalid_option, fmt::format("{}: no generator is moved; {}", idle,
+                                                     options.iterations ? "leave it out, or leave out --relax none"
+                                                                        : "ask for it with --relax N"));
 }
 
 }  // namespace gvd::app

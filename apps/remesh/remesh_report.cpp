@@ -1,8 +1,7 @@
-// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
+// The result of gvd-remesh for its user: members of the report, and notes.
 //
 // The report has every figure; notes have those that users should not miss: what was added and why, creases that edges
-// do not follow, intersections, and the distance from the input in percent of the diagonal. The JSON of -o is that of
-// the diagram with one more member, so that a reader of diagrams reads it too.
+// do not follow, intersections, and the distance from the input in percent of the diagonal.
 
 #include "remesh/remesh_report.hpp"
 
@@ -15,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "common/diagram_members.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/text.hpp"
 
@@ -136,16 +134,7 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
                               100 * std::max(there.rms, back.rms) / diagonal));
 }
 
-/// Null where the map is one-to-one.
-Json obstacle(const RemeshMap& map) { return map.one_to_one ? Json() : Json(map.obstacle); }
-
 }  // namespace
-
-void report_remesh_options(Json& options, const RemeshOptions& remesh) {
-  options["max_added"] = *remesh.max_added;
-  options["allow_intersections"] = remesh.allow_intersections;
-  options["no_refine"] = !remesh.refine;
-}
 
 void report_remesh(Json& results, const Mesh& mesh, const RemeshResult& result) {
   results["added_generators"] = result.added;
@@ -170,14 +159,18 @@ void report_trials(Json& results, double target, const Fewest& found) {
   results["search"] = {{"hausdorff", target}, {"trials", std::move(trials)}};
 }
 
-void report_map(Json& results, const RemeshMap& map) {
+std::string report_map(Json& results, const RemeshMap& map) {
   results["map"] = {{"one_to_one", map.one_to_one},
-                    {"obstacle", obstacle(map)},
+                    {"obstacle", map.one_to_one ? Json() : Json(map.obstacle)},
                     {"kept_faces", map.kept_faces},
                     {"reversed_faces", map.reversed_faces},
                     {"collapsed_faces", map.collapsed_faces},
                     {"largest_move", map.largest_move},
                     {"mean_move", map.mean_move}};
+  const std::string move = fmt::format("vertices are {:.3g} from their points on average", map.mean_move);
+  return map.one_to_one
+             ? "map: one-to-one; " + move
+             : fmt::format("map: nearest points, several vertices may have the same one: {}; {}", map.obstacle, move);
 }
 
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {
@@ -193,40 +186,6 @@ std::vector<std::string> describe_remesh(const RemeshResult& result, const Remes
   describe_intersections(result.certificate, lines);
   describe_distance(result, lines);
   return lines;
-}
-
-std::string describe_map(const RemeshMap& map) {
-  const std::string move = fmt::format("vertices are {:.3g} from their points on average", map.mean_move);
-  return map.one_to_one
-             ? "map: one-to-one; " + move
-             : fmt::format("map: nearest points, several vertices may have the same one: {}; {}", map.obstacle, move);
-}
-
-void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result) {
-  out << open_diagram(mesh, result.diagram) << ",\"remesh\":{";
-  write_mesh_members(out, result.mesh);
-  out << ",\n\"face_points\":";
-  write_array(out, result.face_points, "\n", [](const SurfacePoint& p) { return open_point(p) + "}"; });
-  out << fmt::format(",\n\"added\":{}}}}}\n", result.added);
-  finish(out);
-}
-
-void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map) {
-  out << fmt::format("{{\"schema\":\"gvd-remesh-map/1\",\"one_to_one\":{},\"obstacle\":{}", map.one_to_one,
-                     obstacle(map).dump());
-  out << fmt::format(",\"faces\":{{\"kept\":{},\"reversed\":{},\"collapsed\":{}}}", map.kept_faces, map.reversed_faces,
-                     map.collapsed_faces);
-  out << fmt::format(",\"largest_move\":{},\"mean_move\":{},\n\"output_vertices\":", map.largest_move, map.mean_move);
-  write_array(out, map.origins, "\n", [&](const SurfacePoint& p) {
-    const auto& [a, b, c] = input.mesh.vertices(p.face);
-    return open_point(p) + fmt::format(",\"vertices\":[{},{},{}]}}", input.input_vertex[a], input.input_vertex[b],
-                                       input.input_vertex[c]);
-  });
-  out << ",\n\"input_vertices\":";
-  write_array(out, input.mesh_vertex, "\n",
-              [&](VertexId v) { return v.valid() ? open_point(map.points[v]) + "}" : "null"; });
-  out << "}\n";
-  finish(out);
 }
 
 }  // namespace gvd::app

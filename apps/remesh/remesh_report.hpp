@@ -1,6 +1,5 @@
 #pragma once
 
-#include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,14 +8,9 @@
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
-#include "gvd/soup.hpp"
 
-// The result of gvd-remesh for its user: members of the report, notes, and the JSON of -o and --map.
+// The result of gvd-remesh for its user: members of the report, and notes.
 namespace gvd::app {
-
-/// Adds options of the remesh to the member `options` of the report. `options.max_added` must be the bound that holds
-/// for the run, given or not.
-void report_remesh_options(nlohmann::ordered_json& options, const RemeshOptions& remesh);
 
 /// Adds the certificate and the quality of a remesh to the member `results` of the report.
 void report_remesh(nlohmann::ordered_json& results, const Mesh& mesh, const RemeshResult& result);
@@ -24,24 +18,11 @@ void report_remesh(nlohmann::ordered_json& results, const Mesh& mesh, const Reme
 /// Adds the trials of --error. `target`: the distance that it asks for, mesh units.
 void report_trials(nlohmann::ordered_json& results, double target, const Fewest& found);
 
-/// Adds how good the map of --map is.
-void report_map(nlohmann::ordered_json& results, const RemeshMap& map);
+/// Adds how good the map of --map is. Returns the note on it: whether it is one-to-one, and how far vertices move.
+std::string report_map(nlohmann::ordered_json& results, const RemeshMap& map);
 
-/// The notes on a remesh, one line each. `options`: those that gave the result, with the bound as above.
+/// The notes on a remesh, one line each. `options`: those that gave the result; `max_added` must
+/// be the bound that held for the run, given or not.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);
-
-/// The note on a map: whether it is one-to-one, and how far vertices move.
-std::string describe_map(const RemeshMap& map);
-
-/// Writes the diagram of all generators as `gvd-diagram/1` with one more member, `"remesh"`:
-/// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i stands for
-/// generator i, and is at it with Placement::generator.
-/// The point of a face is its branch point, on `mesh`. Throws Error{unwritable_output}. Cost: O(n).
-void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result);
-
-/// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
-/// it has the point of the output, null where the vertex was dropped. docs/guide/formats.md describes it. The stream is
-/// flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
-void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map);
 
 }  // namespace gvd::app

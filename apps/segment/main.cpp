@@ -1,12 +1,13 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 //
 // Whole faces get the label of the generator whose cell has them, so that borders run along edges; --cut splits the
-// faces along the bisectors, and each new face knows its parent. The JSON of -o is that of the diagram with one more
-// member, so that a reader of diagrams reads it too. Labels are ids of generators, -1 where none reaches.
+// faces along the bisectors, and each new face knows its parent (gvd/segment.hpp). The report has the figures of the
+// regions, and notes tell what users should not miss: generators that own no face, and faces that none reaches.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -14,7 +15,6 @@
 #include <vector>
 
 #include "common/command.hpp"
-#include "common/diagram_members.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/region_statistics.hpp"
@@ -33,6 +33,8 @@ constexpr const char* kExamples =
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
+const Choices<FaceLabels> kLabels{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}};
+
 /// A note names this many generators.
 constexpr std::size_t kNamed = 8;
 
@@ -47,92 +49,32 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   const std::string& stats = run.options().output.own.at("--stats");
   reported["cut"] = own.cut;
   reported["stats"] = stats.empty() ? nullptr : Json(stats);
-  const char* const labels = options.labels == FaceLabels::smooth ? "smooth" : "nearest";
-  reported["labels"] = own.cut ? nullptr : Json(labels);
-}
-
-/// Faces that no generator reaches.
-std::int64_t count_unreached(const IdVector<FaceId, GeneratorId>& label) {
-  return std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
+  reported["labels"] = own.cut ? nullptr : Json(name_in(kLabels, options.labels));
 }
 
 /// The note on generators that own no face. It names a few of them; the report lists all.
-std::string describe_without_face(const std::vector<GeneratorId>& without_face) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kNamed, without_face.size()); ++i) {
-    names += fmt::format("{}{}", i > 0 ? ", " : "", without_face[i].value());
+std::string describe_without_face(const std::vector<std::int32_t>& ids) {
+  const auto named = ids.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, ids.size()));
+  return fmt::format(
+      "{} inside faces of other regions: {}{}",
+      counted(std::ssize(ids), "generator owns no face, its cell lies", "generators own no face, their cells lie"),
+      fmt::join(ids.begin(), named, ", "), named == ids.end() ? "" : ", ...");
+}
+
+/// Reports the size of each of `count` regions, and notes the faces that none has.
+void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
+  const auto unreached = std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
+  if (unreached > 0) {
+    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
   }
-  if (without_face.size() > kNamed) names += ", ...";
-  return fmt::format("{} inside faces of other regions: {}",
-                     counted(std::ssize(without_face), "generator owns no face, its cell lies",
-                             "generators own no face, their cells lie"),
-                     names);
-}
-
-void report_segmentation(Json& results, const Segmentation& segmentation) {
-  Json without_face = Json::array();
-  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
-  results["generators_without_face"] = std::move(without_face);
-  results["moved_faces"] = segmentation.moved_faces;
-  results["given_faces"] = segmentation.given_faces;
-  results["smoothed_faces"] = segmentation.smoothed_faces;
-}
-
-/// Lengths are in mesh units.
-void report_borders(Json& results, double border_length, double bisector_length) {
-  results["border_length"] = border_length;
-  results["border_ratio"] = bisector_length > 0 ? Json(border_length / bisector_length) : Json();
-}
-
-/// Reports the size of each of `count` regions.
-void report_regions(Json& results, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
-  Json regions = Json::array();
+  Json& results = run.report().results();
+  results["faces"] = mesh.face_count();
+  results["unreached_faces"] = unreached;
+  Json& regions = results["regions"] = Json::array();
   const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, label, count);
   for (const GeneratorId g : sizes.ids()) {
     regions.push_back({{"label", g.value()}, {"faces", sizes[g].faces}, {"area", sizes[g].area}});
   }
-  results["faces"] = mesh.face_count();
-  results["unreached_faces"] = count_unreached(label);
-  results["regions"] = std::move(regions);
-}
-
-template <class Ids>
-void write_ids(std::ostream& out, const Ids& ids) {
-  write_array(out, ids, "", [](auto id) { return fmt::format("{}", id.value()); });
-}
-
-/// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
-void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
-                             const Segmentation& segmentation) {
-  out << open_diagram(mesh, diagram) << ",\"face_labels\":";
-  write_ids(out, segmentation.face_label);
-  out << "}\n";
-  finish(out);
-}
-
-/// Writes the diagram with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
-/// "vertex_labels":[],"vertex_distances":[]}`: labels and parents are those of the faces; a distance is null for none.
-void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
-                    const CutVertices& vertices) {
-  out << open_diagram(mesh, diagram) << ",\"cut_mesh\":{";
-  write_mesh_members(out, cut.mesh);
-  out << ",\n\"labels\":";
-  write_ids(out, cut.label);
-  out << ",\n\"parents\":";
-  write_ids(out, cut.parent);
-  out << ",\n\"vertex_labels\":";
-  write_ids(out, vertices.label);
-  out << ",\n\"vertex_distances\":";
-  write_array(out, vertices.distance, "", json_number);
-  out << "}}\n";
-  finish(out);
-}
-
-void note_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
-  if (const std::int64_t unreached = count_unreached(label); unreached > 0) {
-    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
-  }
-  report_regions(run.report().results(), mesh, label, count);
 }
 
 void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
@@ -140,26 +82,31 @@ void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write
   write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
 }
 
-void note_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
-  const double borders = compute_border_length(mesh, segmentation.face_label);
-  if (!segmentation.without_face.empty()) run.console().note(describe_without_face(segmentation.without_face));
-  report_segmentation(run.report().results(), segmentation);
-  if (diagram.length > 0) {
+/// Lengths are in mesh units.
+void report_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram, const Segmentation& segmentation) {
+  const double borders = compute_border_length(mesh, segmentation.face_label), bisectors = diagram.length;
+  std::vector<std::int32_t> without_face;
+  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
+  if (!without_face.empty()) run.console().note(describe_without_face(without_face));
+  if (bisectors > 0) {
     run.console().detail(
-        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / diagram.length));
+        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / bisectors));
   }
-  report_borders(run.report().results(), borders, diagram.length);
-  note_regions(run, mesh, segmentation.face_label, diagram.generators.size());
+  Json& results = run.report().results();
+  results["generators_without_face"] = std::move(without_face);
+  results["moved_faces"] = segmentation.moved_faces;
+  results["given_faces"] = segmentation.given_faces;
+  results["smoothed_faces"] = segmentation.smoothed_faces;
+  results["border_length"] = borders;
+  results["border_ratio"] = bisectors > 0 ? Json(borders / bisectors) : Json();
+  report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
 }
 
 void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
-  note_segmentation(run, mesh, diagram, segmentation);
-  LabelledMesh output{mesh};
-  output.face_label = &segmentation.face_label;
-  output.vertex_label = &diagram.vertex_label;
-  output.vertex_distance = &diagram.vertex_distance;
-  output.diagram = &diagram;
+  report_segmentation(run, mesh, diagram, segmentation);
+  const LabelledMesh output{mesh,    &segmentation.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
+                            &diagram};
   write_files(run, output, [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
 }
 
@@ -170,14 +117,8 @@ void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
   }
   run.report().results()["uncut_faces"] = cut.uncut_faces;
-  note_regions(run, cut.mesh, cut.label, diagram.generators.size());
-  LabelledMesh output{cut.mesh};
-  output.face_label = &cut.label;
-  output.face_parent = &cut.parent;
-  output.vertex_label = &vertices.label;
-  output.vertex_distance = &vertices.distance;
-  output.diagram = &diagram;
-  output.diagram_mesh = &mesh;
+  report_regions(run, cut.mesh, cut.label, diagram.generators.size());
+  const LabelledMesh output{cut.mesh, &cut.label, &cut.parent, &vertices.label, &vertices.distance, &diagram, &mesh};
   write_files(run, output, [&](std::ostream& out) { write_cut_json(out, mesh, diagram, cut, vertices); });
 }
 
@@ -205,16 +146,16 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   OwnOptions own;
-  app::Command command({"gvd-segment",
-                        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
-                        kExamples,
-                        {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
+  Command command({"gvd-segment",
+                   "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
+                   kExamples,
+                   {"ply", "obj", "off", "stl", "vtp", "glb", "json"}});
   command.line().option_defaults()->group("Regions");
-  app::add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  app::add_choice(command.line(), "--labels", own.labels,
-                  app::Choices<FaceLabels>{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}},
-                  "Whole faces on a bisector: shortest borders, or largest share (default: smooth)")
+  add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
+  add_choice(
+      command.line(), "--labels", own.labels, kLabels,
+      "How to label whole faces on a bisector: for the shortest borders, or by the largest share (default: smooth)")
       ->excludes("--cut");
-  command.add_target("--stats", "FILE.csv", "Write area, perimeter, radius, neighbours of each region as CSV");
-  return command.run(argc, argv, [&](app::Run& run) { segment(run, own); });
+  command.add_target("--stats", "FILE.csv", "Write the area, perimeter, radius and neighbours of each region (CSV)");
+  return command.run(argc, argv, [&](Run& run) { segment(run, own); });
 }

@@ -18,7 +18,7 @@ TEST_CASE("memory: a run that passes --max-memory ends in one line, and writes n
   const std::string mesh = data_file("figure.obj") + " -n 200 -q --chord-tolerance 1e-9 ";
   write_text(scratch / "o.toml", "max-memory = \"30M\"\n");
   for (const std::string& name : built_commands()) {
-    require_error(name, mesh + "--max-memory much", 2, "'much' is no size");
+    require_error(name, mesh + "--max-memory much", 2, "'much' is not a size");
     if (kSanitized) continue;
     for (const std::string& limit : std::vector<std::string>{
              "--max-memory 1K", "--max-memory 30M", "--threads 4 --max-memory 30M", "--config " + scratch / "o.toml"}) {

@@ -50,7 +50,7 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
     require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
     require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
-                  "--chord-tolerance 1e-11: a bisector is known to 1e-10 mean edge lengths only");
+                  "--chord-tolerance 1e-11: bisectors are exact only to 1e-10 mean edge lengths");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
     require_error(name, mesh + " -n 5 --smapling random --sed 3", 2,
                   "unknown options: --smapling (did you mean --sampling?), --sed (did you mean --seed?)");

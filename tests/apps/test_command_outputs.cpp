@@ -40,8 +40,8 @@ TEST_CASE("commands: whether outputs can be written is found out before the work
     require_error(name, start + "-o " + scratch / "c.obj", name == "gvd-remesh" ? 3 : 6,
                   name == "gvd-remesh" ? missing : "c.mtl: is a directory");
     if (name != "gvd-remesh")
-      require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two options name this file");
-    require_error(name, start + "--report " + scratch / "options.toml", 2, "this is the file that is read");
+      require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "another option names this file, too");
+    require_error(name, start + "--report " + scratch / "options.toml", 2, "the run reads this file");
     require_error(name, start + "-o - >&-", 6, "standard output is closed");
     for (const char* option : {"--report ", "--diagram ", "--view "}) {
       require_error(name, start + option + "''", 2, "the name is empty");
@@ -97,7 +97,7 @@ TEST_CASE("commands: no output replaces a file that is read") {
   fs::create_symlink(mesh, scratch / "link.ply");
   fs::create_hard_link(mesh, scratch / "hard.ply");
   fs::create_directory(scratch / "folder");
-  const std::string before = read_text(mesh), what = "this is the file that is read";
+  const std::string before = read_text(mesh), what = "the run reads this file";
   for (const std::string& name : built_commands()) {
     for (const char* spelling : {"mesh.ply", "./mesh.ply", "folder/../mesh.ply", "link.ply", "hard.ply"}) {
       const std::string path = scratch / spelling;

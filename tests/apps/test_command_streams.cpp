@@ -105,8 +105,7 @@ TEST_CASE("commands: a list of generators comes through a pipe, in any format") 
                 "INPUT and --generators are both standard input");
   require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format requires --generators");
   const std::string list = scratch / "list.csv";
-  require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2,
-                "this is the file that is read");
+  require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2, "the run reads this file");
 }
 
 TEST_CASE("commands: bars are drawn on a terminal only") {

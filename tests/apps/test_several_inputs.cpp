@@ -72,7 +72,7 @@ TEST_CASE("several inputs: a pipe whose reader leaves ends one run without a wor
 TEST_CASE("several inputs: E is in the table with --verify") {
   const Inputs inputs;
   const CommandResult result = run_command("gvd-segment", inputs.good + inputs.to_out + " --verify");
-  if (result.err.find("this build lacks it") != result.err.npos) return;
+  if (result.err.find("not part of this build") != result.err.npos) return;
   CHECK_THAT(result.err, Contains(" E  ") && Contains("mesh units^2 (the difference"));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
     require_error(name, inputs.all + " --generators - --output-dir " + inputs.out, 2, "name a file");
     require_error(name, inputs.all + inputs.to_out + "/none/x", 6, "create it first");
     require_error(name, inputs.good + " -n 9 --output-format off --output-dir " + inputs.scratch / "", 2,
-                  "this is the file that is read");
+                  "the run reads this file");
     require_error(name, inputs.good + inputs.to_out + " --output-format off,bmp", 2, "--output-format: bmp not in {");
     require_error(name, inputs.good + " -n 9 -o - --output-format off,ply", 2, "-o - writes one format");
   }

@@ -58,7 +58,7 @@ def check(name):
 def has_viewer():
     """Whether the commands were built with the page of --view."""
     line = [str(bin_folder / "gvd-segment"), "ball.off", "-n", "2", "--view", "page.html"]
-    return "lacks the viewer" not in subprocess.run(line, cwd=work, capture_output=True, text=True).stderr
+    return "not part of this build" not in subprocess.run(line, cwd=work, capture_output=True, text=True).stderr
 
 
 def save_manifest(name, *arguments):

@@ -16,6 +16,7 @@
 #include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -32,15 +33,15 @@ namespace fs = std::filesystem;
 std::string describe_stray(const std::string& word, bool follows, const Options& options,
                            const OutputFormats& formats) {
   std::error_code ignored;
-  if (word.starts_with('-')) return "is no file; options go before --";
+  if (word.starts_with('-')) return "is not a file; options go before --";
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
   if (parse_number<std::int64_t>(word)) {
-    if (options.generators.vertices) return "is no file; --vertices has commas and no blanks: 3,17,99";
-    if (!options.generators.count) return fmt::format("is no file; did you mean -n {}?", word);
+    if (options.generators.vertices) return "is not a file; --vertices takes commas without blanks, as in 3,17,99";
+    if (!options.generators.count) return fmt::format("is not a file; did you mean -n {}?", word);
   }
   return follows && contains(formats.extensions, file_extension(word))
-             ? fmt::format("is no file; did you mean -o {}?", word)
-             : "is no file; options have dashes in front";
+             ? fmt::format("is not a file; did you mean -o {}?", word)
+             : "is not a file; options begin with a dash";
 }
 
 bool may_be_read(const std::string& path) {
@@ -65,7 +66,7 @@ bool may_be_read(const std::string& path) {
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   const bool has_list_piped = options.generators.file == "-", into_folder = !options.output.folder.empty();
-  if (options.input.path == "-" && options.input.format.empty()) {
+  if (options.input.path == "-" && !options.input.format) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
   if (options.input.path == "-" && has_list_piped) {
@@ -88,17 +89,17 @@ void check_generator_source(const GeneratorOptions& generators) {
 
 void check_chord_tolerance(const ComputeOptions& compute) {
   if (!compute.chord_tolerance || *compute.chord_tolerance >= kLeastChordTolerance) return;
-  refuse(fmt::format("--chord-tolerance {}: a bisector is known to {} mean edge lengths only; give at least that",
+  refuse(fmt::format("--chord-tolerance {}: bisectors are exact only to {} mean edge lengths; give at least that",
                      *compute.chord_tolerance, kLeastChordTolerance));
 }
 
 /// Refuses options of features that this build lacks.
 void check_build(const Options& options) {
 #ifndef GVD_HAS_VERIFY
-  if (options.compute.verify) refuse("--verify: this build lacks it; configure with -DGVD_WITH_CGAL_GPL=ON");
+  if (options.compute.verify) refuse("--verify: not part of this build; configure it with -DGVD_WITH_CGAL_GPL=ON");
 #endif
   if (!options.output.view.empty() && !has_viewer()) {
-    refuse("--view: this build lacks the viewer; configure with -DGVD_WITH_VIEWER=ON");
+    refuse("--view: the viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON");
   }
 }
 
@@ -126,7 +127,7 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   all.insert(all.end(), {options.generators.file, options.config});
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
-    refuse(fmt::format("{} {}: this is the file that is read; name another one", option, path));
+    refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
   }
 }
 
@@ -135,7 +136,7 @@ void check_standard_output(const OutputOptions& output) {
   if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
     refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
   }
-  const std::string format = stdout_format(output);
+  const std::string format = format_of(output, "-");
   const bool is_binary = (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb";
   if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
@@ -164,7 +165,7 @@ class Targets {
   void claim(const std::string& option, const std::string& path) {
     if (path.empty()) return;
     if (!names_.insert(path == "-" ? path : one_name(path)).second) {
-      refuse(fmt::format("{} {}: two options name this file; name another one", option, path));
+      refuse(fmt::format("{} {}: another option names this file, too; choose another name", option, path));
     }
     if (path == "-") {
       if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
@@ -200,10 +201,10 @@ void check_names(const std::vector<Options>& runs) {
       const auto [other, is_new] = input_of.emplace(file, run.input.path);
       if (is_new) continue;
       if (one_name(other->second) == one_name(run.input.path)) {
-        refuse(fmt::format("INPUT {}: is there twice; keep one", run.input.path));
+        refuse(fmt::format("INPUT {}: given twice; keep one", run.input.path));
       }
-      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one, or run them apart", other->second,
-                         run.input.path, file));
+      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one of them, or run them separately",
+                         other->second, run.input.path, file));
     }
   }
 }
@@ -237,7 +238,7 @@ void check_folder(const Options& options, const OutputFormats& formats) {
 void check_formats(const OutputOptions& output) {
   std::set<std::string> names;
   for (const std::string& format : output.formats) {
-    if (!names.insert(format).second) refuse(fmt::format("--output-format: {} is there twice; keep one", format));
+    if (!names.insert(format).second) refuse(fmt::format("--output-format: {} is given twice; keep one", format));
   }
   if (output.folder.empty() && names.size() > 1) refuse("--output-format: -o - writes one format; choose one");
 }

@@ -13,6 +13,7 @@
 #include "common/options/config_file.hpp"
 #include "common/options/options.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {

@@ -54,18 +54,12 @@ struct Entry {
   const toml::node* node;
 };
 
-/// The place of a key; before version 3 of the library that of its value.
-template <class Key>
-Entry read_entry(const Key& key, const toml::node& node, const std::string& file) {
-  Entry entry{std::string(std::string_view(key)), place_in_file(file, node.source()), &node};
-  if constexpr (requires { key.source(); }) entry.place = place_in_file(file, key.source());
-  return entry;
-}
-
 /// The entries in the order of the file: a table of the library is sorted by its keys.
 std::vector<Entry> list_entries(const toml::table& table, const std::string& file) {
   std::vector<Entry> entries;
-  for (const auto& [key, node] : table) entries.push_back(read_entry(key, node, file));
+  for (const auto& [key, node] : table) {
+    entries.push_back({std::string(key.str()), place_in_file(file, key.source()), &node});
+  }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.node->source().begin < b.node->source().begin; });
   return entries;
@@ -91,7 +85,7 @@ toml::table parse_toml(const std::string& content, const std::string& file) {
     return toml::parse(content, file);
   } catch (const toml::parse_error& error) {
     refuse_file(place_in_file(file, error.source()),
-                fmt::format("{}no TOML: {}", key_before(content, error.source().begin.line),
+                fmt::format("{}not valid TOML: {}", key_before(content, error.source().begin.line),
                             printable(std::string(error.description()), kReasonLength)));
   }
 }
@@ -127,7 +121,7 @@ TakenTypes taken_types(const CLI::Option& option) {
   if (type == "N") return {"i", "a whole number"};
   if (type == "NUMBER") return {"if", "a number"};
   if (type == "SIZE") return {"ifs", "a string such as \"2G\", or a number of bytes"};
-  if (type == "LIST") return {"is", "an array of whole numbers, as [3, 17], or a string, as \"3,17\""};
+  if (type == "LIST") return {"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
   return {"s", is_list(option) ? "a string, or an array of strings" : "a string in quotes"};
 }
 
@@ -169,11 +163,11 @@ const CLI::Option& find_option(const Entry& entry, const CLI::App& app) {
     }
   }
   const std::string key = printable(entry.key);
-  if (entry.node->is_table()) refuse_file(entry.place, key + ": is a table; write its keys without one");
+  if (entry.node->is_table()) refuse_file(entry.place, key + ": is a table; write its keys outside of tables");
   const auto meant = suggest_name(entry.key, all);
-  refuse_file(entry.place, key + ": is no option; " +
+  refuse_file(entry.place, key + ": is not an option; " +
                                (meant ? "did you mean " + *meant + "?"
-                                      : "keys are the names of options without dashes in front: input-format"));
+                                      : "keys are names of options without leading dashes, such as input-format"));
 }
 
 bool excludes_any_given(const CLI::Option& option) {

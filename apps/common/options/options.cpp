@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gvd/text.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -34,7 +36,7 @@ void add_generators(Json& json, const GeneratorOptions& generators) {
 void add_compute(Json& json, const ComputeOptions& compute) {
   const DiagramOptions diagram = make_diagram_options(compute);
   const bool exact = compute.method == Method::exact;
-  json["method"] = method_name(compute.method);
+  json["method"] = name_in(kMethods, compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
   json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.front));
   json["threads"] = compute.threads;
@@ -54,12 +56,17 @@ void add_output(Json& json, const OutputOptions& output) {
 
 }  // namespace
 
-const char* method_name(const Method& method) {
-  if (method == Method::exact) return "exact";
-  return method == Method::paper ? "paper" : "gbgvd";
+std::string format_of(const OutputOptions& output, const std::string& file) {
+  if (file != "-") return file_extension(file);
+  return output.formats.empty() ? "" : output.formats.front();
 }
 
-std::string stdout_format(const OutputOptions& output) { return output.formats.empty() ? "" : output.formats.front(); }
+std::vector<std::string> written_formats(const OutputOptions& output) {
+  std::vector<std::string> written;
+  if (!output.folder.empty()) written = output.formats;
+  for (const std::string& file : output.files) written.push_back(format_of(output, file));
+  return written;
+}
 
 DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   DiagramOptions options;
@@ -73,17 +80,12 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute) {
 Json to_json(const Options& options) {
   Json json = Json::object();
   json["input"] = options.input.path;
-  json["input_format"] = or_null(options.input.format);
-  json["on_defect"] = options.input.on_defect;
+  json["input_format"] = options.input.format ? Json(name_in(kMeshFormats, *options.input.format)) : Json();
+  json["on_defect"] = name_in(kDefectPolicies, options.input.on_defect);
   add_generators(json, options.generators);
   add_compute(json, options.compute);
   add_output(json, options.output);
   return json;
-}
-
-std::string to_lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
 }
 
 std::string file_extension(const std::string& path) {

@@ -11,6 +11,8 @@
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/sampling.hpp"
+#include "gvd/soup.hpp"
 
 // The options of the commands as plain values, with their defaults.
 namespace gvd::app {
@@ -19,12 +21,9 @@ namespace gvd::app {
 struct InputOptions {
   std::vector<std::string> paths;    ///< of all runs; each a file, or "-" for standard input
   std::string path;                  ///< of this run
-  std::string format;                ///< obj, ply, off, stl; empty: told from content and extension
-  std::string on_defect = "repair";  ///< error, repair, largest
+  std::optional<MeshFormat> format;  ///< nothing: told from content and extension
+  DefectPolicy on_defect = DefectPolicy::repair;
 };
-
-/// How `-n` and `--radius` choose generators.
-enum class SamplingKind { farthest, random, vertices, poisson };
 
 /// Largest distance of a result from its input.
 struct ErrorBound {
@@ -34,8 +33,8 @@ struct ErrorBound {
 
 /// Where the generators come from: exactly one of count, file, vertices, radius, target_edge and error is set.
 struct GeneratorOptions {
-  std::optional<std::int32_t> count;  ///< >= 1
-  SamplingKind sampling = SamplingKind::farthest;
+  std::optional<std::int32_t> count;       ///< >= 1
+  Sampling sampling = Sampling::farthest;  ///< of `count` ones
   std::uint64_t seed = 0;
   std::string file;                                   ///< a list of generators, or "-" for standard input
   std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
@@ -85,9 +84,8 @@ struct Options {
 
 /// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
 struct ConstraintOptions {
-  std::optional<std::int32_t> count;  ///< of sampled generators, instead of the options'
-  std::string fixed;                  ///< a list of generators that stay; empty: none
-  std::optional<double> features;     ///< angle of creases, degrees
+  std::string fixed;               ///< a list of generators that stay; empty: none
+  std::optional<double> features;  ///< angle of creases, degrees
   bool keep_boundary = false;
   /// Keep the boundary where generators are sampled, and enough of them are left beside it.
   bool prefers_boundary = false;
@@ -99,10 +97,14 @@ struct ConstraintOptions {
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;
 
-inline const Choices<SamplingKind> kSamplings{{"farthest", SamplingKind::farthest},
-                                              {"random", SamplingKind::random},
-                                              {"vertices", SamplingKind::vertices},
-                                              {"poisson", SamplingKind::poisson}};
+inline const Choices<MeshFormat> kMeshFormats{
+    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}};
+inline const Choices<DefectPolicy> kDefectPolicies{
+    {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
+inline const Choices<Sampling> kSamplings{{"farthest", Sampling::farthest},
+                                          {"random", Sampling::random},
+                                          {"vertices", Sampling::vertices},
+                                          {"poisson", Sampling::poisson}};
 inline const Choices<GeneratorFormat> kGeneratorFormats{
     {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}};
 inline const Choices<Method> kMethods{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}};
@@ -117,20 +119,17 @@ std::string name_in(const Choices<T>& choices, const T& value) {
   return "";
 }
 
-/// The name of a method that has one, as on the command line.
-const char* method_name(const Method& method);
+/// The format of a file of `-o`: its extension, or for "-" that of standard output.
+std::string format_of(const OutputOptions& output, const std::string& file);
 
-/// The format of standard output.
-std::string stdout_format(const OutputOptions& output);
+/// The formats that a run writes to files of `-o`, to standard output, or into the folder.
+std::vector<std::string> written_formats(const OutputOptions& output);
 
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);
 
 /// The options as they were understood, defaults included; null for what was not given. For the report.
 nlohmann::ordered_json to_json(const Options& options);
-
-/// `text` with small letters in place of the capitals of ASCII, in any locale.
-std::string to_lower(std::string text);
 
 /// The extension of `path` in lower case, without its dot; empty where it has none.
 std::string file_extension(const std::string& path);

@@ -27,49 +27,48 @@ void register_input(CLI::App& app, InputOptions& input) {
     input.path = paths.front();
   };
   app.add_option_function<std::vector<std::string>>(
-         "INPUT", store, "The mesh: .obj, .ply, .off or .stl; - for standard input. Several inputs need --output-dir")
+         "INPUT", store,
+         "The mesh (.obj, .ply, .off or .stl), or - for standard input; several inputs need --output-dir")
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
-  add_choice(app, "--input-format", input.format,
-             Choices<std::string>{{"obj", "obj"}, {"ply", "ply"}, {"off", "off"}, {"stl", "stl"}},
-             "The input's format; needed with -, else told from content and extension");
-  add_choice(
-      app, "--on-defect", input.on_defect,
-      Choices<std::string>{{"error", "error"}, {"repair", "repair"}, {"largest", "largest"}},
-      "What to do about defects of the mesh: refuse them, make the repairs that lose nothing (default), or repair "
-      "and keep the largest component");
+  add_choice(app, "--input-format", input.format, kMeshFormats,
+             "Format of the input; required with -, otherwise detected from content and extension");
+  add_choice(app, "--on-defect", input.on_defect, kDefectPolicies,
+             "How to treat defects of the mesh: refuse them, repair them without loss (default), or repair them and "
+             "keep only the largest component");
 }
 
 /// Options that choose generators on the surface.
 void register_sampling(CLI::App& app, GeneratorOptions& generators) {
-  add_number(app, "-n,--count", generators.count, kCount, "Choose N generators");
-  add_choice(app, "--sampling", generators.sampling, kSamplings, "How -n chooses (default: farthest)");
-  add_number(app, "--seed", generators.seed, kAnyWhole, "Seed of the choice (default: 0)");
+  add_number(app, "-n,--count", generators.count, kCount, "Number of generators to sample");
+  add_choice(app, "--sampling", generators.sampling, kSamplings, "How -n places generators (default: farthest)");
+  add_number(app, "--seed", generators.seed, kAnyWhole, "Seed of the random choices (default: 0)");
   add_number(app, "--radius", generators.radius, kPositive,
-             "As many generators as leave no point farther than this, in mesh units")
+             "Sample generators until no point of the surface is farther than this from the nearest one, in mesh units")
       ->excludes("--count", "--sampling");
 }
 
 /// Options that list generators.
 void register_lists(CLI::App& app, GeneratorOptions& generators) {
-  add_file(app, "--generators", generators.file, "A list of generators: text, .csv or .json; - for standard input")
+  add_file(app, "--generators", generators.file,
+           "File that lists the generators (text, .csv or .json), or - for standard input")
       ->excludes("--count", "--radius", "--sampling", "--seed");
   add_choice(app, "--generators-format", generators.format, kGeneratorFormats,
-             "The list's format, else told from extension and content")
+             "Format of that list, otherwise detected from extension and content")
       ->needs("--generators");
   const auto store = [&generators](const std::string& text) {
     if (!generators.vertices) generators.vertices.emplace();
     return append_vertices(text, *generators.vertices);
   };
-  add_parsed(app, "--vertices", "LIST", store, "Vertices of the input file, from 0: 3,17,99")
+  add_parsed(app, "--vertices", "LIST", store, "Use these vertices of the input file, counted from 0, as in 3,17,99")
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->excludes("--count", "--radius", "--generators", "--sampling", "--seed");
   add_number(app, "--max-snap", generators.max_snap, kNotNegative,
              "Refuse a point of --generators that is farther than this from the surface, in mesh units")
       ->needs("--generators");
   add_flag(app, "--merge-coincident", generators.merge_coincident,
-           "Keep one of several generators in the same place, instead of refusing them")
+           "Merge generators that are in the same place instead of refusing them")
       ->excludes("--count", "--radius");
 }
 
@@ -85,23 +84,20 @@ std::optional<ErrorBound> parse_error_bound(std::string text) {
 void register_compute(CLI::App& app, ComputeOptions& compute) {
   app.option_defaults()->group("Computing");
   add_choice(app, "--method", compute.method, kMethods,
-             "How the diagram is built: of exact distances (default), growth-based by fast marching, or by the paper's "
-             "steps as written");
+             "How to build the diagram: from exact distances (default), by growth with fast marching, or by the "
+             "paper's steps as written");
   add_number(app, "--chord-tolerance", compute.chord_tolerance, kPositive,
-             fmt::format("How far the straight pieces of an exact bisector may be from it, in mean edge lengths "
+             fmt::format("Largest distance between an exact bisector and its straight pieces, in mean edge lengths "
                          "(default: {}, at least {})",
                          DiagramOptions{}.chord_tolerance, kLeastChordTolerance));
   add_choice(app, "--front", compute.front, kFronts,
-             "Front of fast marching: planar (default of --method paper), or circles (of --method gbgvd)");
+             "Shape of the front in fast marching: planar (default with --method paper) or circle (default with "
+             "--method gbgvd)");
   add_number(app, "--threads", compute.threads, kThreads,
-             "Threads to use (default: all cores); the result is the same for any number");
-  const auto store = [&compute](const std::string& text) {
-    const ParsedSize size = parse_size(text);
-    if (size.wrong.empty()) compute.max_memory = size.bytes;
-    return size.wrong;
-  };
-  add_parsed(app, "--max-memory", "SIZE", store, "End the run where it would hold more memory than this: 500M, 2G");
-  add_flag(app, "--verify", compute.verify, "Measure the diagram's error against exact distances after the run");
+             "Number of threads (default: all cores); it does not change the result");
+  const auto store = [&compute](const std::string& text) { return parse_size(text, compute.max_memory); };
+  add_parsed(app, "--max-memory", "SIZE", store, "End the run if it needs more memory than this, as in 500M or 2G");
+  add_flag(app, "--verify", compute.verify, "After the run, measure the error of the diagram against exact distances");
 }
 
 /// "=" parts a name with two dashes from its value, but "-o=a.ply" is the value "=a.ply".
@@ -114,19 +110,19 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
   app.option_defaults()->group("Output");
   app.add_option(
          "-o,--output", output.files,
-         fmt::format("Write this file (.{}); may be repeated; - for standard output", fmt::join(formats, ", .")))
+         fmt::format("File to write (.{}), or - for standard output; may be repeated", fmt::join(formats, ", .")))
       ->allow_extra_args(false)
       ->type_name("FILE")
       ->check(check_equals_sign);
   app.add_option("--output-dir", output.folder,
-                 "Run once for each INPUT, and write files named after it into this folder")
+                 "Process each INPUT in turn, and write files named after it to this folder")
       ->type_name("DIR")
       ->check(not_empty("folder"))
       ->excludes("--output");
   output.formats = {formats.front()};
   app.add_option(
          "--output-format", output.formats,
-         fmt::format("What -o - or --output-dir writes (default: {}); for --output-dir also several, with commas",
+         fmt::format("Format of -o - or --output-dir (default: {}); --output-dir takes several, separated by commas",
                      formats.front()))
       ->allow_extra_args(false)
       ->delimiter(',')
@@ -134,34 +130,32 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
       ->check(CLI::IsMember(formats).description(""));
   add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
   add_flag(app, "--ascii-ply", output.ascii_ply,
-           "Write .ply as text, not binary: meshio reads face labels in text only");
+           "Write .ply as text instead of binary; meshio reads face labels only from text");
   add_file(app, "--report", output.report, "Write a report of the run (JSON)")->excludes("--output-dir");
   add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)")->excludes("--output-dir");
-  add_file(app, "--view", output.view, "Write a page that shows the result (HTML)")->excludes("--output-dir");
+  add_file(app, "--view", output.view, "Write an interactive page of the result (HTML)")->excludes("--output-dir");
   Choices<UpAxis> axes;
   for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
     axes.emplace_back(to_text(axis), axis);
   }
-  add_choice(app, "--up", output.up, axes, "The axis that points up on the page (default: y)")->needs("--view");
+  add_choice(app, "--up", output.up, axes, "Axis that points up on the page (default: y)")->needs("--view");
 }
 
 /// Why an option for some formats does nothing, unless a file or standard output gets one of them.
 std::string why_unused(const OutputOptions& output, const Formats& wanted, const std::string& reason) {
-  const bool into_folder = !output.folder.empty(), piped = contains(output.files, "-");
-  Formats written = into_folder ? output.formats : Formats{};
-  for (const std::string& file : output.files) {
-    written.push_back(file == "-" ? stdout_format(output) : file_extension(file));
+  for (const std::string& format : written_formats(output)) {
+    if (contains(wanted, format)) return "";
   }
-  const auto is_wanted = [&](const std::string& format) { return contains(wanted, format); };
-  if (std::any_of(written.begin(), written.end(), is_wanted)) return "";
-  return fmt::format(fmt::runtime(reason), into_folder || piped ? "--output-format" : "-o");
+  const bool names_formats = !output.folder.empty() || contains(output.files, "-");
+  return fmt::format(fmt::runtime(reason), names_formats ? "--output-format" : "-o");
 }
 
 std::vector<ValueRule> compute_rules(CLI::App& app, ComputeOptions& compute) {
   CLI::Option *const method = app.get_option("--method"), *const chord = app.get_option("--chord-tolerance");
   const auto clash = [&compute]() -> std::string {
     if (!compute.chord_tolerance || compute.method == Method::exact) return "";
-    return fmt::format("--method {} and --chord-tolerance exclude each other: keep one", method_name(compute.method));
+    return fmt::format("--method {} and --chord-tolerance exclude each other: keep one",
+                       name_in(kMethods, compute.method));
   };
   const auto frontless = [&compute]() -> std::string {
     if (compute.method != Method::exact) return "";
@@ -201,7 +195,7 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
     const std::string field = CLI::detail::trim_copy(text.substr(start, comma - start));
     const auto index = parse_number<std::int64_t>(field);
     if (!index || *index < 0) {
-      return fmt::format("'{}' is no vertex index; write indices from 0, as in 3,17,99", field);
+      return fmt::format("'{}' is not a vertex index; write indices from 0, as in 3,17,99", field);
     }
     indices.push_back(*index);
     start = comma + 1;
@@ -225,14 +219,14 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const F
 void register_sizes(CLI::App& app, GeneratorOptions& generators) {
   app.option_defaults()->group("Sizes (instead of -n)");
   add_number(app, "--target-edge", generators.target_edge, kPositive,
-             "As many generators as give edges of this length on average, in mesh units");
+             "Sample as many generators as give edges of this average length, in mesh units");
   const auto store = [&generators](const std::string& text) {
     generators.error = parse_error_bound(text);
-    return generators.error ? "" : fmt::format("'{}' is no finite number above 0, nor one with a %", text);
+    return generators.error ? "" : fmt::format("'{}' is neither a finite number above 0 nor one with a %", text);
   };
   add_parsed(app, "--error", "NUMBER[%]", store,
-             "The fewest generators whose mesh is no farther than this from the input, in mesh units or percents of "
-             "the bounding box's diagonal; takes up to 17 remeshes")
+             "Use the fewest generators whose mesh stays within this distance of the input, in mesh units or in "
+             "percent of the bounding box's diagonal; takes up to 17 remeshes")
       ->excludes("--target-edge");
   for (const char* size : {"--target-edge", "--error"}) {
     app.get_option(size)->excludes("--count", "--radius", "--generators", "--vertices", "--merge-coincident");
@@ -241,19 +235,20 @@ void register_sizes(CLI::App& app, GeneratorOptions& generators) {
 
 void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
   app.option_defaults()->group("Constraints");
-  add_file(app, "--fixed", constraints.fixed, "List of generators that stay where they are; -n counts them, too");
+  add_file(app, "--fixed", constraints.fixed, "File that lists generators to keep in place; -n includes them");
   add_number(app, "--features", constraints.features, kAngle,
              "Put generators on corners and creases first and keep them there; a crease is an edge between faces whose "
              "normals differ by more than this many degrees");
   add_flag(app, "--keep-boundary", constraints.keep_boundary,
            "Put generators on the boundary first and keep them there");
   app.add_option("--density", constraints.density,
-                 "Weight of the surface, > 0; cells are smaller where it is large: 'curvature', a file with a number "
-                 "for each vertex or each face, or the name of a property of a PLY input")
+                 "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', a file "
+                 "with a number for each vertex or each face, or the name of a property of a PLY input")
       ->type_name("WHAT");
-  add_number(app, "--gradation", constraints.gradation, kGradation,
-             fmt::format("With --density curvature, the largest change of the size per length (default: {})",
-                         constraints.gradation));
+  add_number(
+      app, "--gradation", constraints.gradation, kGradation,
+      fmt::format("With --density curvature, how fast the size of cells may change along the surface (default: {})",
+                  constraints.gradation));
 }
 
 void register_general(CLI::App& app, Options& options, const std::string& version) {
@@ -265,8 +260,8 @@ void register_general(CLI::App& app, Options& options, const std::string& versio
       ->type_name("FILE.toml")
       ->check(CLI::Validator(CLI::ExistingFile).description(""))
       ->each([&options](const std::string& file) { options.config = file; });
-  add_flag(app, "-q,--quiet", options.quiet, "Say nothing but errors");
-  add_flag(app, "-v,--verbose", options.verbose, "Say what each step took")->excludes("--quiet");
+  add_flag(app, "-q,--quiet", options.quiet, "Print errors only");
+  add_flag(app, "-v,--verbose", options.verbose, "Print details and the time of each step")->excludes("--quiet");
 }
 
 }  // namespace gvd::app

@@ -4,6 +4,7 @@
 
 #include "common/options/typed_options.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <memory>
 
@@ -27,20 +28,21 @@ std::optional<double> unit_factor(std::string_view unit) {
 
 }  // namespace
 
-ParsedSize parse_size(std::string_view text) {
-  const std::string lower = to_lower(std::string(text));
+std::string parse_size(std::string_view text, std::optional<std::int64_t>& bytes) {
+  const std::string lower = to_lower(text);
   const char* const last = lower.data() + lower.size();
   double number = 0;
   const auto [end, error] = std::from_chars(lower.data(), last, number);
   const std::optional<double> factor = unit_factor({end, last});
   if (!factor || error == std::errc::invalid_argument || !std::isfinite(number)) {
-    return {0, fmt::format("'{}' is no size; write a number with K, M, G or T, as 500M or 2G", text)};
+    return fmt::format("'{}' is not a size; write a number with K, M, G or T, such as 500M or 2G", text);
   }
   const bool overflows = error != std::errc{} && lower.find("e-") == lower.npos;
-  const double bytes = number * *factor;
-  if (overflows || bytes > kMostBytes) return {0, fmt::format("'{}' is too large; write at most 1048576T", text)};
-  if (bytes < 1) return {0, fmt::format("'{}' is less than a byte; write a size such as 500M or 2G", text)};
-  return {static_cast<std::int64_t>(bytes), ""};
+  const double size = number * *factor;
+  if (overflows || size > kMostBytes) return fmt::format("'{}' is too large; write at most 1048576T", text);
+  if (size < 1) return fmt::format("'{}' is less than a byte; write a size such as 500M or 2G", text);
+  bytes = static_cast<std::int64_t>(size);
+  return "";
 }
 
 CLI::Option* add_parsed(CLI::App& app, const std::string& names, const std::string& type, const StoreText& store,

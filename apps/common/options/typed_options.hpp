@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -12,18 +11,10 @@
 #include <string_view>
 
 #include "common/options/options.hpp"
+#include "gvd/text.hpp"
 
 // Kinds of options that CLI11 lacks: numbers in any locale, names of values, flags that can be turned off.
 namespace gvd::app {
-
-/// The number that `text` spells in full, in any locale. Nothing where it spells no number, or one that T can't hold.
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// A closed range of accepted values, and its description for messages.
 template <class T>
@@ -48,15 +39,10 @@ std::optional<T> parse_number_in(std::string_view text, const Range<T>& range) {
   return value && *value >= range.low && *value <= range.high ? value : std::nullopt;
 }
 
-/// A size, or what is wrong with its text.
-struct ParsedSize {
-  std::int64_t bytes = 0;
-  std::string wrong;  ///< empty where nothing is
-};
-
-/// "500M" as bytes: a number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth, in capital or
-/// small letters; nothing for bytes. "B" or "iB" may follow. From 1 byte to 2^60.
-ParsedSize parse_size(std::string_view text);
+/// Stores "500M" as bytes: a number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth, in
+/// capital or small letters; nothing for bytes. "B" or "iB" may follow. From 1 byte to 2^60. Returns what is wrong with
+/// the text; empty where nothing is.
+std::string parse_size(std::string_view text, std::optional<std::int64_t>& bytes);
 
 /// Stores a text of the user's. Returns what is wrong with it; empty where nothing is.
 using StoreText = std::function<std::string(const std::string&)>;
@@ -100,7 +86,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, Target& target,
       target = value;
       return "";
     }
-    return fmt::format("'{}' is none of {}", text, listed);
+    return fmt::format("'{}' is not one of {}", text, listed);
   };
   return add_parsed(app, names, listed, store, description);
 }

@@ -24,6 +24,13 @@ inline std::string counted(std::int64_t count, std::string_view singular, std::s
   return text;
 }
 
+/// `text` with small letters in place of the capitals of ASCII, in any locale.
+inline std::string to_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
 /// Longest text that a message quotes in full, bytes.
 inline constexpr std::size_t kLongestQuote = 40;
 

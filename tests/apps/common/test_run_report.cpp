@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "common/run_report.hpp"
+#include "common/run.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "support/catch.hpp"

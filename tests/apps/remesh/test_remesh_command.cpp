@@ -51,14 +51,14 @@ TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where
   CHECK(report["generators"][0]["position"] == report_of(run + fixed)["generators"][0]["position"]);
   const CommandResult idle = run_command("gvd-remesh", run + fixed + " --relax none");
   CHECK(idle.exit_code == 2);
-  CHECK_THAT(idle.err, Contains("--fixed: no generator is moved; leave out one of it and --relax none"));
+  CHECK_THAT(idle.err, Contains("--fixed: no generator is moved; leave it out, or leave out --relax none"));
   const CommandResult listed =
       run_command("gvd-remesh", data_file("figure.obj") + " --vertices 1,9 --density curvature");
   CHECK(listed.exit_code == 2);
   CHECK_THAT(listed.err, Contains("--density: no generator is moved; ask for it with --relax N"));
   const CommandResult text = run_command("gvd-remesh", run + " --relax some");
   CHECK(text.exit_code == 2);
-  CHECK_THAT(text.err, Contains("--relax: 'some' is not a whole number from 0 to 1000000, nor 'none'"));
+  CHECK_THAT(text.err, Contains("--relax: 'some' is not a whole number from 0 to 1000000 or 'none'"));
 }
 
 TEST_CASE("gvd-remesh --features: a box of eight vertices, and a thin one with its edges") {
@@ -156,7 +156,7 @@ TEST_CASE("gvd-remesh --error: the fewest generators within a distance") {
   }
   const CommandResult wrong = run_command("gvd-remesh", data_file("torus.ply") + " --error 3%%");
   CHECK(wrong.exit_code == 2);
-  CHECK_THAT(wrong.err, Contains("--error: '3%%' is no finite number above 0, nor one with a %"));
+  CHECK_THAT(wrong.err, Contains("--error: '3%%' is neither a finite number above 0 nor one with a %"));
 }
 
 TEST_CASE("gvd-remesh --error: numbers below those of features, or that give no valid mesh, are too small") {
@@ -219,7 +219,7 @@ TEST_CASE("gvd-remesh: sampled generators are placed by a fit, listed ones stay,
   CHECK(rms(listed) == rms(plain));
   const CommandResult wrong = run_command("gvd-remesh", run + " --place nowhere");
   CHECK(wrong.exit_code == 2);
-  CHECK_THAT(wrong.err, Contains("--place: 'nowhere' is none of generator|quadric|fit"));
+  CHECK_THAT(wrong.err, Contains("--place: 'nowhere' is not one of generator|quadric|fit"));
 }
 
 TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothing is written") {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/soup.hpp"
 
 namespace gvd {
 
@@ -28,6 +32,14 @@ Density make_vertex_density(const Mesh& mesh, const std::vector<double>& values)
 
 /// The density with a value in each face. Throws as `make_vertex_density` does. Cost: O(n).
 Density make_face_density(const Mesh& mesh, const std::vector<double>& values);
+
+/// The density that `name` stands for: a file with a number for each vertex, or for each polygon, of the input; else
+/// the property of that name of `mesh_file`, a PLY file from which `input` was made (empty: none). Nothing where there
+/// is neither. A midpoint of a split edge has the mean of all vertices.
+/// Throws Error{unreadable_input} where a file can't be read or has too few or too many numbers, and what
+/// make_vertex_density throws, with the name in front. Cost: O(n), and O(bytes) of the file.
+std::optional<Density> read_density(const CheckedMesh& input, const std::string& name,
+                                    const std::filesystem::path& mesh_file);
 
 /// Throws Error{precondition} if the density is neither uniform nor of the mesh's faces.
 void check_density(const Mesh& mesh, const Density& density);

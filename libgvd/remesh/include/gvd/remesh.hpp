@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -97,5 +98,11 @@ RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generator
 /// be that of `mesh` with `options.diagram`. Throws Error{precondition} also where it has not the mesh's vertices and
 /// faces.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
+
+/// Writes the diagram of all generators as `gvd-diagram/1` with one more member, `"remesh"`:
+/// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i stands for
+/// generator i, and is at it with Placement::generator. The point of a face is its branch point, on `mesh`. The stream
+/// is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+void write_remesh_json(std::ostream& out, const Mesh& mesh, const RemeshResult& result);
 
 }  // namespace gvd

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -46,5 +48,10 @@ struct RemeshMap {
 /// deterministic, for every number of `threads` (0: one a core).
 /// Throws Error{precondition} if `result` is no remesh of `surface`. Cost: O(n log n), and a sparse system for each cell.
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0);
+
+/// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
+/// it has the point of the output, null where the vertex was dropped. docs/guide/formats.md describes it. The stream is
+/// flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map);
 
 }  // namespace gvd

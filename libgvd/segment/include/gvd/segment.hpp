@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -81,6 +82,17 @@ struct CutVertices {
 /// distance that is linear between the corners of the face that it lies in.
 /// Throws Error{precondition} if the three do not belong together. Cost: O(n).
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
+
+/// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
+/// The stream is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
+                             const Segmentation& segmentation);
+
+/// Writes the diagram with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
+/// "vertex_labels":[],"vertex_distances":[]}`. Labels and parents are those of the faces; a distance is null for none.
+/// The stream is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
+                    const CutVertices& vertices);
 
 /// The faces that have one label.
 struct RegionSize {

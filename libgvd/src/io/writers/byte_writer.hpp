@@ -136,10 +136,16 @@ inline std::string encode_base64(std::string_view bytes) {
 /// The shortest digits that bring the same double back; null for infinity and NaN, which JSON does not have.
 inline std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
+/// The members "face" and "bary", without braces.
+inline void print_location(ByteWriter& out, const SurfacePoint& point) {
+  out.print("\"face\":{},\"bary\":[{},{},{}]", point.face.value(), point.bary[0], point.bary[1], point.bary[2]);
+}
+
 /// The members "face", "bary" and "position", without braces.
 inline void print_point_members(ByteWriter& out, const SurfacePoint& point, const Vec3& position) {
-  out.print("\"face\":{},\"bary\":[{},{},{}],\"position\":[{},{},{}]", point.face.value(), point.bary[0], point.bary[1],
-            point.bary[2], json_number(position.x()), json_number(position.y()), json_number(position.z()));
+  print_location(out, point);
+  out.print(",\"position\":[{},{},{}]", json_number(position.x()), json_number(position.y()),
+            json_number(position.z()));
 }
 
 inline void print_point(ByteWriter& out, const Mesh& mesh, const SurfacePoint& point) {
@@ -165,6 +171,12 @@ void print_array(ByteWriter& out, const Items& items, Print print, const ArraySp
   }
   if (std::size(items) > 0) out.text(spacing.last);
   out.text("]");
+}
+
+/// The ids of a list as numbers, -1 for none.
+template <class Ids>
+void print_ids(ByteWriter& out, const Ids& ids) {
+  print_array(out, ids, [&](auto id) { out.print("{}", id.value()); });
 }
 
 /// An array with each item on a line of its own.

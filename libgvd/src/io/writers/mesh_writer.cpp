@@ -111,9 +111,7 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
 namespace gvd::io {
 
 std::string bare_extension(std::string_view extension) {
-  std::string lower(extension.substr(extension.starts_with('.') ? 1 : 0));
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
+  return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
 }
 
 void check_single_precision(const Mesh& mesh, std::string_view format) {

@@ -23,12 +23,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames = {"obj", "ply", "off", "stl"};
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
 /// The first word of the first line that is neither blank nor a comment, within the first megabyte.
 std::string first_word(std::string_view bytes) {
   TextReader text(bytes.substr(0, 1 << 20), "", true);
@@ -73,7 +67,7 @@ std::string_view name_of(MeshFormat format) { return kNames[static_cast<int>(for
 
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
   const std::size_t dot = name.rfind('.');
-  const std::string extension = lower_case(dot == name.npos ? name : name.substr(dot + 1));
+  const std::string extension = to_lower(dot == name.npos ? name : name.substr(dot + 1));
   const auto it = std::find(kNames.begin(), kNames.end(), extension);
   if (it == kNames.end()) return std::nullopt;
   return static_cast<MeshFormat>(it - kNames.begin());
@@ -84,7 +78,7 @@ std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view
   if (is_binary_stl(bytes)) return MeshFormat::stl;
   const std::string word = first_word(bytes);
   if (is_off_keyword(word)) return MeshFormat::off;
-  if (lower_case(word) == "solid") return MeshFormat::stl;
+  if (to_lower(word) == "solid") return MeshFormat::stl;
   if (is_obj_statement(word)) return MeshFormat::obj;
   const std::size_t dot = name.rfind('.');
   return dot == name.npos ? std::nullopt : format_from_extension(name.substr(dot));

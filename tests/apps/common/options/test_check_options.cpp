@@ -40,14 +40,14 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
   const std::string mesh = scratch / "a.obj", other = scratch / "b.obj", more = scratch / "c.obj";
   for (const std::string& file : {mesh, other, more}) test::write_text(file, "v 0 0 0\n");
   const auto with = [&](const std::string& word) { return refusal({mesh, word, "-n", "3"}); };
-  CHECK(refusal({mesh, "24"}) == "unexpected: '24' is no file; did you mean -n 24?");
-  CHECK(with("24") == "unexpected: '24' is no file; options have dashes in front");
+  CHECK(refusal({mesh, "24"}) == "unexpected: '24' is not a file; did you mean -n 24?");
+  CHECK(with("24") == "unexpected: '24' is not a file; options begin with a dash");
   CHECK(refusal({mesh, "--vertices", "1", "2"}) ==
-        "unexpected: '2' is no file; --vertices has commas and no blanks: 3,17,99");
-  CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is no file; options go before --");
+        "unexpected: '2' is not a file; --vertices takes commas without blanks, as in 3,17,99");
+  CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is not a file; options go before --");
   CHECK(with(scratch / "x.ply") ==
-        "unexpected: '" + scratch / "x.ply" + "' is no file; did you mean -o " + scratch / "x.ply" + "?");
-  CHECK(with("cut") == "unexpected: 'cut' is no file; options have dashes in front");
+        "unexpected: '" + scratch / "x.ply" + "' is not a file; did you mean -o " + scratch / "x.ply" + "?");
+  CHECK(with("cut") == "unexpected: 'cut' is not a file; options begin with a dash");
   CHECK_THAT(with(scratch / ""), Contains("is a directory; did you mean --output-dir "));
   CHECK(refusal({mesh, other, "-n", "3"}) ==
         "2 inputs, " + mesh + " and " + other + ": name a folder for their outputs with --output-dir");
@@ -94,9 +94,9 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
   CHECK_THAT(output_refusal(with({"-o", "a.doc"})), Contains("a.doc") && Contains(".ply, .obj, .json"));
   CHECK_THAT(output_refusal(with({"-o", ""})), Contains("empty"));
   CHECK_THAT(output_refusal(with({"-o", "a.ply", "-o", "./a.ply"})),
-             Contains("-o ./a.ply: two options name this file"));
-  CHECK_THAT(output_refusal(with({"-o", "-", "-o", "-"})), Contains("two options name this file"));
-  CHECK_THAT(output_refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two options"));
+             Contains("-o ./a.ply: another option names this file, too"));
+  CHECK_THAT(output_refusal(with({"-o", "-", "-o", "-"})), Contains("another option names this file, too"));
+  CHECK_THAT(output_refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: another option"));
   CHECK_THAT(output_refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
   CHECK_THAT(output_refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output),
              Contains("is a directory"));
@@ -135,22 +135,22 @@ TEST_CASE("no target is a file that the run reads, whatever it is called") {
   test::write_text(list, "{}");
   std::filesystem::create_hard_link(mesh, scratch / "hard.obj");
   for (const char* name : {"mesh.obj", "hard.obj", "./mesh.obj"}) {
-    CHECK_THAT(output_refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("this is the file that is read"));
+    CHECK_THAT(output_refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("the run reads this file"));
   }
-  CHECK_THAT(output_refusal({mesh, "--generators", list, "--report", list}), Contains("this is the file that is read"));
+  CHECK_THAT(output_refusal({mesh, "--generators", list, "--report", list}), Contains("the run reads this file"));
 }
 
 TEST_CASE("a link that leads nowhere yet is the file that it names") {
   const test::ScratchFolder scratch;
   std::filesystem::create_symlink("b.ply", scratch / "a.ply");
   CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "a.ply", "-o", scratch / "b.ply"}),
-             Contains("two options name this file"));
+             Contains("another option names this file, too"));
 }
 
 TEST_CASE("the materials of an .obj are a file of the run, too") {
   const test::ScratchFolder scratch;
   CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "a.obj", "--report", scratch / "a.mtl"}),
-             Contains("two options name this file"));
+             Contains("another option names this file, too"));
   std::filesystem::create_directory(scratch / "b.mtl");
   CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output),
              Contains("is a directory"));
@@ -164,7 +164,7 @@ TEST_CASE("the file of options is not replaced") {
   const test::ScratchFolder scratch;
   test::write_text(scratch / "o.toml", "n = 3\n");
   CHECK_THAT(output_refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
-             Contains("this is the file that is read"));
+             Contains("the run reads this file"));
 }
 
 TEST_CASE("a folder of outputs that is none, or can't be made, is refused with what to do") {
@@ -189,9 +189,9 @@ TEST_CASE("what is named twice is told as such") {
   const std::string mesh = scratch / "a.obj", out = scratch / "out";
   test::write_text(mesh, "v 0 0 0\n");
   CHECK_THAT(output_refusal({mesh, "-n", "3", "--output-dir", out, "--output-format", "ply,obj,ply"}),
-             Contains("--output-format: ply is there twice; keep one"));
+             Contains("--output-format: ply is given twice; keep one"));
   CHECK(output_refusal({mesh, scratch / "./a.obj", "-n", "3", "--output-dir", out}) ==
-        "INPUT " + scratch / "./a.obj: is there twice; keep one");
+        "INPUT " + scratch / "./a.obj: given twice; keep one");
 }
 
 TEST_CASE("an option of a format that is not written names the option that chooses it") {

@@ -164,8 +164,8 @@ TEST_CASE("an option of the command line takes the place of those of the file th
 
 TEST_CASE("an error in a configuration file has line, column, key and what was expected") {
   const auto refused = [](const std::string& text) { return ConfigFixture(text).refused({"in"}); };
-  CHECK_THAT(refused("\nodd = 8\n"), StartsWith(":2:1: odd: is no option"));
-  CHECK(refused("evne = 8\n") == ":1:1: evne: is no option; did you mean even?");
+  CHECK_THAT(refused("\nodd = 8\n"), StartsWith(":2:1: odd: is not an option"));
+  CHECK(refused("evne = 8\n") == ":1:1: evne: is not an option; did you mean even?");
   CHECK(refused("even = \"8\"\n") == ":1:8: even: expected a whole number, found a string");
   CHECK(refused("flag = 1\n") == ":1:8: flag: expected true or false, found a whole number");
   CHECK(refused("other = true\n") == ":1:9: other: expected a string in quotes, found a boolean");
@@ -175,7 +175,7 @@ TEST_CASE("an error in a configuration file has line, column, key and what was e
   CHECK(refused("f = \"x\"\nfile = \"y\"\n") == ":2:1: file: is the same option as f above");
   CHECK(refused("flag = true\n") == ":1:1: flag requires --even");
   CHECK(refused("even = 2\nother = \"x\"\n") == ":2:1: even excludes other");
-  CHECK_THAT(refused("even = [ 12\n"), StartsWith(":") && Contains("no TOML"));
+  CHECK_THAT(refused("even = [ 12\n"), StartsWith(":") && Contains("not valid TOML"));
 }
 
 TEST_CASE("words wrap before the width, and a longer word stands alone") {
@@ -246,7 +246,7 @@ TEST_CASE("capitals do not count, and the same name goes before a longer one") {
   CHECK(suggest_name("-N", kNames) == "-n");
 }
 
-TEST_CASE("the name of what is no option is known from its first letter on") {
+TEST_CASE("the name of what is not an option is known from its first letter on") {
   std::vector<std::string> names = kNames;
   names.insert(names.end(), {"INPUT", "--input-format"});
   for (const char* wrong : {"-i", "--in", "--input", "--Input", "--input=a.obj"}) {

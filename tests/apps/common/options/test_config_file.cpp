@@ -90,7 +90,7 @@ TEST_CASE("a key is any name of an option without its dashes") {
   CHECK(read("input-format = 'off'").at(0).name == "input-format");
   for (const char* wrong :
        {"INPUT = 'a'", "input_format = 'off'", "-n = 3", "\"--count\" = 3", "N = 3", "help = true", "config = 'a'"}) {
-    CHECK_THAT(refusal(wrong), StartsWith("f:1:1: ") && Contains("is no option"));
+    CHECK_THAT(refusal(wrong), StartsWith("f:1:1: ") && Contains("is not an option"));
   }
 }
 
@@ -112,8 +112,8 @@ TEST_CASE("each option takes values of its type only") {
   }
 }
 
-TEST_CASE("a table is no option, and two keys of one option are refused") {
-  CHECK(refusal("[options]\nn = 3") == "f:1:2: options: is a table; write its keys without one");
+TEST_CASE("a table is not an option, and two keys of one option are refused") {
+  CHECK(refusal("[options]\nn = 3") == "f:1:2: options: is a table; write its keys outside of tables");
   CHECK(refusal("count = 3\nradius = 1\nn = 3") == "f:3:1: n: is the same option as count above");
 }
 
@@ -152,31 +152,31 @@ TEST_CASE("what is no TOML is refused with its place") {
   for (const char* wrong : {"n = [ 12\n", "n = \n", "n 12\n", "n = 12 13\n", "n = 'a\n", "n = 1\nn = 2\n", "= 3\n",
                             "n = 01\n", "n = 99999999999999999999\n", "n = \"\xff\"\n", "[a\n"}) {
     CAPTURE(wrong);
-    CHECK_THAT(refusal(wrong), StartsWith("f:") && Contains(": no TOML: "));
+    CHECK_THAT(refusal(wrong), StartsWith("f:") && Contains(": not valid TOML: "));
   }
   CHECK_THAT(refusal("n = 1\nn = 2\n"), StartsWith("f:2:") && Contains("'n'"));
-  CHECK_THAT(refusal("a = 1\n  n = [ 12\n"), StartsWith("f:2:") && Contains(": n: no TOML: "));
+  CHECK_THAT(refusal("a = 1\n  n = [ 12\n"), StartsWith("f:2:") && Contains(": n: not valid TOML: "));
   CHECK_THAT(refusal("n 12\n"), StartsWith("f:1:") && !Contains("n: "));
 }
 
 // The parser's own assertions used to end a build that has assertions.
 TEST_CASE("a table's name that begins with a zero byte is refused") {
-  CHECK_THAT(refusal(std::string("[\0\t\x1f'", 5)), StartsWith("f:1:2: ") && Contains("no TOML: "));
+  CHECK_THAT(refusal(std::string("[\0\t\x1f'", 5)), StartsWith("f:1:2: ") && Contains("not valid TOML: "));
 }
 
 // The parser took letters like these for unreachable, in keys and beside line breaks in strings.
 TEST_CASE("letters that are not ASCII are refused outside of strings and kept inside") {
   for (const char* letter : {"\u00a1", "\u00e4", "\u0283", "\u0499"}) {
     const std::string text = letter;
-    CHECK_THAT(refusal(text + " = 1\n"), StartsWith("f:1:") && Contains("no TOML: "));
-    CHECK_THAT(refusal("n = " + text + "\n"), StartsWith("f:1:") && Contains("no TOML: "));
+    CHECK_THAT(refusal(text + " = 1\n"), StartsWith("f:1:") && Contains("not valid TOML: "));
+    CHECK_THAT(refusal("n = " + text + "\n"), StartsWith("f:1:") && Contains("not valid TOML: "));
     CHECK(values("input = \"\"\"\\\n" + text + "\"\"\"\n").at(0).ends_with(text));
   }
 }
 
 TEST_CASE("a message about a key or about what is no TOML is printable and short") {
-  CHECK_THAT(refusal("\"a\\nb\" = 1"), Contains(": a b: is no option"));
-  CHECK_THAT(refusal("\"" + std::string(500, 'x') + "\" = 1"), Contains("xxx...: is no option"));
+  CHECK_THAT(refusal("\"a\\nb\" = 1"), Contains(": a b: is not an option"));
+  CHECK_THAT(refusal("\"" + std::string(500, 'x') + "\" = 1"), Contains("xxx...: is not an option"));
   for (const std::string& wrong : {std::string("\1\0\t'a' = 1\nn = 99999999999999999999\n", 36),
                                    std::string(5000, 'k') + " = [", std::string("n = \"\x1b[2J")}) {
     const std::string message = refusal(wrong);

@@ -61,11 +61,11 @@ TEST_CASE("an extension is in lower case and has no dot") {
 }
 
 TEST_CASE("texts of the user's are printable and short in messages, and keep their letters whole") {
-  CHECK(printable("-n") == "-n");
-  CHECK(printable(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
-  CHECK(printable(std::string(61, 'a')) == std::string(60, 'a') + "...");
-  CHECK(printable("k\u00e4se", 3) == "k\u00e4...");
-  CHECK(printable("k\u00e4se", 2) == "k...");
+  CHECK(app::printable("-n") == "-n");
+  CHECK(app::printable(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
+  CHECK(app::printable(std::string(61, 'a')) == std::string(60, 'a') + "...");
+  CHECK(app::printable("k\u00e4se", 3) == "k\u00e4...");
+  CHECK(app::printable("k\u00e4se", 2) == "k...");
 }
 
 }  // namespace gvd::test_options

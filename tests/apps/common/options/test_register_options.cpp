@@ -12,16 +12,16 @@ using gvd::test::parse_options;
 TEST_CASE("the defaults are the contract's") {
   const Options options = parse_options({"a.obj", "-n", "30"});
   CHECK(options.input.path == "a.obj");
-  CHECK(options.input.on_defect == "repair");
+  CHECK(options.input.on_defect == DefectPolicy::repair);
   CHECK(options.generators.count == 30);
-  CHECK(options.generators.sampling == SamplingKind::farthest);
+  CHECK(options.generators.sampling == Sampling::farthest);
   CHECK(options.generators.seed == 0);
   CHECK(options.compute.method == Method::exact);
   CHECK_FALSE(options.compute.front);
   const DiagramOptions diagram = make_diagram_options(options.compute);
   CHECK(diagram.method == Method::exact);
   CHECK(diagram.chord_tolerance == 1e-4);
-  CHECK(stdout_format(options.output) == "ply");
+  CHECK(format_of(options.output, "-") == "ply");
 }
 
 TEST_CASE("every option is stored in its field") {
@@ -60,10 +60,10 @@ TEST_CASE("every option is stored in its field") {
                                          "--up",
                                          "-x",
                                          "-q"});
-  CHECK(options.input.format == "off");
-  CHECK(options.input.on_defect == "largest");
+  CHECK(options.input.format == MeshFormat::off);
+  CHECK(options.input.on_defect == DefectPolicy::largest);
   CHECK(options.generators.count == 10);
-  CHECK(options.generators.sampling == SamplingKind::poisson);
+  CHECK(options.generators.sampling == Sampling::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
   CHECK(options.compute.method == Method::gbgvd);
   CHECK(options.compute.front == Front::planar);
@@ -71,7 +71,7 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
-  CHECK(stdout_format(options.output) == "json");
+  CHECK(format_of(options.output, "-") == "json");
   CHECK(options.output.view == "v.html");
   CHECK(options.output.up == UpAxis::minus_x);
   CHECK(options.quiet);
@@ -115,9 +115,9 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK_FALSE(chosen.compute.front);
   const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
-  CHECK(listed.generators.sampling == SamplingKind::farthest);
+  CHECK(listed.generators.sampling == Sampling::farthest);
   const Options file = with("output = \"-\"\noutput-format = \"json\"\n", {"a.obj", "-n", "3", "-o", "a.obj"});
-  CHECK(stdout_format(file.output) == "ply");
+  CHECK(format_of(file.output, "-") == "ply");
 }
 
 TEST_CASE("a list of vertices has one index between each two commas") {

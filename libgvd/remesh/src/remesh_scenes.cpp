@@ -1,9 +1,9 @@
-// The pictures of gvd-remesh's page: the remesh, the same before placement, the input, and the diagram.
+// The pictures of a remesh on a page: the remesh, the same before placement, the input, and the diagram.
 //
 // Remesh and input show their distances from each other by one scale of colours, so that they can be compared. The
-// scale ends at a few RMS distances, since the largest distance would leave all others with similar colours.
-
-#include "remesh/remesh_scenes.hpp"
+// scale ends at a few RMS distances, since the largest distance would leave all others with similar colours. Distances
+// are measured anew at the points that a page shows; the figures are those of the result.
+#include "gvd/remesh_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "gvd/quality.hpp"
 #include "gvd/surface_distance.hpp"
 
-namespace gvd::app {
+namespace gvd {
 namespace {
 
 /// Moves the added generators, which come last, to a list of their own.
@@ -159,4 +159,4 @@ std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult&
   return list;
 }
 
-}  // namespace gvd::app
+}  // namespace gvd

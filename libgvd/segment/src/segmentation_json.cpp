@@ -1,0 +1,42 @@
+// A segmentation, or a cut mesh, as JSON: the document of its diagram (gvd-diagram/1) with one more member, so that a
+// reader of diagrams reads it too.
+//
+// Labels are ids of generators, -1 where none reaches. Whole faces have labels only, since their mesh is the input; a
+// cut mesh comes with its vertices and faces. Invariant: numbers bring the same double back, and a distance that is
+// infinite is null.
+#include <ostream>
+
+#include "gvd/segment.hpp"
+#include "io/writers/json_members.hpp"
+
+namespace gvd {
+
+void write_segmentation_json(std::ostream& stream, const Mesh& mesh, const Diagram& diagram,
+                             const Segmentation& segmentation) {
+  io::ByteWriter out(stream);
+  io::print_open_diagram(out, mesh, diagram);
+  out.text(",\"face_labels\":");
+  io::print_ids(out, segmentation.face_label);
+  out.text("}\n");
+  out.finish();
+}
+
+void write_cut_json(std::ostream& stream, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
+                    const CutVertices& vertices) {
+  io::ByteWriter out(stream);
+  io::print_open_diagram(out, mesh, diagram);
+  out.text(",\"cut_mesh\":{");
+  io::print_mesh_members(out, cut.mesh);
+  out.text(",\n\"labels\":");
+  io::print_ids(out, cut.label);
+  out.text(",\n\"parents\":");
+  io::print_ids(out, cut.parent);
+  out.text(",\n\"vertex_labels\":");
+  io::print_ids(out, vertices.label);
+  out.text(",\n\"vertex_distances\":");
+  io::print_array(out, vertices.distance, [&](double distance) { out.text(io::json_number(distance)); });
+  out.text("}}\n");
+  out.finish();
+}
+
+}  // namespace gvd
