@@ -12,13 +12,3 @@ if(GVD_SANITIZE)
     -fsanitize=${GVD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gvd_compile_options INTERFACE -fsanitize=${GVD_SANITIZE})
 endif()
-
-# gvd_compile_fast(TARGETS...): no optimisation under sanitizers. The templates of Catch2 and CLI11 then compile in 40 % of the
-# time (docs/notes/build-time.md). For sources that leave the long work to the libraries.
-function(gvd_compile_fast)
-  if(GVD_SANITIZE)
-    foreach(target ${ARGN})
-      target_compile_options(${target} PRIVATE -O0)
-    endforeach()
-  endif()
-endfunction()
