@@ -28,9 +28,8 @@ MEDIAN_SOURCE_LINES = 120
 MOST_FOLDERS = 45
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today, to be lowered and never raised. The aims are 46000, 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 48050, ("apps",): 4420, ("apps/common",): 3260}
-# The aim is 0.15.
-SHARE_OF_COMMENTS = 0.145
+MOST_LINES = {("libgvd", "apps", "bench"): 46870, ("apps",): 4420, ("apps/common",): 3260}
+SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
 
 # A class of more lines says why in the comment above it, in a sentence that begins like this.
