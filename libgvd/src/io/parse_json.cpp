@@ -1,9 +1,10 @@
 // Lists as JSON: the array `generators` of any object, so that a diagram or a report serves as a list.
 //
-// The parser tells the line of a syntax error only by what it has read so far, and no line of an element. So it reads a
-// stream whose position gives the line, and a callback notes where each generator begins.
+// The library's documents know no lines. So the text is read twice: by events from a stream, whose position gives the
+// lines of elements and of a syntax error, and then as a document. One parse with a callback would do both, but after
+// each object nlohmann/json 3.11 looks through all elements before it, which takes quadratic time.
 // An element is a face with coordinates, or else a vertex, or else a position, as in a row of comma-separated values.
-// Source: RFC 8259, as the library nlohmann/json reads it. Cost: O(length), counting each line once.
+// Source: RFC 8259, as the library nlohmann/json reads it. Cost: O(length).
 // Invariant: every message names list and line, and is printable whatever the file holds.
 #include <fmt/format.h>
 
@@ -23,40 +24,68 @@ using nlohmann::json;
 /// Characters of the parser's reason that a message repeats: its own words, and a token of moderate length.
 constexpr std::size_t kReasonLength = 200;
 
-struct Document {
-  json root;
-  std::vector<std::int32_t> lines;  ///< of the start of each object in the array "generators"
-};
+/// The events of a parse, for the line on which each object in the array "generators" begins.
+class LineReader : public nlohmann::json_sax<json> {
+ public:
+  LineReader(std::string_view content, const std::string& name)
+      : content_(content), name_(name), in_(std::string(content)) {}
 
-Document parse_document(std::string_view content, const std::string& name) {
-  Document document;
-  std::istringstream in{std::string(content)};
-  std::int32_t line = 1;
-  std::ptrdiff_t counted_to = 0;
-  const auto current_line = [&] {
-    const std::ptrdiff_t at = in.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
-    line += static_cast<std::int32_t>(std::count(content.begin() + counted_to, content.begin() + at, '\n'));
-    counted_to = at;
-    return line;
-  };
-  bool inside = false;
-  const auto note = [&](int depth, json::parse_event_t event, json& parsed) {
-    if (event == json::parse_event_t::key && depth == 1) inside = parsed == "generators";
-    if (event == json::parse_event_t::object_start && depth == 2 && inside) document.lines.push_back(current_line());
+  /// Throws Error{unreadable_input} with the line of a syntax error.
+  std::vector<std::int32_t> read() {
+    json::sax_parse(in_, this);
+    return std::move(lines_);
+  }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+
+  bool key(std::string& text) override {
+    if (depth_ == 1) inside_ = text == "generators";
     return true;
-  };
-  try {
-    document.root = json::parse(in, note);
-  } catch (const json::exception& error) {
+  }
+  bool start_object(std::size_t) override {
+    if (depth_ == 2 && inside_) lines_.push_back(current_line());
+    return open();
+  }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_array() override { return close(); }
+
+  bool parse_error(std::size_t, const std::string&, const json::exception& error) override {
     // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...",
     // and quotes what it has read since the last token, whatever that is.
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
     const std::string reason = printable(text.substr(bracket == text.npos ? 0 : bracket + 2), kReasonLength);
-    ListLocation{name, current_line()}.refuse("not valid JSON: " + reason);
+    ListLocation{name_, current_line()}.refuse("not valid JSON: " + reason);
   }
-  return document;
-}
+
+ private:
+  bool open() { return ++depth_ > 0; }
+  bool close() { return --depth_ >= 0; }
+
+  /// The line up to which the stream is read. Each line is counted once.
+  std::int32_t current_line() {
+    const std::ptrdiff_t at = in_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
+    line_ += static_cast<std::int32_t>(std::count(content_.begin() + counted_to_, content_.begin() + at, '\n'));
+    counted_to_ = at;
+    return line_;
+  }
+
+  std::string_view content_;
+  const std::string& name_;
+  std::istringstream in_;
+  std::vector<std::int32_t> lines_;
+  std::int32_t line_ = 1;
+  std::ptrdiff_t counted_to_ = 0;
+  int depth_ = 0;  ///< of objects and arrays that are open
+  bool inside_ = false;
+};
 
 std::array<double, 3> read_three(const json& value, std::string_view key, const ListLocation& location) {
   std::array<double, 3> three{};
@@ -92,17 +121,17 @@ GeneratorEntry read_object(const json& object, const ListLocation& location) {
 }  // namespace
 
 std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name) {
-  const Document document = parse_document(content, name);
+  const std::vector<std::int32_t> lines = LineReader(content, name).read();
+  const json document = json::parse(content);
   const ListLocation location{name, 1};
-  if (!document.root.is_object() || !document.root.contains("generators")) {
+  if (!document.is_object() || !document.contains("generators")) {
     location.refuse("there is no array \"generators\"; write one");
   }
-  const json& list = document.root["generators"];
+  const json& list = document["generators"];
   if (!list.is_array()) location.refuse("\"generators\" must be an array");
   std::vector<GeneratorEntry> entries;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::int32_t line = i < document.lines.size() ? document.lines[i] : 1;
-    const ListLocation at{name, line};
+    const ListLocation at{name, i < lines.size() ? lines[i] : 1};
     if (!list[i].is_object()) at.refuse(fmt::format("element {} of \"generators\" must be an object", i));
     entries.push_back(read_object(list[i], at));
   }

@@ -100,7 +100,8 @@ class WaitingWindows {
   /// Interval ends that differ by less than this fraction of the edge are the same.
   static constexpr double kSameEnd = 1e-9;
 
-  Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
   std::int32_t take_slot() {
     if (free_ >= 0) {

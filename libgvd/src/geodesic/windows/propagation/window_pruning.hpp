@@ -134,7 +134,8 @@ class WindowPruning {
     return undecided;
   }
 
-  FaceState& state(FaceId f) const { return state_[f.value()]; }
+  FaceState& state(FaceId f) { return state_[f.value()]; }
+  FaceState state(FaceId f) const { return state_[f.value()]; }
 
   void mark_face(FaceId f) {
     if (exchange_.is_own(f)) {
