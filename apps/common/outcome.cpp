@@ -38,6 +38,7 @@ constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
                                            {kNotWritten, "not written"},
                                            {kReaderGone, "reader gone"},
                                            {kInterrupted, "interrupted"}}};
+static_assert(static_cast<std::size_t>(ErrorCode::interrupted) + 1 == kCodes.size());
 
 /// This ends a message behind other advice.
 constexpr std::string_view kAllow = ", or set allow_intersections";

@@ -9,6 +9,7 @@
 #include "gvd/constrained_start.hpp"
 #include "gvd/density.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "common/options/options.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error_measure.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"

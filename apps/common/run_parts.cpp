@@ -183,11 +183,16 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
 
 }  // namespace
 
+void note_on_input(Run& run, const std::string& message) {
+  const Options& options = run.options();
+  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
+}
+
 CheckedMesh load_input(Run& run, std::string* standard_input) {
   const InputOptions& input = run.options().input;
   const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
-  for (const std::string& message : checked.defects.messages) run.console().note(name_of(input) + ": " + message);
+  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
   run.report().set_input(summary, checked.defects);

@@ -18,6 +18,9 @@
 // should know, and fills in its members of the report.
 namespace gvd::app {
 
+/// Notes something about the input, behind its name. With --output-dir the console's lines have that name already.
+void note_on_input(Run& run, const std::string& message);
+
 /// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.
 /// Throws Error{unreadable_input} or Error{precondition} with the name of the input, and Error{unwritable_output} where
 /// an output format can't hold the coordinates of the mesh. `standard_input`, if not null, receives what standard input

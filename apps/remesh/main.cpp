@@ -299,16 +299,14 @@ MeshAttributes read_attributes(const InputOptions& input, const std::string& sta
 /// over, and what no output holds.
 Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
               const std::string& standard_input) {
-  const InputOptions& options = run.options().input;
   Carried carried = run.timed("carry", [&] {
-    const MeshAttributes found = read_attributes(options, standard_input);
+    const MeshAttributes found = read_attributes(run.options().input, standard_input);
     Carried made{carry_properties(input, found.properties, result, map), {}};
     if (found.texture) made.texture = carry_texture(input, *found.texture, result, map);
     return made;
   });
   if (carried.properties.empty() && carried.texture.empty()) {
-    run.console().note(fmt::format("{}: no properties and no texture coordinates to carry over",
-                                   options.path == "-" ? kStandardInput : options.path));
+    note_on_input(run, "no properties and no texture coordinates to carry over");
   } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
     run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
   }

@@ -46,6 +46,15 @@ TEST_CASE("several inputs: each has its outputs, a failed one does not stop the 
   }
 }
 
+TEST_CASE("several inputs: a note on an input has its name once") {
+  const Inputs inputs;
+  const std::string plate = data_file("plate.stl");
+  const CommandResult result = run_command("gvd-segment", plate + " " + inputs.good + inputs.to_out);
+  CAPTURE(result.err);
+  CHECK_THAT(result.err, Contains("gvd-segment: " + plate + ": "));
+  CHECK_THAT(result.err, Contains("vertices") && !Contains(plate + ": " + plate));
+}
+
 TEST_CASE("several inputs: a run's output is that of the same run alone") {
   const Inputs inputs;
   REQUIRE(run_command("gvd-segment", inputs.good + inputs.to_out + " -q --output-format off").exit_code == 0);

@@ -165,7 +165,7 @@ class Targets {
   void claim(const std::string& option, const std::string& path) {
     if (path.empty()) return;
     if (!names_.insert(path == "-" ? path : one_name(path)).second) {
-      refuse(fmt::format("{} {}: another option names this file, too; choose another name", option, path));
+      refuse(fmt::format("{} {}: two outputs go there; choose another name", option, path));
     }
     if (path == "-") {
       if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));

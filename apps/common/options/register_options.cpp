@@ -206,7 +206,7 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
 std::vector<ValueRule> register_options(CLI::App& app, Options& options, const Formats& formats) {
   app.set_help_flag();
   register_input(app, options.input);
-  app.option_defaults()->group("Generators (exactly one of -n, --generators, --vertices, --radius)");
+  app.option_defaults()->group("Generators (one of -n, --generators, --vertices, --radius)");
   register_sampling(app, options.generators);
   register_lists(app, options.generators);
   register_compute(app, options.compute);
@@ -217,7 +217,7 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const F
 }
 
 void register_sizes(CLI::App& app, GeneratorOptions& generators) {
-  app.option_defaults()->group("Sizes (instead of -n)");
+  app.option_defaults()->group("Sizes (in place of these four)");
   add_number(app, "--target-edge", generators.target_edge, kPositive,
              "Sample as many generators as give edges of this average length, in mesh units");
   const auto store = [&generators](const std::string& text) {

@@ -12,6 +12,9 @@
 #include "geodesic/windows/nearest_paths.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "gvd/cell_moments.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/working_mesh.hpp"
 
 // Integrals over cells: what a thread sums up, from the windows of a diagram, and without a diagram.

@@ -3,7 +3,8 @@
 // Sampled generators keep their number: each one that is placed on a curve takes the place of the nearest sample, and
 // so the others stay evenly spread. Listed generators stay where they are; those on creases are kept there. Generators
 // on curves are as far apart as evenly spread ones, or farther, so that enough are left for the faces: kFeatureShare.
-// Invariant: no two generators of a start coincide. Cost: a search along x for each generator that is placed.
+// Invariant: no generator that is placed or kept coincides with one before it. Cost: a search along x for each
+// generator that is placed.
 #include "gvd/constrained_start.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +12,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "base/least.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
@@ -54,19 +55,13 @@ class NearestRemover {
   /// Looks on both sides along x, as far as a nearer point may lie.
   void remove_nearest(const Vec3& place) {
     const auto middle = left_.lower_bound({place.x(), 0});
-    auto nearest = left_.end();
-    double least = std::numeric_limits<double>::infinity();
-    const auto offer = [&](auto item) {
-      const double distance = (item->second - place).norm();
-      if (!(distance < least)) return;
-      least = distance;
-      nearest = item;
-    };
-    for (auto item = middle; item != left_.end() && item->first.first - place.x() < least; ++item) offer(item);
-    for (auto item = middle; item != left_.begin() && place.x() - std::prev(item)->first.first < least; --item) {
+    Least<decltype(left_)::iterator> nearest{left_.end()};
+    const auto offer = [&](auto item) { nearest.offer((item->second - place).norm(), item); };
+    for (auto item = middle; item != left_.end() && item->first.first - place.x() < nearest.rank; ++item) offer(item);
+    for (auto item = middle; item != left_.begin() && place.x() - std::prev(item)->first.first < nearest.rank; --item) {
       offer(std::prev(item));
     }
-    if (nearest != left_.end()) left_.erase(nearest);
+    if (nearest.value != left_.end()) left_.erase(nearest.value);
   }
 
   /// Of `points`, those that are left, in their order.

@@ -6,6 +6,10 @@
 // quadratic functions. Energies and gradients cost about half of a diagram with its integrals. A face's parts cover it
 // without overlaps, so no area is counted twice or lost.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
 
 #include "base/plane.hpp"
 #include "cell_integrals.hpp"

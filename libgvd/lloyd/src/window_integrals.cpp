@@ -5,6 +5,10 @@
 // windows of the working mesh. A face that generators have split is looked up in its parts. The triangles of a piece
 // lie within the piece, because beyond it no path of its generator may be known.
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"

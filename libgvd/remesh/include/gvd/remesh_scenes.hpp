@@ -8,13 +8,14 @@
 
 namespace gvd {
 
-/// The remesh with its vertices at their generators.
+/// The remesh with its vertices at their generators. `result` must be a remesh of `input`. Cost: O(n).
 Mesh make_unplaced(const Mesh& input, const RemeshResult& result);
 
-/// The pictures of a remesh for make_view_page. They are the remesh, the same before its vertices were placed
-/// (`unplaced`) if any was, the input, and the diagram of all generators. The first two have the distances from the
-/// input, the input those from the remesh, all with one scale. The added generators are marked. The scenes refer to the
-/// meshes, which must outlive them. `threads` >= 1, or 0 for one a core. Cost: O(n log n).
+/// The pictures of a remesh for make_view_page: the remesh, the input, and the diagram of all generators. Where
+/// vertices were placed away from their generators, the remesh before that (`unplaced`, of make_unplaced) is a further
+/// one. Remeshes have their distances from the input, the input those from the remesh, all with one scale. Added
+/// generators are marked. The scenes refer to the meshes, which must outlive them. `threads` >= 1, or 0 for one a core.
+/// Cost: O(n log n).
 std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,
                                           int threads);
 

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/self_intersections.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 
 // The tests of a dual's triangles, beside those of its topology (check_dual): flipped triangles, exact predicates, and
 // pairs of triangles that intersect.

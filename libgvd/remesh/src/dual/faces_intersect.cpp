@@ -6,6 +6,8 @@
 // Source: J. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997:
 // Two-Sum, Grow-Expansion with zero elimination, and the error bounds of the filters.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 

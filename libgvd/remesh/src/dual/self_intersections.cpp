@@ -7,6 +7,7 @@
 
 #include "gvd/self_intersections.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 #include "base/parallel_chunks.hpp"

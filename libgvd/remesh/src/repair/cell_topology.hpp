@@ -9,7 +9,10 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/exact_field.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 
 // What generators can be placed by: the arcs of the boundary in a cell, its non-contractible loops, and the tips that
 // it surrounds.

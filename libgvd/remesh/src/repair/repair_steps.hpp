@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,9 @@
 #include <vector>
 
 #include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 #include "repair/cell_topology.hpp"
 
 // The steps of a repair: a list of new generators, the dual near some cells, new generators for defects, and the search

@@ -75,7 +75,8 @@ void check_finite(std::string_view what, const std::vector<Vec3>& points) {
 void check_distances(const std::vector<double>& distances) {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (std::isfinite(distances[i]) && distances[i] >= 0) continue;
-    refuse(fmt::format("distance {} of the view from another surface is not a positive number", i), std::int64_t(i));
+    refuse(fmt::format("distance {} of the view from another surface is not a finite number from 0 on", i),
+           std::int64_t(i));
   }
 }
 

@@ -64,6 +64,8 @@ void write_bare_obj(std::ostream& out, const LabelledMesh& mesh) { io::write_obj
 /// In the order of OutputFormat.
 constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_stl,
                                   io::write_vtp, io::write_glb,  write_json};
+static_assert(static_cast<std::size_t>(OutputFormat::json) + 1 == kMeshWriters.size());
+static_assert(kExtensions.size() == kMeshWriters.size());
 
 }  // namespace
 

@@ -80,6 +80,7 @@ std::optional<PointFormat> parse_point_format(std::string_view extension) {
 
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
   constexpr std::array kPointWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
+  static_assert(static_cast<std::size_t>(PointFormat::npy) + 1 == kPointWriters.size());
   ByteWriter writer(out);
   kPointWriters[static_cast<std::size_t>(format)](writer, mesh, samples);
   writer.finish();

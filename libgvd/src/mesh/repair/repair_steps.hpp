@@ -10,6 +10,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/soup.hpp"
+#include "gvd/vec.hpp"
 #include "mesh/visit_edges.hpp"
 
 // The steps of `build_mesh`, and the data that they hand on: polygons, then triangles, and the log of defects.

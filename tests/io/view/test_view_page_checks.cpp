@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test_check_view_scene {
+namespace gvd::test_view_page_checks {
 
 using namespace test;
 
@@ -92,4 +92,4 @@ TEST_CASE("the error names the face that does not fit") {
   }
 }
 
-}  // namespace gvd::test_check_view_scene
+}  // namespace gvd::test_view_page_checks

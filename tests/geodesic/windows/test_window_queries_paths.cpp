@@ -12,7 +12,7 @@
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-namespace gvd::test_trace_shortest_path {
+namespace gvd::test_window_queries_paths {
 
 /// Faces round vertex 0, whose `count` neighbours lie up and down alternately: a saddle if `height` is large enough.
 Mesh make_crown(int count, double height) {
@@ -132,4 +132,4 @@ TEST_CASE("every window is a path of its generator, and none is shorter than the
   }
 }
 
-}  // namespace gvd::test_trace_shortest_path
+}  // namespace gvd::test_window_queries_paths
