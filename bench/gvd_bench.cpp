@@ -4,11 +4,10 @@
 // medians of processor time. The Dijkstra runs on a graph that is built beforehand; the diagram starts from the mesh.
 //   Dijkstra ms      the unit of the row, which tells the machine
 //   diagram x        the whole diagram in these units; section 5.1 of the paper gives milliseconds of its machine
-//   instead STEP x           its steps by name (gvd/diagram_steps.hpp). The working mesh and the tables have no column,
-//   so that
-//                    the steps sum up to less than the diagram
+//   STEP x           its steps by name (gvd/diagram_steps.hpp). The working mesh and the tables have no column. So the
+//                    steps add up to less than the diagram
 //   bytes/face       the peak of what the diagram holds, without the input mesh, counted in a run of its own
-//   1 thread ms ...  with --threads T, wall-clock times of one thread and of T threads in turns, and their ratio
+//   1 thread ms ...  with --threads T, wall-clock times of one thread and of T, measured in turns, and their ratio
 // --peers adds a table with the cost of CGAL's geodesic distances, which yield neither labels nor bisectors.
 // The last line is the resident memory of the process, which the largest mesh and CGAL decide.
 #include <fmt/format.h>
