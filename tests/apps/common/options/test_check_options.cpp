@@ -95,7 +95,7 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
   CHECK_THAT(output_refusal(with({"-o", ""})), Contains("empty"));
   CHECK_THAT(output_refusal(with({"-o", "a.ply", "-o", "./a.ply"})), Contains("-o ./a.ply: two outputs go there"));
   CHECK_THAT(output_refusal(with({"-o", "-", "-o", "-"})), Contains("two outputs go there"));
-  CHECK_THAT(output_refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: another option"));
+  CHECK_THAT(output_refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two outputs"));
   CHECK_THAT(output_refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
   CHECK_THAT(output_refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output),
              Contains("is a directory"));
