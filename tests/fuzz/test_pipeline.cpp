@@ -21,14 +21,15 @@
 #include "support/catch.hpp"
 #include "support/environment.hpp"
 #include "support/same_diagram.hpp"
+#include "support/sanitized.hpp"
 
 namespace gvd::test_pipeline {
 
 using test::Findings;
 using test::Random;
 
-/// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers.
-constexpr unsigned kFirstSeed = 401, kSeeds = 300;
+/// Seeds of the ordinary test, which takes a few seconds, and most of a minute with sanitizers.
+constexpr unsigned kFirstSeed = 401, kSeeds = test::kSanitized ? 100 : 300;
 
 /// A step on these small meshes reports progress a few times at most (once in 16,384 windows). A diagram has up to 13
 /// rounds of three steps. One with more reports than this does not terminate. A limit on time would depend on the
