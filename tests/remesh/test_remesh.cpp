@@ -11,6 +11,7 @@
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/sampling.hpp"
+#include "remesh/dual_defects.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -39,7 +40,7 @@ RemeshResult require_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& g
   RemeshResult result = remesh(mesh, generators, options);
   CHECK(result.certificate.first_failure() == "");
   CHECK(check_diagram(mesh, result.diagram).ok());
-  CHECK(check_dual(mesh, result.diagram).empty());
+  CHECK(test::find_dual_defects(mesh, result.diagram).empty());
   require_same_topology(mesh, result.mesh);
   require_generators_kept(generators, result);
   return result;
