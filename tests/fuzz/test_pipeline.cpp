@@ -81,7 +81,7 @@ class FuzzCase {
     const bool all = std::getenv("GVD_FUZZ_ALL") != nullptr;
     are_close_ = !all && test::are_close(checked.mesh, points_, test::kClose);
     are_welded_ = !all && test::are_close(checked.mesh, points_, test::kWelded);
-    has_thin_faces_ = !all && FaceFrames(checked.mesh).has_thin_faces;
+    has_thin_faces_ = !all && FaceFrames(checked.mesh, ParallelChunks(1, {})).has_thin_faces;
     counts_.close += are_close_;
     counts_.welded += are_welded_;
     run_on(checked.mesh);

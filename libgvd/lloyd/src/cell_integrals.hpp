@@ -9,8 +9,8 @@
 
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/nearest_paths.hpp"
 #include "geodesic/windows/window_field.hpp"
+#include "geodesic/windows/window_queries.hpp"
 #include "gvd/cell_moments.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"

@@ -20,7 +20,7 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
-#include "mesh/split_faces.hpp"
+#include "mesh/working_mesh.hpp"
 
 namespace gvd {
 namespace {
