@@ -20,9 +20,7 @@
 namespace gvd {
 
 Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions) {
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
-  return {std::move(positions), std::move(faces)};
+  return {std::move(positions), mesh.face_vertices()};
 }
 
 namespace {

@@ -143,10 +143,8 @@ ViewScene make_diagram_scene(const Mesh& input, const RemeshResult& result) {
 
 Mesh make_unplaced(const Mesh& input, const RemeshResult& result) {
   std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;
   for (const SurfacePoint& p : result.generators) positions.push_back(position(input, p));
-  for (const FaceId f : result.mesh.faces()) faces.push_back(result.mesh.vertices(f));
-  return {std::move(positions), std::move(faces)};
+  return {std::move(positions), result.mesh.face_vertices()};
 }
 
 std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,
