@@ -26,20 +26,27 @@
 namespace gvd::paper {
 namespace {
 
-/// The figures of each run: one value a run in each list.
-struct Samples {
-  std::vector<double> field_ms, diagram_ms, error, turn, islands, open_ends;
+/// What judges the diagrams of a run, as far as the experiment asks for it.
+struct Judges {
+  std::optional<Judge> judge;
+  std::optional<OtherJudge> other;
 };
 
-void add_sample(const Comparison& result, const Judge* judge, Samples& samples) {
-  samples.field_ms.push_back(result.field_ms);
-  samples.diagram_ms.push_back(result.diagram_ms);
-  samples.islands.push_back(double(result.faults.islands));
-  samples.open_ends.push_back(double(result.faults.open_ends));
-  if (judge == nullptr) return;
-  const Judgement found = judge->judge(result.diagram);
-  samples.error.push_back(found.error.error_integral);
-  samples.turn.push_back(found.error.length > 0 ? found.turning_angle / found.error.length : 0);
+void add_sample(const Comparison& result, const Judges& judges, Measurement& figures) {
+  figures.field_ms.push_back(result.field_ms);
+  figures.diagram_ms.push_back(result.diagram_ms);
+  figures.islands.push_back(double(result.faults.islands));
+  figures.open_ends.push_back(double(result.faults.open_ends));
+  if (judges.other) {
+    const OtherErrors others = judges.other->judge(result.diagram);
+    figures.by_marching.push_back(others.by_marching);
+    figures.of_face.push_back(others.of_face);
+    figures.distance.push_back(others.distance);
+  }
+  if (!judges.judge) return;
+  const Judgement found = judges.judge->judge(result.diagram);
+  figures.errors.push_back(found.error.error_integral);
+  figures.turn_per_length.push_back(found.error.length > 0 ? found.turning_angle / found.error.length : 0);
 }
 
 double count_kilobytes(const Experiment& experiment, const Comparator& method) {
@@ -47,20 +54,6 @@ double count_kilobytes(const Experiment& experiment, const Comparator& method) {
   const bench::HeapMeter meter;
   const Comparison result = method.run(experiment.mesh, generators);
   return double(meter.peak()) / 1024;
-}
-
-/// Medians of the times and means of all other figures.
-Measurement condense(const std::string& method, const Samples& samples) {
-  Measurement result;
-  result.method = method;
-  result.field_ms = bench::median(samples.field_ms);
-  result.diagram_ms = bench::median(samples.diagram_ms);
-  result.error = summarize(samples.error);
-  result.errors = samples.error;
-  result.turn_per_length = summarize(samples.turn).mean;
-  result.islands = summarize(samples.islands).mean;
-  result.open_ends = summarize(samples.open_ends).mean;
-  return result;
 }
 
 }  // namespace
@@ -79,38 +72,19 @@ Statistic summarize(const std::vector<double>& values) {
 }
 
 std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods) {
-  std::vector<Samples> samples(methods.size());
-  for (int run = 0; run < experiment.runs; ++run) {
-    const auto generators = bench::draw_vertex_points(experiment.mesh, experiment.generators, std::uint64_t(run));
-    std::optional<Judge> judge;
-    if (experiment.errors) judge.emplace(experiment.mesh, generators);
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-      add_sample(methods[i].run(experiment.mesh, generators), judge ? &*judge : nullptr, samples[i]);
-    }
-  }
   std::vector<Measurement> all;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    all.push_back(condense(methods[i].name, samples[i]));
-    if (experiment.memory) all.back().memory_kb = count_kilobytes(experiment, methods[i]);
-  }
-  return all;
-}
-
-std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods) {
-  std::vector<OtherMeasurement> all;
-  for (const Comparator& method : methods) all.push_back({method.name, 0, {}});
+  for (const Comparator& method : methods) all.emplace_back().method = method.name;
   for (int run = 0; run < experiment.runs; ++run) {
     const auto generators = bench::draw_vertex_points(experiment.mesh, experiment.generators, std::uint64_t(run));
-    const Judge judge(experiment.mesh, generators);
-    const OtherJudge other(experiment.mesh, generators);
+    Judges judges;
+    if (experiment.errors) judges.judge.emplace(experiment.mesh, generators);
+    if (experiment.others) judges.other.emplace(experiment.mesh, generators);
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      const Diagram diagram = methods[i].run(experiment.mesh, generators).diagram;
-      const OtherErrors found = other.judge(diagram);
-      all[i].error += judge.judge(diagram).error.error_integral / experiment.runs;
-      all[i].others.by_marching += found.by_marching / experiment.runs;
-      all[i].others.of_face += found.of_face / experiment.runs;
-      all[i].others.distance += found.distance / experiment.runs;
+      add_sample(methods[i].run(experiment.mesh, generators), judges, all[i]);
     }
+  }
+  for (std::size_t i = 0; experiment.memory && i < methods.size(); ++i) {
+    all[i].memory_kb = count_kilobytes(experiment, methods[i]);
   }
   return all;
 }
@@ -146,17 +120,20 @@ std::vector<Comparator> ours_and(const std::vector<std::string>& others) {
   return pick_comparators(names);
 }
 
+/// Medians of the times and means of all other figures.
 json to_json(const Measurement& m) {
+  const double field_ms = bench::median(m.field_ms), diagram_ms = bench::median(m.diagram_ms);
+  const Statistic error = summarize(m.errors);
   return {{"method", m.method},
-          {"gdf_ms", m.field_ms},
-          {"vd_ms", m.diagram_ms},
-          {"total_ms", m.field_ms + m.diagram_ms},
+          {"gdf_ms", field_ms},
+          {"vd_ms", diagram_ms},
+          {"total_ms", field_ms + diagram_ms},
           {"memory_kb", m.memory_kb},
-          {"e", {{"mean", m.error.mean}, {"sd", m.error.deviation}, {"min", m.error.least}, {"max", m.error.most}}},
+          {"e", {{"mean", error.mean}, {"sd", error.deviation}, {"min", error.least}, {"max", error.most}}},
           {"errors", m.errors},
-          {"turn_per_length", m.turn_per_length},
-          {"islands", m.islands},
-          {"open_ends", m.open_ends}};
+          {"turn_per_length", summarize(m.turn_per_length).mean},
+          {"islands", summarize(m.islands).mean},
+          {"open_ends", summarize(m.open_ends).mean}};
 }
 
 /// Sparse generators only, as in the paper: this changes m on the small meshes of tests alone.
@@ -293,14 +270,14 @@ json measure_other_errors(const Evaluation& evaluation) {
   for (const auto& [model, m] : setups_of_table_5()) {
     const Row row{model.model, evaluation.models.find(model), m};
     report(evaluation, plan, row);
-    const Experiment experiment{row.found.mesh, limit_generators(row), evaluation.runs};
+    const Experiment experiment{row.found.mesh, limit_generators(row), evaluation.runs, true, false, true};
     json methods = json::array();
-    for (const OtherMeasurement& one : measure_others(experiment, plan.methods)) {
+    for (const Measurement& one : measure(experiment, plan.methods)) {
       methods.push_back({{"method", one.method},
-                         {"e", one.error},
-                         {"by_marching", one.others.by_marching},
-                         {"of_face", one.others.of_face},
-                         {"distance", one.others.distance}});
+                         {"e", summarize(one.errors).mean},
+                         {"by_marching", summarize(one.by_marching).mean},
+                         {"of_face", summarize(one.of_face).mean},
+                         {"distance", summarize(one.distance).mean}});
     }
     rows.push_back({{"model", row.model},
                     {"mesh", row.found.name},

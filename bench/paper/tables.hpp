@@ -18,6 +18,7 @@ struct Experiment {
   int runs = 1;
   bool errors = false;  ///< whether E and the turning angle are computed, which takes most of the time
   bool memory = false;  ///< whether the peak of the heap is counted, in a run of its own
+  bool others = false;  ///< whether what else could be taken for E is measured
 };
 
 struct Statistic {
@@ -29,27 +30,18 @@ struct Statistic {
 
 Statistic summarize(const std::vector<double>& values);
 
-/// A method's figures over all runs.
+/// A method's figures: lists have one value for each run.
 struct Measurement {
   std::string method;
-  double field_ms = 0;         ///< median
-  double diagram_ms = 0;       ///< median
-  double memory_kb = 0;        ///< largest heap of the first run, without the input; 0 if it is not counted
-  Statistic error;             ///< E, square mesh units
-  std::vector<double> errors;  ///< E of each run; empty without errors
-  double turn_per_length = 0;  ///< mean, radians for each mesh unit
-  double islands = 0;          ///< mean number of components of cells without their generator
-  double open_ends = 0;        ///< mean number of ends that nothing continues
+  std::vector<double> field_ms, diagram_ms;
+  std::vector<double> islands;          ///< components of cells without their generator
+  std::vector<double> open_ends;        ///< ends that nothing continues
+  std::vector<double> errors;           ///< E, square mesh units; empty without errors
+  std::vector<double> turn_per_length;  ///< radians for each mesh unit; empty without errors
+  /// What else could be taken for E (`OtherErrors`); empty without others.
+  std::vector<double> by_marching, of_face, distance;
+  double memory_kb = 0;  ///< largest heap of the first run, without the input; 0 if it is not counted
 };
-
-/// Means over all runs of E and of what else could be taken for it, square mesh units.
-struct OtherMeasurement {
-  std::string method;
-  double error = 0;
-  OtherErrors others;
-};
-
-std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods);
 
 std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods);
 

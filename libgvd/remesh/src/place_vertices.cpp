@@ -220,9 +220,7 @@ class Placer {
 }  // namespace
 
 Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions) {
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
-  return {std::move(positions), std::move(faces)};
+  return {std::move(positions), mesh.face_vertices()};
 }
 
 std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle) {
