@@ -27,8 +27,9 @@ SHARE_OF_SHORT_FILES = 0.15
 MEDIAN_SOURCE_LINES = 120
 MOST_FOLDERS = 45
 MOST_READMES = 26
-# Lines of C++ below these folders: what stands today, to be lowered and never raised. The aims are 46000, 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 46930, ("apps",): 4422, ("apps/common",): 3263}
+# Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
+# two are 4300 and 2800.
+MOST_LINES = {("libgvd", "apps", "bench"): 46000, ("apps",): 4392, ("apps/common",): 3204}
 SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
 

@@ -15,7 +15,6 @@ namespace gvd::paper {
 /// A convex polygon in a face: barycentric coordinates of its corners, counter-clockwise.
 using Polygon = std::vector<std::array<double, 3>>;
 
-/// The whole face.
 inline Polygon whole_face() { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; }
 
 /// A linear function in a face: its values at the three corners.

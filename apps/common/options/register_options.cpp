@@ -64,7 +64,6 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
   return "";
 }
 
-/// Options that list generators.
 void register_lists(CLI::App& app, GeneratorOptions& generators) {
   add_file(app, "--generators", generators.file,
            "File that lists the generators (text, .csv or .json), or - for standard input")

@@ -62,7 +62,6 @@ class Accelerator {
 
   /// Steps from `state` that lower the energy if they are short enough; no value if there are none.
   std::optional<ProposedSteps> propose(const RelaxationState& state) const;
-  /// Learns from a move of the generators.
   void learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after);
   void forget() { history_.clear(); }
 

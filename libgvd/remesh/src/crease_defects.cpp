@@ -75,7 +75,6 @@ struct LabelledCurve {
     return k < edges ? vertex_at[k] : vertex_at[k - edges] + length();
   }
 
-  /// The first vertex after a length.
   std::size_t first_after(double length) const {
     return std::upper_bound(vertex_at.begin(), vertex_at.end(), length) - vertex_at.begin();
   }

@@ -71,7 +71,6 @@ class Expansion {
 /// a - b as the sum of two doubles: the rounded difference and its error.
 std::array<double, 2> exact_difference(double a, double b);
 
-/// -x.
 inline std::array<double, 2> negated(const std::array<double, 2>& x) { return {-x[0], -x[1]}; }
 
 /// The side of the line from a to b on which c lies: 1 on the left, -1 on the right, 0 on the line. Exact.

@@ -69,7 +69,6 @@ std::int32_t largest_share(const std::vector<Share>& shares) {
   return largest == shares.end() ? 0 : largest->vertex;
 }
 
-/// The property without values.
 MeshProperty without_values(const MeshProperty& property) {
   MeshProperty empty{property.name, property.type, property.of_vertices, {}, property.count_type, {}};
   if (empty.count_type) empty.first_value.push_back(0);

@@ -197,7 +197,6 @@ struct PlaneCell {
   SurfacePoint image(const Vec2& point) const;
 };
 
-/// The input of the map of a cell.
 struct CellMapInput {
   const Mesh& surface;  ///< before it was cut
   const RemeshResult& result;

@@ -13,7 +13,6 @@
 namespace gvd {
 namespace {
 
-/// Euclidean distance of a point from an edge.
 double distance_to_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
   const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
   return (from + std::clamp(foot_on_edge(mesh, h, point), 0.0, 1.0) * along - point).norm();

@@ -126,7 +126,6 @@ class FewerGenerators {
     return nearest.value;
   }
 
-  /// Faces and generators of the whole diagram.
   std::size_t whole_size() const { return mesh_.face_count() + diagram_.generators.size(); }
   /// Whether all diagrams so far exceed the bounds, or these bounds times `factor`.
   bool is_beyond_bounds(std::size_t factor = 1) const {

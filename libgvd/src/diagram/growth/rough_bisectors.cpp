@@ -36,7 +36,6 @@ class RoughEdgeEnvelope {
   explicit RoughEdgeEnvelope(const GrowthInput& input)
       : mesh_(input.mesh()), table_(input.table), labels_(input.labels), front_(input.front) {}
 
-  /// Appends all crossings of an edge.
   void find_all(EdgeId e, std::vector<Crossing>& crossings) {
     const auto [first, last] = end_labels(e);
     collect_ends(e);

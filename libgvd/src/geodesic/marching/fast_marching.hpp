@@ -15,7 +15,6 @@
 
 namespace gvd {
 
-/// Result of the adapted fast marching.
 struct FastMarchingResult {
   GeneratorTable table;
   SymbolicOffset offset;    ///< contained in the table's distances

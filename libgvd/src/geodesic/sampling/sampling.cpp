@@ -92,7 +92,6 @@ constexpr std::int64_t kCandidates = 5;
 /// 2 r_max beta (1 - (N / M)^gamma). N points are chosen out of M candidates, and gamma = 1.5.
 constexpr double kBeta = 0.65;
 
-// The parts of the step.
 constexpr StepPart kPairs{"sampling", 0, 0.9}, kElimination{"sampling", 0.9, 1};
 
 struct Neighbour {

@@ -20,7 +20,6 @@ using VertexCopyId = Id<struct VertexCopyTag>;
 /// A copy of a vertex that several partitions have, numbered among these alone.
 using SharedCopyId = Id<struct SharedCopyTag>;
 
-/// The first copy of a vertex.
 inline VertexCopyId first_copy(VertexId v) { return VertexCopyId(v.value()); }
 
 /// A face as window propagation sees it: all that it takes to carry an image across the face without dividing by a

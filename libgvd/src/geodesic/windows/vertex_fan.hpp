@@ -32,7 +32,6 @@ struct FanRay {
   bool valid() const { return halfedge.valid(); }
 };
 
-/// A path to a vertex.
 struct VertexPath {
   double distance;  ///< length from the generator, mesh units
   GeneratorId generator;

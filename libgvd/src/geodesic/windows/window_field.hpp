@@ -54,7 +54,6 @@ class EdgeWindows {
   Chunk of_face(FaceId f) const {
     return {static_cast<std::size_t>(first_[f.index()]), static_cast<std::size_t>(first_[f.index() + 1])};
   }
-  /// The window of this number.
   const Window& operator[](std::size_t number) const { return windows_[order_[number]]; }
   /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
   void prefetch_window(std::size_t number) const {

@@ -31,7 +31,6 @@ std::uint32_t little_endian(const char* bytes) {
 /// The count in a binary STL's header. The file must hold kStlHeader bytes.
 std::uint32_t stl_triangle_count(std::string_view bytes) { return little_endian(bytes.data() + 80); }
 
-/// The length of a binary STL with that count.
 std::uint64_t stl_length(std::string_view bytes) { return kStlHeader + kStlTriangle * stl_triangle_count(bytes); }
 
 Vec3 binary_position(std::string_view bytes, std::size_t offset, std::string_view name, std::int64_t triangle) {

@@ -26,7 +26,6 @@ class PseudoSources {
                 const CornerAngles& angles, PartitionId own)
       : mesh_(mesh), frames_(frames), partitions_(partitions), angles_(angles), own_(own), fan_(frames) {}
 
-  /// Whether this is the first copy of its vertex.
   bool is_first_copy(VertexCopyId v) const { return v.value() < mesh_.vertex_count(); }
 
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for neighbours that the vertex reaches along a side,

@@ -52,7 +52,6 @@ class WaitingWindows {
     return lower_key(head, key);
   }
 
-  /// Prefetch the list of halfedge h, and the first window in it.
   void prefetch_list(HalfedgeId h) const { prefetch(first_ + h.value()); }
   void prefetch_windows(HalfedgeId h) const {
     if (first_[h.value()] >= 0) prefetch(&at(first_[h.value()]));
