@@ -2,6 +2,7 @@
 
 // The same surface with other triangles, for tables 1 to 5.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -76,7 +77,7 @@ Mesh decimate(const Mesh& mesh, int faces);
 /// makes a triangle of Q below 0.1, is left out. Equal seeds give equal meshes.
 Mesh jitter(const Mesh& mesh, double percent_below_30, std::uint64_t seed);
 
-inline constexpr int kMostJitterRounds = 20;
+inline constexpr std::size_t kMostJitterRounds = 20;
 
 /// The unit sphere, as an icosahedron with every face cut in four `subdivisions` times: 20 * 4^subdivisions faces.
 Mesh make_icosphere(int subdivisions);
