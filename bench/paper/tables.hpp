@@ -11,13 +11,15 @@
 
 namespace gvd::paper {
 
-/// What is measured on a mesh. Run i draws the generators at vertices with seed i.
+/// What is measured on a mesh. Run i draws the generators with seed i.
 struct Experiment {
   const Mesh& mesh;
   int generators = 1;
   int runs = 1;
-  bool errors = false;  ///< whether E and the turning angle are computed, which takes most of the time
-  bool memory = false;  ///< whether the peak of the heap is counted, in a run of its own
+  bool errors = false;   ///< whether E and the turning angle are computed, which takes most of the time
+  bool memory = false;   ///< whether the peak of the heap is counted, in a run of its own
+  bool others = false;   ///< whether what else could be taken for E is measured
+  bool crowded = false;  ///< whether all generators lie in one face, instead of at vertices
 };
 
 struct Statistic {
@@ -29,27 +31,17 @@ struct Statistic {
 
 Statistic summarize(const std::vector<double>& values);
 
-/// A method's figures over all runs.
+/// A method's figures: one value for each run in each list. What the experiment does not ask for is empty or 0.
 struct Measurement {
   std::string method;
-  double field_ms = 0;         ///< median
-  double diagram_ms = 0;       ///< median
-  double memory_kb = 0;        ///< largest heap of the first run, without the input; 0 if it is not counted
-  Statistic error;             ///< E, square mesh units
-  std::vector<double> errors;  ///< E of each run; empty without errors
-  double turn_per_length = 0;  ///< mean, radians for each mesh unit
-  double islands = 0;          ///< mean number of components of cells without their generator
-  double open_ends = 0;        ///< mean number of ends that nothing continues
+  double memory_kb = 0;  ///< largest heap of the first run, without the input
+  std::vector<double> field_ms, diagram_ms;
+  std::vector<double> errors;                                       ///< E, square mesh units
+  std::vector<double> turn_per_length;                              ///< radians for each mesh unit
+  std::vector<double> wrong_percent;                                ///< the share of the vertices with a wrong label
+  std::vector<double> islands;                                      ///< components of cells without their generator
+  std::vector<double> by_marching, by_straight, of_face, distance;  ///< OtherErrors
 };
-
-/// Means over all runs of E and of what else could be taken for it, square mesh units.
-struct OtherMeasurement {
-  std::string method;
-  double error = 0;
-  OtherErrors others;
-};
-
-std::vector<OtherMeasurement> measure_others(const Experiment& experiment, const std::vector<Comparator>& methods);
 
 std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods);
 
@@ -67,7 +59,7 @@ struct Table {
   std::function<nlohmann::json(const Evaluation&)> measure;
 };
 
-/// Tables 1 to 5, E at ten sets of generators, figure 10, and what else the numbers that are not met could be.
+/// Tables 1 to 5, E at ten sets of generators, figure 10, and many generators in one triangle.
 std::vector<Table> list_tables();
 
 }  // namespace gvd::paper
