@@ -138,6 +138,18 @@ def check_memory(folder):
         require(f"Of the paper's {count} numbers here, {below} are below" in section_of(folder, title), f"memory of {title}")
 
 
+def headings_of(page):
+    """The headings of a page and the heads of its tables."""
+    lines = page.read_text().splitlines()
+    return {line for line, after in zip(lines, lines[1:] + [""]) if line.startswith("## ") or after.startswith("|---")}
+
+
+def check_committed_page(folder):
+    """The page of the documents is one that these scripts make."""
+    missing = headings_of(folder / "paper.md") - headings_of(SCRIPT.parent.parent / "docs" / "paper.md")
+    require(not missing, f"docs/paper.md was made by other scripts: it lacks {sorted(missing)}")
+
+
 def check_sets(document):
     row, = document["tables"]["sets"]
     for method in row["methods"]:
@@ -163,6 +175,7 @@ def main(program, folder):
         require("nan" not in text and "inf " not in text, f"{name} has a number that is not finite")
     require((folder / "paper.html").read_text().count("<svg") == 2, "tables 1 and 2 have no plots")
     check_constants()
+    check_committed_page(folder)
     check_sets(document)
     check_memory(folder)
     check_sentences(document, folder)
