@@ -21,26 +21,19 @@
 namespace gvd::bench {
 
 EdgeGraph build_edge_graph(const Mesh& mesh) {
-  EdgeGraph graph;
-  graph.first.assign(std::size_t(mesh.vertex_count()) + 1, 0);
+  IdVector<VertexId, std::vector<std::pair<VertexId, double>>> rows(mesh.vertex_count());
   for (const EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    ++graph.first[mesh.from(h).index() + 1];
-    ++graph.first[mesh.to(h).index() + 1];
+    const VertexId from = mesh.from(mesh.halfedge(e)), to = mesh.to(mesh.halfedge(e));
+    rows[from].emplace_back(to, mesh.length(e));
+    rows[to].emplace_back(from, mesh.length(e));
   }
-  for (std::size_t v = 1; v < graph.first.size(); ++v) graph.first[v] += graph.first[v - 1];
-  graph.neighbour.resize(2 * std::size_t(mesh.edge_count()));
-  graph.length.resize(graph.neighbour.size());
-  std::vector<std::int32_t> end(graph.first.begin(), graph.first.end() - 1);
-  const auto append = [&](VertexId from, VertexId to, double length) {
-    const int slot = end[from.index()]++;
-    graph.neighbour[slot] = to.value();
-    graph.length[slot] = length;
-  };
-  for (const EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    append(mesh.from(h), mesh.to(h), mesh.length(e));
-    append(mesh.to(h), mesh.from(h), mesh.length(e));
+  EdgeGraph graph{{0}, {}, {}};
+  for (const auto& row : rows) {
+    for (const auto& [neighbour, length] : row) {
+      graph.neighbour.push_back(neighbour.value());
+      graph.length.push_back(length);
+    }
+    graph.first.push_back(static_cast<std::int32_t>(graph.neighbour.size()));
   }
   return graph;
 }

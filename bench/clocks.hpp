@@ -6,9 +6,9 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "gvd/progress.hpp"
@@ -64,7 +64,7 @@ double wall_milliseconds(const Work& work) {
 }
 
 /// Processor times in milliseconds, by step.
-using StepTimes = std::vector<std::pair<std::string, double>>;
+using StepTimes = std::map<std::string, double>;
 
 /// Times the steps that a run names through its progress callback (gvd/diagram_steps.hpp): a step lasts until another
 /// one is named. A step that is named again goes on.
@@ -73,33 +73,29 @@ class StepClock {
   /// The callback; valid while the clock exists.
   Progress progress() {
     return [this](std::string_view step, double) {
-      if (times_.empty() || times_[current_].first != step) begin(step);
+      if (step != current_) {
+        end_step();
+        current_ = step;
+      }
       return true;
     };
   }
 
-  /// Ends the last step. Returns the steps in the order in which they were first named, each with its total time.
+  /// Ends the last step. Returns the total time of each step.
   StepTimes finish() {
     end_step();
     return times_;
   }
 
  private:
-  void begin(std::string_view step) {
-    end_step();
-    const auto known = std::find_if(times_.begin(), times_.end(), [&](const auto& one) { return one.first == step; });
-    current_ = std::size_t(known - times_.begin());
-    if (known == times_.end()) times_.emplace_back(step, 0.0);
-  }
-
   void end_step() {
     const double now = cpu_milliseconds();
-    if (!times_.empty()) times_[current_].second += now - start_;
+    if (!current_.empty()) times_[current_] += now - start_;
     start_ = now;
   }
 
   StepTimes times_;
-  std::size_t current_ = 0;  // the step that runs
+  std::string current_;  // the step that runs; empty before the first one
   double start_ = cpu_milliseconds();
 };
 

@@ -7,7 +7,6 @@
 
 #include <ostream>
 
-#include "common/options/check_options.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/outcome.hpp"
@@ -34,8 +33,7 @@ CommandInfo guard(CommandInfo info) {
 }  // namespace
 
 Command::Command(CommandInfo info) : info_(guard(std::move(info))), line_(info_.description, info_.name) {
-  rules_ = register_options(line_, options_, info_.output_formats);
-  if (info_.sizes) register_sizes(line_, options_.generators);
+  rules_ = register_options(line_, options_, info_.formats.extensions);
   line_.footer(help_footer(info_.examples));
 }
 
@@ -60,7 +58,7 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
     if (const auto answer = parse_command_line(line_, rules_, argc, argv)) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }
-    check_options(options_, {info_.output_formats, info_.materials});
+    check_options(options_, info_.formats);
     if (!options_.output.folder.empty()) {
       exit_code = run_several(info_.name, plan_runs(options_), body);
       return;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/options/check_options.hpp"
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
 #include "common/run.hpp"
@@ -15,16 +16,13 @@ struct CommandInfo {
   std::string name;         ///< "gvd-segment"
   std::string description;  ///< one sentence
   std::string examples;     ///< for --help: one call a line
-  /// Extensions, without the dot, that `-o` takes. `-o -` writes the first one unless --output-format names another.
-  std::vector<std::string> output_formats;
-  bool sizes = false;     ///< takes --target-edge and --error for -n, and reports them
-  bool materials = true;  ///< an .obj of `-o` has its colours in an .mtl beside it
+  OutputFormats formats;    ///< `-o -` writes the first one unless --output-format names another
 };
 
 /// A command: the shared options, its own options, and the way from main() to an exit code.
 ///
 ///     bool cut = false;
-///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {"ply", "obj"}});
+///     Command command({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30 -o b.ply\n", {{"ply", "obj"}}});
 ///     add_flag(command.line(), "--cut", cut, "Split faces along the bisectors");
 ///     return command.run(argc, argv, [&](Run& run) { segment(run, cut); });
 class Command {
@@ -35,6 +33,8 @@ class Command {
 
   /// For the command's own options. A check of several of them belongs in `body`, as Error{invalid_option}.
   CLI::App& line() { return line_; }
+  /// The shared options, which the command's own ones may add to.
+  Options& options() { return options_; }
 
   /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
   /// checked as the files of all commands are. `type` stands for it in --help. `extensions`, without their dots: of the

@@ -15,6 +15,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/options/options.hpp"
+
 namespace gvd::app {
 namespace {
 
@@ -99,11 +101,8 @@ Console::~Console() { clear_bar(); }
 
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
-  std::string text = fmt::format("{}: {}{}", command_, kind, message);
   // File names and messages of libraries may hold line breaks, and sequences that change a terminal's state.
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
-  write_stderr(text + '\n');
+  write_stderr(printable(fmt::format("{}: {}{}", command_, kind, message), std::string::npos) + '\n');
 }
 
 void Console::error(std::string_view message) { line("error: ", message); }

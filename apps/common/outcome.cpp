@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -96,6 +97,24 @@ Outcome describe_exception(const std::exception& error) {
           "no thread"};
 }
 
+/// The outcome of a run that ended with this exception. Null: it ended without one, as std::terminate may.
+Outcome describe_failure(const std::exception_ptr& failure) {
+  if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Error& error) {
+    const CodeWords& words = kCodes[static_cast<std::size_t>(error.code())];
+    const bool gone = error.code() == ErrorCode::reader_gone;
+    return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
+  } catch (const std::bad_alloc&) {
+    return out_of_memory();
+  } catch (const std::exception& error) {
+    return describe_exception(error);
+  } catch (...) {
+    return {kNoResult, "unexpected: an exception of an unknown type; please report it", "unexpected error"};
+  }
+}
+
 // The names of the command and of its input, for std::terminate.
 std::string g_command, g_input;
 std::atomic_flag g_ending;
@@ -138,23 +157,6 @@ std::string name_options(std::string message) {
     break;
   }
   return message;
-}
-
-Outcome describe_failure(const std::exception_ptr& failure) {
-  if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
-  try {
-    std::rethrow_exception(failure);
-  } catch (const Error& error) {
-    const CodeWords& words = kCodes[static_cast<std::size_t>(error.code())];
-    const bool gone = error.code() == ErrorCode::reader_gone;
-    return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
-  } catch (const std::bad_alloc&) {
-    return out_of_memory();
-  } catch (const std::exception& error) {
-    return describe_exception(error);
-  } catch (...) {
-    return {kNoResult, "unexpected: an exception of an unknown type; please report it", "unexpected error"};
-  }
 }
 
 Outcome run_guarded(const std::function<void()>& work) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <string>
 
@@ -36,9 +35,6 @@ std::string name_options(std::string message);
 /// where memory runs out or a thread can't be started. A reader of the output that is gone has no message: nobody is
 /// left to tell. Lifts the limit of memory at the end.
 Outcome run_guarded(const std::function<void()>& work);
-
-/// The outcome of a run that ended with this exception. Null: it ended without one, as std::terminate may.
-Outcome describe_failure(const std::exception_ptr& failure);
 
 /// Limits the memory of the run that begins, by its options (--max-memory). Messages of a shortage tell the limit, and
 /// what helps.

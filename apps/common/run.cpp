@@ -51,6 +51,15 @@ void write_generators(std::ostream& out, const std::vector<ReportedGenerator>& g
 
 }  // namespace
 
+Json to_json(const MeshSummary& mesh) {
+  return {{"vertices", mesh.vertices},
+          {"faces", mesh.faces},
+          {"components", mesh.components},
+          {"boundary_loops", mesh.boundary_loops},
+          {"euler_characteristic", mesh.euler_characteristic},
+          {"area", mesh.area}};
+}
+
 RunReport::RunReport(const std::string& command, const Options& options)
     : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/1"},
                                             {"command", command},
@@ -73,14 +82,9 @@ Json& RunReport::results() { return (*document_)["results"]; }
 void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
   Json counts = Json::object();
   for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
-  (*document_)["input"] = {{"vertices", mesh.vertices},
-                           {"faces", mesh.faces},
-                           {"components", mesh.components},
-                           {"boundary_loops", mesh.boundary_loops},
-                           {"euler_characteristic", mesh.euler_characteristic},
-                           {"area", mesh.area},
-                           {"bbox_diagonal", mesh.bbox_diagonal},
-                           {"defects", std::move(counts)}};
+  Json& input = (*document_)["input"] = to_json(mesh);
+  input["bbox_diagonal"] = mesh.bbox_diagonal;
+  input["defects"] = std::move(counts);
 }
 
 void RunReport::set_diagram(const Diagram& diagram) {

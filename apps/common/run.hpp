@@ -70,6 +70,9 @@ class RunReport {
   std::vector<ReportedGenerator> generators_;         ///< not in the document: a run may have very many
 };
 
+/// Vertices, faces, topology and area of a mesh, as members of the report.
+nlohmann::ordered_json to_json(const MeshSummary& mesh);
+
 class Run;
 
 /// Sums the wall times of steps that may alternate, and reports each sum at its end.

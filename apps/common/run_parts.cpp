@@ -3,8 +3,7 @@
 // Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
 // report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
 // mesh are refused as soon as the mesh is known. Listed generators are where the user wants them: they are only moved
-// to the surface. Sampling is seeded, so that the same options give the same points. A length of edges becomes a number
-// of generators by the area that each one has in an even triangulation.
+// to the surface. Sampling is seeded, so that the same options give the same points.
 
 #include "common/run_parts.hpp"
 
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <ostream>
 
 #include "common/options/options.hpp"
@@ -88,14 +86,6 @@ ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& ask
   return resolve_generators(input.mesh, read_list(asked), options);
 }
 
-/// The number of generators for a mean length of edges.
-std::int32_t count_for(const Mesh& mesh, double edge) {
-  const double count = even_count(compute_area(mesh), edge);
-  if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer edges", edge, count));
-}
-
 ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& progress) {
   const GeneratorOptions& asked = run.generators;
   SamplingOptions options;
@@ -103,20 +93,12 @@ ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& 
   options.front = make_diagram_options(run.compute).front;
   options.progress = progress;
   if (asked.count) options.count = *asked.count;
-  if (asked.target_edge) options.count = count_for(mesh, *asked.target_edge);
   if (asked.radius) options.radius = *asked.radius;
   options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
   ResolvedGenerators sampled;
   sampled.points = sample_generators(mesh, options);
   sampled.snap_distance.resize(sampled.points.size());
   return sampled;
-}
-
-/// The generators that the options ask for, exactly as many as they say: those of a list, snapped to the surface, or
-/// sampled ones.
-ResolvedGenerators choose_generators(const CheckedMesh& input, const Options& options, const Progress& progress) {
-  return options.generators.are_listed() ? resolve(input, options.generators, progress)
-                                         : sample(input.mesh, options, progress);
 }
 
 /// Computes the diagram, and reports the time of each of its steps as "diagram: step".
@@ -207,7 +189,8 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, st
   Options options = run.options();
   if (count) options.generators.count = count;
   ResolvedGenerators found = run.timed("generators", [&] {
-    ResolvedGenerators chosen = choose_generators(input, options, run.progress());
+    ResolvedGenerators chosen = options.generators.are_listed() ? resolve(input, options.generators, run.progress())
+                                                                : sample(input.mesh, options, run.progress());
     note_changes(run.console(), chosen);
     return chosen;
   });
@@ -282,10 +265,6 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
 
 void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram) {
   if (run.options().compute.verify) verify(run, mesh, diagram);
-  write_report_file(run);
-}
-
-void write_report_file(Run& run) {
   const std::string& path = run.options().output.report;
   if (path.empty()) return;
   check_interrupt();

@@ -60,7 +60,4 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
 /// writes `--report`.
 void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram);
 
-/// Writes `--report`: to be called last.
-void write_report_file(Run& run);
-
 }  // namespace gvd::app

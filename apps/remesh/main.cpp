@@ -20,7 +20,6 @@
 
 #include "common/command.hpp"
 #include "common/options/options.hpp"
-#include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
@@ -32,26 +31,15 @@
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/remesh_scenes.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
-#include "remesh/relax_options.hpp"
 #include "remesh/remesh_report.hpp"
+#include "remesh/settings.hpp"
 
 namespace gvd::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// The options of gvd-remesh alone.
-struct Settings {
-  RemeshOptions remesh;
-  RelaxOptions relaxation;
-  std::optional<Placement> place;  ///< as given
-  bool no_refine = false;
-  bool carry = false;
-};
-
-const Choices<Placement> kPlacements{
-    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -62,30 +50,7 @@ constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
     "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
 
-constexpr Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
-
 constexpr const char* kMap = "--map";
-
-void register_remesh(CLI::App& line, Settings& settings) {
-  line.option_defaults()->group("Remesh");
-  add_number(line, "--max-added", settings.remesh.max_added, kMaxAdded,
-             "Largest number of generators to add (default: ten for each given generator, component, boundary loop and "
-             "handle, plus 100)");
-  add_flag(line, "--no-refine", settings.no_refine,
-           "Add no generators; fail if the given ones are too few for a valid mesh")
-      ->excludes("--max-added");
-  add_flag(line, "--exact-count", settings.no_refine,
-           "The same as --no-refine: exactly the given number of vertices, or no mesh")
-      ->excludes("--max-added");
-  add_choice(line, "--place", settings.place, kPlacements,
-             "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
-             "the surface (default: fit; generator with --generators and --vertices)");
-  add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
-           "Accept triangles that intersect each other instead of adding generators there");
-  add_flag(line, "--carry", settings.carry,
-           "Carry over the colours and other properties of a PLY input to PLY output, and texture coordinates to PLY "
-           "and OBJ output");
-}
 
 /// The generators that a remesh begins with.
 struct RelaxedStart {
@@ -109,23 +74,23 @@ void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterati
   start.diagram = std::move(result.diagram);
 }
 
-void report_start_options(Run& run, const RelaxOptions& options, std::int32_t iterations) {
+void report_start_options(Run& run, const Settings& settings, std::int32_t iterations) {
   Json& reported = run.report().options();
   const GeneratorOptions& asked = run.options().generators;
   reported["relax"] = iterations;
-  report_constraints(reported, options.constraints);
+  report_constraints(reported, settings.constraints);
   reported["target_edge"] = asked.target_edge ? Json(*asked.target_edge) : nullptr;
-  reported["loose_boundary"] = options.loose_boundary;
+  reported["loose_boundary"] = settings.loose_boundary;
   run.report().results()["relaxation"] = nullptr;
 }
 
 /// The generators of the run, or as many as `count`, relaxed as the options say.
-RelaxedStart make_start(Run& run, const CheckedMesh& input, const RelaxOptions& options,
+RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& settings,
                         std::optional<std::int32_t> count) {
-  const std::int32_t iterations = relax_iterations(options, run.options().generators);
-  report_start_options(run, options, iterations);
-  ConstraintOptions constraints = options.constraints;
-  constraints.prefers_boundary = !options.loose_boundary;
+  const std::int32_t iterations = relax_iterations(settings, run.options().generators);
+  report_start_options(run, settings, iterations);
+  ConstraintOptions constraints = settings.constraints;
+  constraints.prefers_boundary = !settings.loose_boundary;
   RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   run.report().set_generators(input.mesh, start.constrained.points);
@@ -167,7 +132,7 @@ RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, Reme
 RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& settings,
                          std::optional<std::int32_t> count) {
   const Mesh& mesh = input.mesh;
-  RelaxedStart start = make_start(run, input, settings.relaxation, count);
+  RelaxedStart start = make_start(run, input, settings, count);
   const RemeshOptions options = remesh_options(run, mesh, start.constrained, settings);
   RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
   report_remesh(run.report().results(), mesh, result);
@@ -248,16 +213,12 @@ std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& se
   return *found.count;
 }
 
-/// Refuses what contradicts the outputs or does nothing.
-void check_settings(const Options& options, const Settings& settings) {
-  if (options.output.no_curves) {
-    throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
-  }
-  const std::vector<std::string> written = written_formats(options.output);
-  if (settings.carry && !contains(written, "ply") && !contains(written, "obj")) {
-    throw Error(ErrorCode::invalid_option,
-                "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
-  }
+/// The number of generators for a mean length of edges: by the area that each one has in an even triangulation.
+std::int32_t count_for(const Mesh& mesh, double edge) {
+  const double count = even_count(compute_area(mesh), edge);
+  if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer edges", edge, count));
 }
 
 /// Refuses a mesh without area. Single triangles without area are ordinary input.
@@ -332,13 +293,14 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
 void run_remesh(Run& run, const Settings& settings) {
   check_settings(run.options(), settings);
   run.report().options()["carry"] = settings.carry;
-  check_relaxation(settings.relaxation, run.options().generators);
   std::string standard_input;
   const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
   const Mesh& mesh = input.mesh;
   check_area(run, mesh);
+  const GeneratorOptions& asked = run.options().generators;
   std::optional<std::int32_t> count;
-  if (run.options().generators.error) count = search_count(run, input, settings);
+  if (asked.error) count = search_count(run, input, settings);
+  if (asked.target_edge) count = count_for(mesh, *asked.target_edge);
   const RemeshResult result = make_remesh(run, input, settings, count);
   const RemeshMap map = make_map(run, mesh, result, settings.carry);
   const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
@@ -356,15 +318,11 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   Settings settings;
-  CommandInfo info{"gvd-remesh",
+  Command command({"gvd-remesh",
                    "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
                    kExamples,
-                   {"ply", "obj", "off", "stl", "vtp", "glb", "json"}};
-  info.sizes = true;
-  info.materials = false;  // the coarse mesh has no labels
-  Command command(info);
-  register_relaxation(command.line(), settings.relaxation);
-  register_remesh(command.line(), settings);
+                   {{"ply", "obj", "off", "stl", "vtp", "glb", "json"}, false}});  // the coarse mesh has no labels
+  register_settings(command, settings);
   command.add_target(
       kMap, "FILE.json",
       "Write the point of INPUT for each output vertex, and the point of the output for each input vertex", {"json"});

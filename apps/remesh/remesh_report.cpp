@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "common/run.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/text.hpp"
 
@@ -21,15 +22,6 @@ namespace gvd::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const MeshSummary& s) {
-  return {{"vertices", s.vertices},
-          {"faces", s.faces},
-          {"components", s.components},
-          {"boundary_loops", s.boundary_loops},
-          {"euler_characteristic", s.euler_characteristic},
-          {"area", s.area}};
-}
 
 Json to_json(const TriangleQuality& q) {
   return {{"q_min", q.q_min},

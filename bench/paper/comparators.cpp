@@ -27,7 +27,9 @@ bool is_of_field(const std::string& step) {
   return step == steps::kWorkingMesh || step == steps::kDistances || step == steps::kTables;
 }
 
-Comparison run_library_method(const Mesh& mesh, const std::vector<SurfacePoint>& generators, DiagramOptions options) {
+using Points = std::vector<SurfacePoint>;
+
+Comparison run_library_method(const Mesh& mesh, const Points& generators, DiagramOptions options) {
   Comparison result;
   bench::StepClock clock;
   options.threads = 1;
@@ -40,8 +42,6 @@ Comparison run_library_method(const Mesh& mesh, const std::vector<SurfacePoint>&
   result.faults.open_ends = result.diagram.report.unresolved_ends;
   return result;
 }
-
-using Points = std::vector<SurfacePoint>;
 
 Comparator library_method(const std::string& name, const Method& method, Front front = Front::circle) {
   DiagramOptions options;

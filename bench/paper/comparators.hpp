@@ -82,10 +82,6 @@ struct DiffusionOptions {
 Comparison compute_diffusion(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              const DiffusionOptions& options = {});
 
-struct LrvdOptions {
-  int most_rounds = 100;  ///< sweeps, >= 0; 0 leaves the restricted Voronoi diagram as it is
-};
-
 /// The localized restricted Voronoi diagram: every cell is the component with its generator, and what lies in islands
 /// is divided among the cells around.
 ///
@@ -95,9 +91,10 @@ struct LrvdOptions {
 /// components with a generator count. Parts that still do not touch their own cell are islands of the next round.
 /// [28] clusters locally before it clips, and has bisectors of straight distances everywhere. Here a border between two
 /// islands can stay where both are divided: then it is no bisector of the cells on its sides.
-/// `rounds`: the number of sweeps. An island that no cell touches stays, and is counted: it lies on a component of the
-/// mesh without a generator. Generators may lie anywhere.
-Comparison compute_lrvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LrvdOptions& options = {});
+/// `rounds`: the number of sweeps, at most `most_rounds`; 0 leaves the restricted Voronoi diagram as it is. An island
+/// that no cell touches stays, and is counted: it lies on a component of the mesh without a generator. Generators may
+/// lie anywhere.
+Comparison compute_lrvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int most_rounds = 100);
 
 struct ComparatorOptions {
   DiffusionOptions diffusion;

@@ -165,13 +165,6 @@ OtherJudge::OtherJudge(const Mesh& mesh, const std::vector<SurfacePoint>& genera
   }
 }
 
-/// Marched distances are linear in a face, as the paper takes them to be.
-double OtherJudge::march(GeneratorId g, const SurfacePoint& p) const {
-  const auto& [a, b, c] = mesh_.vertices(p.face);
-  const auto& distance = marched_[g.index()];
-  return interpolate(p.bary, distance[a], distance[b], distance[c]);
-}
-
 /// The generators that own a part of each face, whole faces included.
 OtherJudge::Owners OtherJudge::find_owners(const Diagram& diagram) const {
   Owners owners(mesh_.face_count());

@@ -76,7 +76,8 @@ class OtherJudge {
   double straight(GeneratorId g, const SurfacePoint& p) const {
     return (position(mesh_, p) - positions_[g.index()]).norm();
   }
-  double march(GeneratorId g, const SurfacePoint& p) const;
+  /// Marched distances are linear in a face, as the paper takes them to be.
+  double march(GeneratorId g, const SurfacePoint& p) const { return interpolate_at(mesh_, marched_[g.index()], p); }
   double find_spread(const std::vector<GeneratorId>& owners, const Bisector& bisector, const SurfacePoint& p) const;
   void add_segment(const Bisector& bisector, std::size_t i, const Owners& owners, OtherErrors& sum) const;
 

@@ -36,6 +36,8 @@
 
 namespace gvd::paper {
 
+using Corners = std::array<VertexId, 3>;
+
 std::string Models::find_path(const Wanted& wanted) const {
   for (const std::string& file : wanted.files) {
     for (const std::string& folder : folders_) {
@@ -104,7 +106,7 @@ Mesh resample(const Mesh& mesh, int faces) {
   const MeshSummary summary = compute_mesh_summary(mesh);
   if (summary.boundary_loops > 0) throw Error(ErrorCode::precondition, "only closed meshes are resampled");
   data::Triangles input{mesh.positions(), {}};
-  for (const auto& [a, b, c] : list_faces(mesh)) input.faces.push_back({a.value(), b.value(), c.value()});
+  for (const auto& [a, b, c] : mesh.face_vertices()) input.faces.push_back({a.value(), b.value(), c.value()});
   const ClosestPointTree tree(mesh);
   const auto project = [&](const Vec3& p) { return position(mesh, tree.query(p).point); };
   const auto remesh = [&](double edge_length) {
@@ -186,7 +188,7 @@ class Jitter {
  public:
   Jitter(const Mesh& mesh, std::uint64_t seed)
       : positions_(mesh.positions()), faces_(positions_.size()), random_(seed) {
-    for (const Corners& corners : list_faces(mesh)) {
+    for (const Corners& corners : mesh.face_vertices()) {
       for (const VertexId v : corners) faces_[v.index()].push_back(corners);
     }
   }
@@ -235,7 +237,7 @@ Mesh jitter(const Mesh& mesh, double percent_below_30, std::uint64_t seed) {
   for (std::size_t part = 0; part < kMostJitterRounds * kJitterParts; ++part) {
     if (compute_triangle_quality(moved).percent_below_30 >= percent_below_30) break;
     jitter.move_some(part % kJitterParts, kJitterParts);
-    moved = Mesh(jitter.positions(), list_faces(mesh));
+    moved = Mesh(jitter.positions(), mesh.face_vertices());
   }
   return moved;
 }
@@ -259,7 +261,7 @@ Mesh make_icosahedron() {
 Mesh push_to_sphere(const Mesh& mesh) {
   std::vector<Vec3> positions = mesh.positions();
   for (Vec3& p : positions) p = p / p.norm();
-  return Mesh(std::move(positions), list_faces(mesh));
+  return Mesh(std::move(positions), mesh.face_vertices());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 // The same surface with other triangles, for tables 1 to 5.
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -81,14 +80,5 @@ inline constexpr std::size_t kMostJitterRounds = 20;
 
 /// The unit sphere, as an icosahedron with every face cut in four `subdivisions` times: 20 * 4^subdivisions faces.
 Mesh make_icosphere(int subdivisions);
-
-using Corners = std::array<VertexId, 3>;
-
-/// The corners of all faces, in the order of their ids.
-inline std::vector<Corners> list_faces(const Mesh& mesh) {
-  std::vector<Corners> faces;
-  for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
-  return faces;
-}
 
 }  // namespace gvd::paper

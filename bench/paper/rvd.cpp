@@ -304,14 +304,14 @@ class IslandSweeper {
 
 }  // namespace
 
-Comparison compute_lrvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LrvdOptions& options) {
+Comparison compute_lrvd(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int most_rounds) {
   const std::vector<Vec3> positions = find_positions(mesh, generators);
   Comparison result;
   Pieces pieces = time_voronoi_cells(mesh, positions, result);
   const double start = bench::cpu_milliseconds();
   IslandSweeper sweeper(mesh, generators, positions);
   result.rounds = 0;
-  while (result.rounds < options.most_rounds && sweeper.sweep(pieces)) ++result.rounds;
+  while (result.rounds < most_rounds && sweeper.sweep(pieces)) ++result.rounds;
   result.diagram_ms += bench::cpu_milliseconds() - start;
   collect_pieces(mesh, generators, std::move(pieces), result);
   return result;

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "diagram/envelope/equidistant_search.hpp"
+#include "diagram/envelope/source_distances.hpp"
 #include "diagram/graph/crossings.hpp"
 #include "geodesic/distance_field.hpp"
 #include "pieces.hpp"

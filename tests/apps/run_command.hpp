@@ -4,16 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace gvd::test {
+#include "support/sanitized.hpp"
 
-// Sanitizers have an allocator of their own, and reserve more memory than there is.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-inline constexpr bool kSanitized = false;
-#endif
+namespace gvd::test {
 
 /// The outcome of a command.
 struct CommandResult {

@@ -110,7 +110,7 @@ TEST_CASE("without sweeps LRVD is RVD, and without islands it needs none") {
   const Mesh plate = test::make_plate(16, 0.01);
   const auto generators = test::random_generators(plate, 12, 1);
   const Comparison rvd = compute_rvd(plate, generators);
-  const Comparison same = compute_lrvd(plate, generators, {0});
+  const Comparison same = compute_lrvd(plate, generators, 0);
   CHECK(same.rounds == 0);
   CHECK(same.faults.islands == rvd.faults.islands);
   CHECK(same.diagram.length == rvd.diagram.length);

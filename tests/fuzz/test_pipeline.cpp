@@ -21,14 +21,15 @@
 #include "support/catch.hpp"
 #include "support/environment.hpp"
 #include "support/same_diagram.hpp"
+#include "support/sanitized.hpp"
 
 namespace gvd::test_pipeline {
 
 using test::Findings;
 using test::Random;
 
-/// Seeds of the ordinary test, which takes a few seconds, and a minute or two with sanitizers.
-constexpr unsigned kFirstSeed = 401, kSeeds = 300;
+/// Seeds of the ordinary test, which takes a few seconds, and most of a minute with sanitizers.
+constexpr unsigned kFirstSeed = 401, kSeeds = test::kSanitized ? 100 : 300;
 
 /// A step on these small meshes reports progress a few times at most (once in 16,384 windows). A diagram has up to 13
 /// rounds of three steps. One with more reports than this does not terminate. A limit on time would depend on the
@@ -80,7 +81,7 @@ class FuzzCase {
     const bool all = std::getenv("GVD_FUZZ_ALL") != nullptr;
     are_close_ = !all && test::are_close(checked.mesh, points_, test::kClose);
     are_welded_ = !all && test::are_close(checked.mesh, points_, test::kWelded);
-    has_thin_faces_ = !all && FaceFrames(checked.mesh).has_thin_faces;
+    has_thin_faces_ = !all && FaceFrames(checked.mesh, ParallelChunks(1, {})).has_thin_faces;
     counts_.close += are_close_;
     counts_.welded += are_welded_;
     run_on(checked.mesh);

@@ -1,5 +1,5 @@
 // The energies of a relaxation, measured anew and merged.
-#include "generator_moves.hpp"
+#include "iteration_record.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_iteration_record {

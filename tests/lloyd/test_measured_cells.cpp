@@ -93,7 +93,7 @@ TEST_CASE("lower envelope: parts are where their function is least, and cover th
 }
 
 MeasuredCells measure(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads = 1) {
-  return measure_cells(mesh, generators, {Density(), {}, threads}, {});
+  return measure_cells(mesh, generators, {Density(), {}}, threads, {});
 }
 
 double energy(const MeasuredCells& cells) {

@@ -8,11 +8,11 @@
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/lloyd.hpp"
 #include "lloyd/states.hpp"
+#include "relaxation_state.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
-#include "vertex_rests.hpp"
 
 namespace gvd::test_vertex_rests {
 

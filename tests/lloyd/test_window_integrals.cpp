@@ -24,7 +24,7 @@ Moments integrate(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   Diagram traced = compute_diagram_and_read(
       mesh, generators, options, [&](const auto& working, const auto& field, const auto& diagram) {
         moments =
-            integrate_over_windows(working, field, diagram, {density, {}, divisions}, ParallelChunks(threads, silent))
+            integrate_over_windows(working, field, diagram, {{density, {}}, divisions}, ParallelChunks(threads, silent))
                 .moments;
       });
   if (out) *out = std::move(traced);

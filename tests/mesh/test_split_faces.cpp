@@ -1,7 +1,7 @@
 // The faces of a working mesh in the faces of the input that it splits.
 #include <algorithm>
 
-#include "mesh/split_faces.hpp"
+#include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

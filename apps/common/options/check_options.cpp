@@ -243,8 +243,6 @@ void check_formats(const OutputOptions& output) {
   if (output.folder.empty() && names.size() > 1) refuse("--output-format: -o - writes one format; choose one");
 }
 
-}  // namespace
-
 void check_outputs(const Options& options, const OutputFormats& formats) {
   const OutputOptions& output = options.output;
   check_formats(output);
@@ -259,6 +257,8 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   targets.claim("--view", output.view);
   for (const auto& [option, file] : output.own) targets.claim(option, file);
 }
+
+}  // namespace
 
 void check_options(const Options& options, const OutputFormats& formats) {
   check_inputs(options, formats);

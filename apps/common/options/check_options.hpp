@@ -13,17 +13,13 @@ struct OutputFormats {
   bool materials = true;                ///< an .obj has its colours in an .mtl beside it
 };
 
-/// Checks what no single option can: the inputs and what is read from standard input, one source of generators,
-/// features that this build lacks, and the outputs.
-/// Throws Error{invalid_option}, and what check_outputs throws.
-void check_options(const Options& options, const OutputFormats& formats);
-
-/// Refuses outputs that the run could not write or must not, before it starts. By name: an unknown extension, a file
-/// that another option names or that the run reads. By the system: a missing folder, no write permission, a closed
-/// standard output, binary data for a terminal.
+/// Checks what no single option can: the inputs and what is read from standard input, one source of generators, and
+/// features that this build lacks. Refuses outputs that the run could not write or must not. By name: an unknown
+/// extension, a file that another option names or that the run reads. By the system: a missing folder, no write
+/// permission, a closed standard output, binary data for a terminal.
 ///
 /// Throws Error{invalid_option}, or Error{unwritable_output} where the system refuses.
-void check_outputs(const Options& options, const OutputFormats& formats);
+void check_options(const Options& options, const OutputFormats& formats);
 
 /// The options of each run: those of a command line, with one of its inputs. With --output-dir each run writes a file
 /// of each format into the folder, named after its input.

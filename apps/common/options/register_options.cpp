@@ -49,6 +49,21 @@ void register_sampling(CLI::App& app, GeneratorOptions& generators) {
       ->excludes("--count", "--sampling");
 }
 
+/// Reads "3,17,99" as indices and appends them. Returns what is wrong with the text; empty where nothing is.
+std::string append_vertices(const std::string& text, std::vector<std::int64_t>& indices) {
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const std::string field = CLI::detail::trim_copy(text.substr(start, comma - start));
+    const auto index = parse_number<std::int64_t>(field);
+    if (!index || *index < 0) {
+      return fmt::format("'{}' is not a vertex index; write indices from 0, as in 3,17,99", field);
+    }
+    indices.push_back(*index);
+    start = comma + 1;
+  }
+  return "";
+}
+
 /// Options that list generators.
 void register_lists(CLI::App& app, GeneratorOptions& generators) {
   add_file(app, "--generators", generators.file,
@@ -70,15 +85,6 @@ void register_lists(CLI::App& app, GeneratorOptions& generators) {
   add_flag(app, "--merge-coincident", generators.merge_coincident,
            "Merge generators that are in the same place instead of refusing them")
       ->excludes("--count", "--radius");
-}
-
-/// A number above 0, or percents of the diagonal.
-std::optional<ErrorBound> parse_error_bound(std::string text) {
-  const bool percent = text.ends_with('%');
-  if (percent) text.pop_back();
-  const std::optional<double> value = parse_number_in(text, kPositive);
-  if (!value) return std::nullopt;
-  return ErrorBound{percent ? *value / 100 : *value, percent};
 }
 
 void register_compute(CLI::App& app, ComputeOptions& compute) {
@@ -189,20 +195,6 @@ std::vector<ValueRule> output_rules(CLI::App& app, OutputOptions& output) {
 
 }  // namespace
 
-std::string append_vertices(const std::string& text, std::vector<std::int64_t>& indices) {
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', start), text.size());
-    const std::string field = CLI::detail::trim_copy(text.substr(start, comma - start));
-    const auto index = parse_number<std::int64_t>(field);
-    if (!index || *index < 0) {
-      return fmt::format("'{}' is not a vertex index; write indices from 0, as in 3,17,99", field);
-    }
-    indices.push_back(*index);
-    start = comma + 1;
-  }
-  return "";
-}
-
 std::vector<ValueRule> register_options(CLI::App& app, Options& options, const Formats& formats) {
   app.set_help_flag();
   register_input(app, options.input);
@@ -214,23 +206,6 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const F
   std::vector<ValueRule> rules = compute_rules(app, options.compute), others = output_rules(app, options.output);
   rules.insert(rules.end(), others.begin(), others.end());
   return rules;
-}
-
-void register_sizes(CLI::App& app, GeneratorOptions& generators) {
-  app.option_defaults()->group("Sizes (in place of these four)");
-  add_number(app, "--target-edge", generators.target_edge, kPositive,
-             "Sample as many generators as give edges of this average length, in mesh units");
-  const auto store = [&generators](const std::string& text) {
-    generators.error = parse_error_bound(text);
-    return generators.error ? "" : fmt::format("'{}' is neither a finite number above 0 nor one with a %", text);
-  };
-  add_parsed(app, "--error", "NUMBER[%]", store,
-             "Use the fewest generators whose mesh stays within this distance of the input, in mesh units or in "
-             "percent of the bounding box's diagonal; takes up to 17 remeshes")
-      ->excludes("--target-edge");
-  for (const char* size : {"--target-edge", "--error"}) {
-    app.get_option(size)->excludes("--count", "--radius", "--generators", "--vertices", "--merge-coincident");
-  }
 }
 
 void register_constraints(CLI::App& app, ConstraintOptions& constraints) {

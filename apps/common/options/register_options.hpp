@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,16 +13,10 @@ namespace gvd::app {
 /// the rules for their values.
 std::vector<ValueRule> register_options(CLI::App& app, Options& options, const std::vector<std::string>& formats);
 
-/// Adds --target-edge and --error, which take the place of -n.
-void register_sizes(CLI::App& app, GeneratorOptions& generators);
-
 /// Adds the options that constrain and weigh a relaxation.
 void register_constraints(CLI::App& app, ConstraintOptions& constraints);
 
 /// Adds --help, --version, --config, -q and -v, which --help shows last.
 void register_general(CLI::App& app, Options& options, const std::string& version);
-
-/// Reads "3,17,99" as indices and appends them. Returns what is wrong with the text; empty where nothing is.
-std::string append_vertices(const std::string& text, std::vector<std::int64_t>& indices);
 
 }  // namespace gvd::app

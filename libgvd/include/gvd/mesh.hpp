@@ -48,6 +48,8 @@ class Mesh {
   const Vec3& position(VertexId v) const { return positions_[v]; }
   const std::vector<Vec3>& positions() const { return positions_.raw(); }
   const std::array<VertexId, 3>& vertices(FaceId f) const { return faces_[f]; }
+  /// The corners of all faces: with other positions they give a mesh of the same connectivity.
+  const std::vector<std::array<VertexId, 3>>& face_vertices() const { return faces_.raw(); }
 
   static HalfedgeId halfedge(FaceId f, int corner) { return HalfedgeId(3 * f.value() + corner); }
   /// The halfedges of a face's corners 0, 1 and 2.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "gvd/features.hpp"
@@ -12,9 +13,6 @@
 #include "gvd/vec.hpp"
 
 namespace gvd {
-
-/// The point of an edge at a distance from one of its ends, mesh units, which is limited to the edge.
-SurfacePoint point_on_edge(const Mesh& mesh, EdgeId edge, VertexId start, double distance);
 
 /// The creases of a mesh as curves from corner to corner.
 class CreaseNetwork {
@@ -28,7 +26,10 @@ class CreaseNetwork {
 
   bool is_crease(EdgeId e) const { return is_crease_[e]; }
   /// Whether the point lies on a crease.
-  bool contains(const SurfacePoint& point) const;
+  bool contains(const SurfacePoint& point) const {
+    if (point.kind() == SurfacePoint::Kind::vertex) return !leaving_[vertex(mesh_, point)].empty();
+    return point.kind() == SurfacePoint::Kind::edge && is_crease_[mesh_.edge(halfedge(point))];
+  }
   /// Whether a vertex ends a curve: it has one crease edge or more than two, or the crease turns sharply there.
   bool is_corner(VertexId v) const { return is_corner_[v]; }
 
@@ -43,7 +44,10 @@ class CreaseNetwork {
     EdgeId edge;
     bool forwards;  ///< as its halfedge `mesh.halfedge(edge)` runs
   };
-  VertexId start(const Step& step) const;
+  VertexId start(const Step& step) const {
+    const HalfedgeId h = mesh_.halfedge(step.edge);
+    return step.forwards ? mesh_.from(h) : mesh_.to(h);
+  }
   VertexId end(const Step& step) const { return start({step.edge, !step.forwards}); }
   /// The crease edges that leave a vertex, in the order of their edges.
   const std::vector<Step>& leaving(VertexId v) const { return leaving_[v]; }
@@ -52,8 +56,10 @@ class CreaseNetwork {
 
  private:
   /// The edge after this one, over a vertex with two crease edges.
-  Step onward(const Step& step) const;
-  bool turns(VertexId v, int edges) const;
+  Step onward(const Step& step) const {
+    const std::vector<Step>& steps = leaving_[end(step)];
+    return steps[steps[0].edge == step.edge ? 1 : 0];
+  }
   /// The cosine of the turn over so many edges on both sides.
   double turn_cosine(VertexId v, int edges) const;
   bool reaches_kept_corner(VertexId v, double distance, const IdVector<VertexId, bool>& kept) const;
@@ -76,7 +82,10 @@ class GeneratorConstraints {
   /// All generators are free.
   GeneratorConstraints() = default;
   /// `freedom`: one for each generator, or empty. The mesh has to outlive this.
-  GeneratorConstraints(const Mesh& mesh, std::vector<Freedom> freedom, const std::vector<EdgeId>& creases);
+  GeneratorConstraints(const Mesh& mesh, std::vector<Freedom> freedom, const std::vector<EdgeId>& creases)
+      : freedom_(std::move(freedom)) {
+    if (!freedom_.empty()) network_.emplace(mesh, creases);
+  }
 
   bool is_free(std::size_t generator) const { return of(generator) == Freedom::free; }
   /// Throws Error{precondition} where the freedoms are not one for each generator, or a generator that has to stay on a

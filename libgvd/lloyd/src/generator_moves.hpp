@@ -7,11 +7,9 @@
 #include "optimiser.hpp"
 #include "relaxation_state.hpp"
 
-// Moves of all generators: along steps, by relocations, and the record of a relaxation's iterations.
+// Moves of all generators: along steps, and by relocations.
 
 namespace gvd {
-
-// generator_moves.cpp
 
 /// A move of all generators, before its diagram is known.
 struct GeneratorMove {
@@ -43,8 +41,6 @@ enum class GoToRest { no, yes };
 GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, const TangentField& steps,
                               const GeneratorConstraints& constraints = {}, GoToRest rests = GoToRest::no);
 
-// relocation.cpp
-
 /// A generator that leaves its place for another one.
 struct Relocation {
   std::size_t generator;
@@ -70,28 +66,5 @@ double total_gain(const std::vector<Relocation>& relocations);
 /// The move of the first `count` relocations. Lengths are straight through space.
 GeneratorMove relocate_generators(const Mesh& mesh, const RelaxationState& state,
                                   const std::vector<Relocation>& relocations, std::size_t count);
-
-// iteration_record.cpp
-
-/// The energies of a relaxation, from the start on, and what each iteration did.
-struct IterationRecord {
-  double initial_energy = 0;
-  std::vector<LloydIteration> iterations;
-  std::vector<double> falls;  ///< of each iteration, as a fraction of the energy before it; merging keeps them
-
-  /// Adds an iteration that took the energy from `before` to `after`.
-  void add(const GeneratorMove& move, double before, double after, const Precision& precision);
-  /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
-  /// fewer.
-  bool falls_by(double fraction, int window) const;
-  /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
-  /// measured now count as one with the iteration before them.
-  void restate(double energy, const Precision& precision);
-  /// Makes one iteration of all.
-  void merge_all();
-
- private:
-  void merge_last();
-};
 
 }  // namespace gvd

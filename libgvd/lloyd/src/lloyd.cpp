@@ -14,8 +14,8 @@
 
 #include "accelerator.hpp"
 #include "diagram/diagram_windows.hpp"
-#include "generator_moves.hpp"
 #include "gvd/error.hpp"
+#include "iteration_record.hpp"
 
 namespace gvd {
 namespace {

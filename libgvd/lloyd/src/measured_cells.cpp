@@ -47,7 +47,7 @@ void append_corner(const Bary& corner, std::size_t across, EnvelopePart& part) {
 
 void set_to_triangle(EnvelopePart& part, std::size_t function) {
   part.function = function;
-  part.corners.assign({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  part.corners.assign(kWholeTriangle.begin(), kWholeTriangle.end());
   part.across.assign(3, kTriangleSide);
 }
 
@@ -131,15 +131,14 @@ struct Field {
   const WindowField& windows;
   const Departures& departures;
   IdVector<VertexId, Vec2> log;  // of the vertices
-  const Density& density;
-  const WatchedGenerators& watched;
+  const Integrand& integrand;
 };
 
 /// Measures the parts of cells in faces of the working mesh, one face after the other.
 class FaceMeasurer {
  public:
   explicit FaceMeasurer(const Field& field)
-      : sums(field.watched),
+      : sums(field.integrand.watched),
         field_(field),
         mesh_(field.working.mesh()),
         paths_(mesh_, field.windows, field.departures) {}
@@ -164,7 +163,7 @@ class FaceMeasurer {
   GeneratorId label(int corner) const { return field_.windows.label[mesh_.vertices(face_)[corner]]; }
   bool has_one_label() const { return label(0) == label(1) && label(1) == label(2); }
   double density_at(const Bary& point) const {
-    return field_.density.at(field_.working.parent(face_), field_.working.parent_bary(face_, point));
+    return field_.integrand.density.at(field_.working.parent(face_), field_.working.parent_bary(face_, point));
   }
 
   /// The mean squared distance of the face's points from its centroid.
@@ -302,34 +301,29 @@ IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures&
   return logs;
 }
 
-IdVector<VertexId, double> input_distances(const Mesh& input, const WindowField& field) {
-  IdVector<VertexId, double> distances;
-  for (const VertexId v : input.vertices()) distances.push_back(field.distance[v]);
-  return distances;
-}
-
 }  // namespace
 
-MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                            const MeasureOptions& options, const Progress& progress) {
+MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const Integrand& integrand,
+                            int threads, const Progress& progress) {
   const WorkingMesh working(mesh, generators, progress);
   PropagationOptions propagation;
   propagation.departures = true;
-  propagation.threads = options.threads;
+  propagation.threads = threads;
   const WindowField windows =
       propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress);
   const Departures departures(working, generators);
-  const Field field{working, windows, departures, vertex_logs(windows, departures), options.density, options.watched};
+  const Field field{working, windows, departures, vertex_logs(windows, departures), integrand};
   const auto faces = cut_into_chunks(working.mesh().face_count(), kScanChunk);
-  std::vector<CellSums> sums(faces.size(), CellSums(options.watched));
+  std::vector<CellSums> sums(faces.size(), CellSums(integrand.watched));
   std::vector<std::vector<BisectorSegment>> segments(faces.size());
-  ParallelChunks(options.threads, progress).run(faces.size(), {steps::kCells}, [&](std::size_t i) {
+  ParallelChunks(threads, progress).run(faces.size(), {steps::kCells}, [&](std::size_t i) {
     FaceMeasurer measurer(field);
     for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measurer.add(FaceId(f));
     sums[i] = std::move(measurer.sums);
     segments[i] = std::move(measurer.segments);
   });
-  MeasuredCells cells{CellSums::join(generators.size(), sums), {}, input_distances(mesh, windows)};
+  MeasuredCells cells{CellSums::join(generators.size(), sums), {}, windows.distance};
+  cells.vertex_distance.resize(mesh.vertex_count());  // the working mesh has the input's vertices first
   for (const auto& part : segments) cells.segments.insert(cells.segments.end(), part.begin(), part.end());
   sort_by_cells(cells.segments);
   return cells;

@@ -11,19 +11,6 @@
 #include <utility>
 
 namespace gvd {
-
-void StepHistory::add(StepPair pair) {
-  pairs_.push_back(std::move(pair));
-  if (pairs_.size() > memory_) pairs_.pop_front();
-}
-
-void StepHistory::transport(const std::vector<Turn>& turns) {
-  for (StepPair& pair : pairs_) {
-    pair.step = turned(turns, std::move(pair.step));
-    pair.change = turned(turns, std::move(pair.change));
-  }
-}
-
 namespace {
 
 /// The factor of the initial inverse Hessian that gives it the curvature of the latest pair.

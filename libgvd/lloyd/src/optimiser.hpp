@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "base/plane.hpp"
@@ -71,9 +72,17 @@ class StepHistory {
   explicit StepHistory(std::size_t memory) : memory_(memory) {}
 
   /// Adds a pair, given at the present generators, and drops the oldest one beyond the memory.
-  void add(StepPair pair);
+  void add(StepPair pair) {
+    pairs_.push_back(std::move(pair));
+    if (pairs_.size() > memory_) pairs_.pop_front();
+  }
   /// Parallel transport of all vectors: `turns` are those of the tangent planes along the generators' paths.
-  void transport(const std::vector<Turn>& turns);
+  void transport(const std::vector<Turn>& turns) {
+    for (StepPair& pair : pairs_) {
+      pair.step = turned(turns, std::move(pair.step));
+      pair.change = turned(turns, std::move(pair.change));
+    }
+  }
   void clear() { pairs_.clear(); }
   const std::deque<StepPair>& pairs() const { return pairs_; }
 

@@ -1,11 +1,15 @@
-// Quadrature over the faces and pieces of all cells, with exact distances and log maps at the points.
+// Integrals over all cells, with exact distances and log maps, and the segments of the cells' bisectors.
 //
+// Each thread sums over its own part of the surface. Points of one cell mostly follow each other, so a part has a list
+// of short sums and no table of all cells. The parts are joined in their order, and sorting is stable: the result does
+// not depend on the number of threads. Two counting sorts, by the second cell and then by the first one, order the
+// segments of bisectors in linear time.
 // Whole faces and the triangles of pieces have three inner points each, a rule that is exact for quadratic functions
 // (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are looked up in the
-// windows of the working mesh. A face that generators have split is looked up in its parts. The triangles of a piece
-// lie within the piece, because beyond it no path of its generator may be known.
+// windows of the working mesh. A face that generators have split is looked up in its parts.
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,13 +20,26 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
-#include "mesh/split_faces.hpp"
+#include "mesh/working_mesh.hpp"
 
 namespace gvd {
 namespace {
 
+/// Counting sort: keeps the order of segments with the same cell.
+void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& segments) {
+  std::vector<std::size_t> begin;  // of each cell's segments
+  for (const BisectorSegment& segment : segments) {
+    const std::size_t next = (segment.*cell).index() + 1;
+    if (begin.size() <= next) begin.resize(next + 1, 0);
+    ++begin[next];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<BisectorSegment> sorted(segments.size());
+  for (const BisectorSegment& segment : segments) sorted[begin[(segment.*cell).index()]++] = segment;
+  segments = std::move(sorted);
+}
+
 using Triangle = std::array<Bary, 3>;
-constexpr Triangle kWholeFace{Bary{1, 0, 0}, Bary{0, 1, 0}, Bary{0, 0, 1}};
 
 /// The quadrature points of a triangle, in its own barycentric coordinates.
 std::vector<Bary> quadrature_points(int divisions) {
@@ -97,8 +114,7 @@ class FaceIntegrator {
                                                                affine_point(triangle[2]));
     const double weight = area / double(points_.size());
     for (const Bary& local : points_) {
-      Bary point{};
-      for (int i = 0; i < 3; ++i) point[i] = interpolate(local, triangle[0][i], triangle[1][i], triangle[2][i]);
+      const Bary point = compose(triangle, local);
       sums.add(g, weight, weight * density_.at(face_, point), find(point, g), 0);
     }
   }
@@ -138,6 +154,59 @@ class FaceIntegrator {
 
 }  // namespace
 
+std::span<const PathSample> samples_of(const std::vector<PathSample>& sorted, GeneratorId g) {
+  return {std::ranges::lower_bound(sorted, g, {}, &PathSample::generator),
+          std::ranges::upper_bound(sorted, g, {}, &PathSample::generator)};
+}
+
+CellIntegrals CellSums::join(std::size_t cells, const std::vector<CellSums>& parts) {
+  CellIntegrals all;
+  all.moments.resize(cells);
+  for (const CellSums& part : parts) {
+    for (const auto& [generator, moments] : part.sums_) {
+      CellMoments& cell = all.moments[generator];
+      cell.area += moments.area;
+      cell.mass += moments.mass;
+      cell.energy += moments.energy;
+      cell.centroid += moments.centroid;
+    }
+    all.samples.insert(all.samples.end(), part.samples_.begin(), part.samples_.end());
+  }
+  for (CellMoments& cell : all.moments) {
+    if (cell.mass > 0) cell.centroid /= cell.mass;
+  }
+  std::ranges::stable_sort(all.samples, {}, &PathSample::generator);
+  return all;
+}
+
+std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density) {
+  std::vector<BisectorSegment> segments;
+  for (const Bisector& bisector : diagram.bisectors) {
+    if (bisector.left == bisector.right) continue;
+    for (std::size_t k = 0; k + 1 < bisector.points.size(); ++k) {
+      const SurfacePoint &from = bisector.points[k], &to = bisector.points[k + 1];
+      const Vec3 p = position(mesh, from), q = position(mesh, to);
+      const double mean_density = 0.5 * (density.at(from.face, from.bary) + density.at(to.face, to.bary));
+      const auto [first, second] = std::minmax(bisector.left, bisector.right);
+      segments.push_back({first, second, p, q, (q - p).norm(), mean_density});
+    }
+  }
+  sort_by_cells(segments);
+  return segments;
+}
+
+void sort_by_cells(std::vector<BisectorSegment>& segments) {
+  sort_by(&BisectorSegment::right, segments);
+  sort_by(&BisectorSegment::left, segments);
+}
+
+std::vector<std::pair<GeneratorId, GeneratorId>> neighbouring_cells(const std::vector<BisectorSegment>& segments) {
+  std::vector<std::pair<GeneratorId, GeneratorId>> pairs;
+  for (const BisectorSegment& segment : segments) pairs.emplace_back(segment.left, segment.right);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowField& field, const Diagram& diagram,
                                      const Quadrature& quadrature, const ParallelChunks& parallel) {
   const Paths paths{working, field, Departures(working, diagram.generators), SplitFaces(working)};
@@ -150,7 +219,7 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
     auto piece = std::ranges::lower_bound(diagram.pieces, FaceId(chunks[chunk].begin), {}, &FacePiece::face);
     for (FaceId face(chunks[chunk].begin); face.index() < chunks[chunk].end; face = FaceId(face.value() + 1)) {
       integrator.enter(face);
-      if (diagram.face_label[face].valid()) integrator.add(kWholeFace, diagram.face_label[face]);
+      if (diagram.face_label[face].valid()) integrator.add(kWholeTriangle, diagram.face_label[face]);
       for (; piece != diagram.pieces.end() && piece->face == face; ++piece) integrator.add(*piece);
     }
     sums[chunk] = std::move(integrator.sums);
@@ -174,7 +243,7 @@ IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const 
     throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
   }
   check_density(mesh, density);
-  return integrate_cells(mesh, diagram, {density, {}}, threads).moments;
+  return integrate_cells(mesh, diagram, {{density, {}}}, threads).moments;
 }
 
 }  // namespace gvd

@@ -18,17 +18,6 @@
 
 namespace gvd {
 
-void Quadric::add_plane(const Vec3& normal, const Vec3& through, double weight) {
-  matrix += weight * normal * normal.transpose();
-  vector += weight * normal.dot(through) * normal;
-}
-
-void Quadric::add_line(const Vec3& along, const Vec3& through, double weight) {
-  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along * along.transpose();
-  matrix += weight * across;
-  vector += weight * across * through;
-}
-
 Vec3 Quadric::minimize(double truncation) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
   Vec3 offset(0, 0, 0);

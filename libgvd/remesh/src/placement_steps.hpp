@@ -25,9 +25,16 @@ struct Quadric {
   double area = 0;  ///< of the faces, square mesh units
 
   /// Adds a plane through `through`, an offset, with a unit normal.
-  void add_plane(const Vec3& normal, const Vec3& through, double weight);
+  void add_plane(const Vec3& normal, const Vec3& through, double weight) {
+    matrix += weight * normal * normal.transpose();
+    vector += weight * normal.dot(through) * normal;
+  }
   /// Adds a line through `through` along a unit vector.
-  void add_line(const Vec3& along, const Vec3& through, double weight);
+  void add_line(const Vec3& along, const Vec3& through, double weight) {
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along * along.transpose();
+    matrix += weight * across;
+    vector += weight * across * through;
+  }
   /// The least offset among those with the least sum. Directions in which the sum hardly changes are left out: those of
   /// eigenvalues below `truncation` times the largest one. Zero for an empty sum.
   Vec3 minimize(double truncation) const;
@@ -59,7 +66,7 @@ struct CreaseCell {
 /// The crease cells among all cells. `remesh`: has its vertices at the generators. Cost: O(n log n).
 IdVector<GeneratorId, CreaseCell> find_crease_cells(const Mesh& surface, const Diagram& diagram, const Mesh& remesh);
 
-// vertex_springs.cpp
+// fit_vertices.cpp
 
 /// A vertex's position of better triangles, and the direction across them.
 struct VertexShape {
@@ -104,8 +111,6 @@ struct VertexAnchor {
 /// The springs for a round of the fit that starts with the vertices of `current`. Cost: O(n).
 std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& plan);
 
-// fit_vertices.cpp
-
 /// A point of a surface that stands for a part of it.
 struct SurfaceSample {
   Vec3 position;
@@ -137,7 +142,7 @@ struct FitTarget {
 /// Cost: O(n log n), and a sparse Cholesky factorisation.
 std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors);
 
-// move_guard.cpp
+// place_vertices.cpp
 
 /// The faces of a mesh with other vertex positions. Throws Error{precondition} where an edge has no length.
 Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions);

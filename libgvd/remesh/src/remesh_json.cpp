@@ -10,7 +10,7 @@
 
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
-#include "io/writers/json_members.hpp"
+#include "io/writers/byte_writer.hpp"
 
 namespace gvd {
 namespace {

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
 #include "gvd/quality.hpp"
 #include "gvd/surface_distance.hpp"
+#include "placement_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -52,10 +52,6 @@ void add_shapes(ViewScene& scene) {
 /// often ten times the RMS distance, and would leave the others with similar colours.
 constexpr double kScaleEnd = 3;
 
-struct Distances {
-  SurfaceDistance from_input, to_input;
-};
-
 /// Makes the scenes that show distances.
 class DistanceScenes {
  public:
@@ -67,15 +63,15 @@ class DistanceScenes {
     add(scene, {{"Generators added", fmt::format("{}", result_.added)},
                 {"Intersecting pairs", fmt::format("{}", result_.certificate.self_intersections.size())}});
     add_shapes(scene);
-    add_distances(scene, {result_.input_to_output, result_.output_to_input});
+    add_distances(scene, result_.input_to_output, result_.output_to_input);
     return scene;
   }
 
   ViewScene make_unplaced(const Mesh& unplaced) const {
     ViewScene scene = make_coarse("Before placement", unplaced);
     add_shapes(scene);
-    add_distances(scene, {measure_surface_distance(input_, unplaced, threads_),
-                          measure_surface_distance(unplaced, input_, threads_)});
+    add_distances(scene, measure_surface_distance(input_, unplaced, threads_),
+                  measure_surface_distance(unplaced, input_, threads_));
     return scene;
   }
 
@@ -117,12 +113,12 @@ class DistanceScenes {
   }
 
   /// In percent of the diagonal of the input's bounding box.
-  void add_distances(ViewScene& scene, const Distances& distances) const {
+  void add_distances(ViewScene& scene, const SurfaceDistance& from_input, const SurfaceDistance& to_input) const {
     const auto percent = [&](double length) { return fmt::format("{:.3g} %", 100 * length / diagonal()); };
-    add(scene, {{"Mesh to input, largest", percent(distances.to_input.hausdorff)},
-                {"Mesh to input, RMS", percent(distances.to_input.rms)},
-                {"Input to mesh, largest", percent(distances.from_input.hausdorff)},
-                {"Input to mesh, RMS", percent(distances.from_input.rms)},
+    add(scene, {{"Mesh to input, largest", percent(to_input.hausdorff)},
+                {"Mesh to input, RMS", percent(to_input.rms)},
+                {"Input to mesh, largest", percent(from_input.hausdorff)},
+                {"Input to mesh, RMS", percent(from_input.rms)},
                 {"Diagonal (100 %)", fmt::format("{:.4g}", diagonal())}});
   }
 
@@ -143,10 +139,8 @@ ViewScene make_diagram_scene(const Mesh& input, const RemeshResult& result) {
 
 Mesh make_unplaced(const Mesh& input, const RemeshResult& result) {
   std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;
   for (const SurfacePoint& p : result.generators) positions.push_back(position(input, p));
-  for (const FaceId f : result.mesh.faces()) faces.push_back(result.mesh.vertices(f));
-  return {std::move(positions), std::move(faces)};
+  return with_positions(result.mesh, std::move(positions));
 }
 
 std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,

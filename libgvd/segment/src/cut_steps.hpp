@@ -74,7 +74,10 @@ class FaceTiling {
   /// Corners sorted by a coordinate.
   class SortedCorners {
    public:
-    void insert(double coordinate, std::size_t corner);
+    void insert(double coordinate, std::size_t corner) {
+      const std::pair item(coordinate, corner);
+      corners_.insert(std::lower_bound(corners_.begin(), corners_.end(), item), item);
+    }
     /// The corners with a coordinate from `low` to `high`.
     std::span<const std::pair<double, std::size_t>> between(double low, double high) const;
     /// The smallest number below `limit` of a corner that passes the test, among those within `tolerance` of the
@@ -86,11 +89,14 @@ class FaceTiling {
     std::vector<std::pair<double, std::size_t>> corners_;
   };
 
-  void index(std::size_t corner);
+  void index(std::size_t corner) {
+    by_along_.insert(along(corners_[corner]), corner);
+    by_position_.insert(corners_[corner].position[axis_], corner);
+  }
   std::size_t find_vertex(VertexId vertex) const;
   /// Position of a corner along the face's longest side, from 0 to 1: there, few corners of a needle lie between the
   /// ends of a segment that crosses it.
-  double along(const Corner& corner) const;
+  double along(const Corner& corner) const { return interpolate(corner.bary, along_[0], along_[1], along_[2]); }
   std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double tolerance) const;
   /// Appends the corners on the segment in order: those on the same edge of the face, and those within `tolerance`.
   void append_corners_between(std::size_t from, std::size_t to, double tolerance, std::vector<std::size_t>& out) const;
@@ -107,7 +113,7 @@ class FaceTiling {
   std::vector<Polygon> polygons_;
 };
 
-// cut_triangles.cpp
+// cut_faces.cpp
 
 /// A triangle of a cut mesh.
 struct CutTriangle {

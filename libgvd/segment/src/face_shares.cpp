@@ -6,10 +6,8 @@
 // the sorting.
 #include "face_shares.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -20,8 +18,6 @@ double fraction_of(std::span<const FaceShare> shares, GeneratorId generator) {
   }
   return 0;
 }
-
-double compute_area_fraction(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
 
 FaceShares::FaceShares(const Diagram& diagram) {
   std::vector<FaceShare> pieces;
@@ -37,11 +33,6 @@ FaceShares::FaceShares(const Diagram& diagram) {
     }
   }
   std::ranges::stable_sort(shares_, {}, [](const FaceShare& s) { return std::pair(s.face, -s.fraction); });
-}
-
-std::span<const FaceShare> FaceShares::of(FaceId face) const {
-  return {std::ranges::lower_bound(shares_, face, {}, &FaceShare::face),
-          std::ranges::upper_bound(shares_, face, {}, &FaceShare::face)};
 }
 
 void check_belongs(const Mesh& mesh, const Diagram& diagram) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "base/barycentric.hpp"
 #include "gvd/diagram.hpp"
 
 namespace gvd {
@@ -18,7 +20,7 @@ struct FaceShare {
 double fraction_of(std::span<const FaceShare> shares, GeneratorId generator);
 
 /// The fraction of its face's area that a piece covers, in [0, 1]. A piece that rounding has turned clockwise has 0.
-double compute_area_fraction(const FacePiece& piece);
+inline double compute_area_fraction(const FacePiece& piece) { return std::clamp(area_share(piece.corners), 0.0, 1.0); }
 
 /// The shares of the cells in the faces that are cut, one for each cell of a face.
 class FaceShares {
@@ -27,7 +29,10 @@ class FaceShares {
 
   /// The shares of one face in descending order, of equals the smaller generator first; none for a face that is not
   /// cut.
-  std::span<const FaceShare> of(FaceId face) const;
+  std::span<const FaceShare> of(FaceId face) const {
+    return {std::ranges::lower_bound(shares_, face, {}, &FaceShare::face),
+            std::ranges::upper_bound(shares_, face, {}, &FaceShare::face)};
+  }
   /// All shares, ascending by face, then as `of` sorts them.
   const std::vector<FaceShare>& all() const { return shares_; }
   /// The fraction of a cell in a face; 0 where the cell has no share.

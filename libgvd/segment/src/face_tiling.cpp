@@ -79,11 +79,6 @@ double position_tolerance(const Mesh& mesh) {
   return kPositionUlps * std::numeric_limits<double>::epsilon() * mesh.largest_coordinate();
 }
 
-void FaceTiling::SortedCorners::insert(double coordinate, std::size_t corner) {
-  const std::pair item(coordinate, corner);
-  corners_.insert(std::lower_bound(corners_.begin(), corners_.end(), item), item);
-}
-
 std::span<const std::pair<double, std::size_t>> FaceTiling::SortedCorners::between(double low, double high) const {
   const auto coordinate = [](const auto& item) { return item.first; };
   return {std::ranges::lower_bound(corners_, low, {}, coordinate),
@@ -114,15 +109,6 @@ FaceTiling::FaceTiling(std::vector<Corner> border, double tolerance)
     by_vertex_.emplace_back(corners_[i].vertex, i);
   }
   std::sort(by_vertex_.begin(), by_vertex_.end());
-}
-
-double FaceTiling::along(const Corner& corner) const {
-  return interpolate(corner.bary, along_[0], along_[1], along_[2]);
-}
-
-void FaceTiling::index(std::size_t corner) {
-  by_along_.insert(along(corners_[corner]), corner);
-  by_position_.insert(corners_[corner].position[axis_], corner);
 }
 
 /// The first corner of the border with this vertex; the number of all corners if there is none.

@@ -60,8 +60,6 @@ bool keeps_topology(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label
 /// Counts `smoothed_faces`. Cost: O(n + k) for k shares.
 void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result);
 
-// border_forest.cpp
-
 using FreeFaceId = Id<struct FreeFaceTag>;
 
 /// The faces whose label may be chosen: those in which two or more cells have a share. One face of each generator is

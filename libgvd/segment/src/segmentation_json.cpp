@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "gvd/segment.hpp"
-#include "io/writers/json_members.hpp"
+#include "io/writers/byte_writer.hpp"
 
 namespace gvd {
 

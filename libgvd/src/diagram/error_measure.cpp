@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <string>
@@ -171,7 +169,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
 /// d_left - d_right; infinite if either is, since infinity - infinity has no value.
 double difference(const Sample& sample) {
   const double d = sample.left - sample.right;
-  return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
+  return std::isfinite(d) ? d : kInfinity;
 }
 
 double integrate(const Panel& panel, const std::vector<Sample>& samples) {

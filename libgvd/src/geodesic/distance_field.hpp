@@ -48,13 +48,14 @@ struct FaceSource {
   };
   /// The shortest path of this source to p: straight where the image sees p through the opening, round an end of the
   /// opening elsewhere. Always a path of the surface, so its length is an upper bound of the distance; continuous in p.
-  Path shortest_path(const Vec2& p) const {
+  /// In the innermost loop over sources: a call would cost a quarter of it.
+  [[gnu::always_inline]] Path shortest_path(const Vec2& p) const {
     const Vec2 ray = p - image;
     if (cross(ray, begin - image) < 0) return {distance_begin + (p - begin).norm(), begin};
     if (cross(ray, end - image) > 0) return {distance_end + (p - end).norm(), end};
     return {offset + ray.norm(), image};
   }
-  double distance(const Vec2& p) const { return shortest_path(p).distance; }
+  [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
   /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
   Vec2 entry(const Vec2& p) const {
     if (is_corner) return image;

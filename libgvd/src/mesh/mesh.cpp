@@ -1,20 +1,36 @@
-// The connectivity of a triangle mesh: twins, edges and a halfedge for each vertex, and the figures of the whole mesh.
+// The connectivity of a triangle mesh: twins, edges and a halfedge for each vertex; splits and flips that change it;
+// and the figures of the whole mesh.
 //
 // Halfedge 3 f + i runs from corner i of face f to the next corner, so only twins and edges need tables. `visit_edges`
 // lists the halfedges of each edge by a counting sort. Edges get their numbers in the order of their first halfedge.
 // A vertex keeps its boundary halfedge where it has one: so one direction suffices to walk round every vertex. Lengths
 // and areas of a face lie together, as distances read them. Cost: O(n) time, about 100 bytes a face.
-// Invariant: a mesh that breaks one of the properties in mesh.hpp is refused here, so no later step checks them again.
+// A split or flip first reads the twins and edges outside of the faces that it rewrites, then writes the faces, then
+// links their halfedges again. A split of an edge is a split of the face on each of its sides, so that the boundary
+// needs no case of its own.
+// Shape figures of triangles and valences are those that section 5 of the paper tabulates for remeshes. Q compares the
+// area with the half perimeter and the longest edge, and is 1 for equilateral triangles alone. Angles come from atan2
+// of cross and dot product, which keeps the digits of very small and very flat ones. Invariant: a mesh that breaks one
+// of the properties in mesh.hpp is refused here, so no later step checks them again. At a boundary vertex, the stored
+// halfedge is the boundary one, as the walk in vertex_ring.hpp needs it; a split or flip restores that by
+// `set_halfedge` for every vertex of the rewritten faces. Faces that it leaves keep their ids. Sums run over the faces
+// in the order of their ids, so that a figure has the same last digit on every run.
 #include "gvd/mesh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
+#include <tuple>
 
 #include "base/union_find.hpp"
 #include "gvd/error.hpp"
+#include "gvd/quality.hpp"
+#include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "mesh/visit_edges.hpp"
 
@@ -58,6 +74,15 @@ std::int32_t count_boundary_loops(const Mesh& mesh) {
     for (; !visited[h]; h = next_on_boundary(mesh, h)) visited[h] = 1;
   }
   return loops;
+}
+
+/// An angle counts as below 30 degrees if it is smaller by more than this. In degrees. With coordinates of 12 digits an
+/// angle of 30 degrees is off by about 1e-10, and the triangles of a regular mesh must not count.
+constexpr double kAngleSlack = 1e-9;
+
+double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a;
+  return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
 }
 
 }  // namespace
@@ -184,6 +209,167 @@ MeshSummary compute_mesh_summary(const Mesh& mesh) {
   summary.area = compute_area(mesh);
   summary.bbox_diagonal = mesh.bbox_diagonal();
   return summary;
+}
+
+double compute_q(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+  const double longest = std::max({ab, bc, ca});
+  if (longest == 0) return 0;
+  const double area = (b - a).cross(c - a).norm() / 2;
+  const double half_perimeter = (ab + bc + ca) / 2;
+  return std::min(1.0, 6 / std::numbers::sqrt3 * area / (half_perimeter * longest));
+}
+
+double compute_min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
+}
+
+TriangleQuality compute_triangle_quality(const Mesh& mesh) {
+  TriangleQuality quality;
+  if (mesh.face_count() == 0) return quality;
+  quality.q_min = 1;
+  quality.angle_min = 60;
+  std::int32_t below = 0;
+  for (const FaceId f : mesh.faces()) {
+    const auto& [i, j, k] = mesh.vertices(f);
+    const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
+    const double q = compute_q(a, b, c), angle = compute_min_angle(a, b, c);
+    quality.q_min = std::min(quality.q_min, q);
+    quality.q_average += q;
+    quality.angle_min = std::min(quality.angle_min, angle);
+    quality.angle_min_average += angle;
+    if (angle < 30 - kAngleSlack) ++below;
+  }
+  quality.q_average /= mesh.face_count();
+  quality.angle_min_average /= mesh.face_count();
+  quality.percent_below_30 = 100.0 * below / mesh.face_count();
+  return quality;
+}
+
+Valences compute_valences(const Mesh& mesh) {
+  if (mesh.vertex_count() == 0) return {};
+  IdVector<VertexId, std::int32_t> edges(mesh.vertex_count(), 0);
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    ++edges[mesh.from(h)];
+    ++edges[mesh.to(h)];
+  }
+  const auto [least, largest] = std::minmax_element(edges.begin(), edges.end());
+  std::int32_t regular = 0;
+  for (const VertexId v : mesh.vertices()) regular += edges[v] == (mesh.is_boundary(v) ? 4 : 6);
+  return {*least, *largest, 100.0 * regular / mesh.vertex_count()};
+}
+
+FaceId MeshEditor::add_face() {
+  for (int i = 0; i < 3; ++i) {
+    mesh_.twin_.push_back(HalfedgeId());
+    mesh_.halfedge_edge_.push_back(EdgeId());
+  }
+  mesh_.shape_.push_back({});
+  return mesh_.faces_.push_back({});
+}
+
+void MeshEditor::link(HalfedgeId h, HalfedgeId t, EdgeId e) {
+  mesh_.twin_[h] = t;
+  mesh_.halfedge_edge_[h] = e;
+  mesh_.edge_halfedge_[e] = h;
+  if (t.valid()) {
+    mesh_.twin_[t] = h;
+    mesh_.halfedge_edge_[t] = e;
+  }
+}
+
+void MeshEditor::set_halfedge(VertexId v, HalfedgeId h) {
+  const HalfedgeId start = h;
+  for (HalfedgeId before = previous_outgoing(mesh_, h); before.valid(); before = previous_outgoing(mesh_, h)) {
+    h = before;
+    if (h == start) break;
+  }
+  mesh_.vertex_halfedge_[v] = h;
+}
+
+VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {
+  const auto [a, b, c] = mesh_.vertices(f);
+  const HalfedgeId ab = Mesh::halfedge(f, 0), bc = Mesh::halfedge(f, 1), ca = Mesh::halfedge(f, 2);
+  const HalfedgeId twin_bc = mesh_.twin(bc), twin_ca = mesh_.twin(ca);
+  const EdgeId edge_bc = mesh_.edge(bc), edge_ca = mesh_.edge(ca);
+  const VertexId v = add_vertex(position);
+  const FaceId g = add_face(), k = add_face();
+  set_face(f, a, b, v);
+  set_face(g, b, c, v);
+  set_face(k, c, a, v);
+  link(Mesh::halfedge(g, 0), twin_bc, edge_bc);
+  link(Mesh::halfedge(k, 0), twin_ca, edge_ca);
+  const std::array<EdgeId, 3> spokes{add_edge(), add_edge(), add_edge()};
+  link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), spokes[0]);
+  link(Mesh::halfedge(g, 1), Mesh::halfedge(k, 2), spokes[1]);
+  link(Mesh::halfedge(k, 1), Mesh::halfedge(f, 2), spokes[2]);
+  set_halfedge(v, Mesh::halfedge(f, 2));
+  set_halfedge(a, ab);
+  set_halfedge(b, Mesh::halfedge(g, 0));
+  set_halfedge(c, Mesh::halfedge(k, 0));
+  return v;
+}
+
+std::pair<HalfedgeId, HalfedgeId> MeshEditor::split_side(HalfedgeId side, VertexId v) {
+  const FaceId f = Mesh::face(side);
+  const VertexId p = mesh_.from(side), q = mesh_.to(side), r = mesh_.opposite(side);
+  const HalfedgeId qr = Mesh::next(side), rp = Mesh::previous(side);
+  const HalfedgeId twin_qr = mesh_.twin(qr), twin_rp = mesh_.twin(rp);
+  const EdgeId edge_qr = mesh_.edge(qr), edge_rp = mesh_.edge(rp);
+  const FaceId g = add_face();
+  set_face(f, p, v, r);
+  set_face(g, v, q, r);
+  link(Mesh::halfedge(f, 2), twin_rp, edge_rp);
+  link(Mesh::halfedge(g, 1), twin_qr, edge_qr);
+  const EdgeId edge_vr = add_edge();
+  link(Mesh::halfedge(f, 1), Mesh::halfedge(g, 2), edge_vr);
+  return {Mesh::halfedge(f, 0), Mesh::halfedge(g, 0)};
+}
+
+VertexId MeshEditor::split_edge(HalfedgeId h, const Vec3& position) {
+  const HalfedgeId t = mesh_.twin(h);
+  const EdgeId edge_av = mesh_.edge(h);
+  const EdgeId edge_vb = add_edge();
+  const VertexId a = mesh_.from(h), b = mesh_.to(h), v = add_vertex(position);
+  const VertexId c = mesh_.opposite(h);
+  const VertexId d = t.valid() ? mesh_.opposite(t) : VertexId();
+  const auto [av, vb] = split_side(h, v);
+  HalfedgeId va, bv;
+  if (t.valid()) std::tie(bv, va) = split_side(t, v);
+  link(av, va, edge_av);
+  link(vb, bv, edge_vb);
+  set_halfedge(v, vb);
+  set_halfedge(a, av);
+  set_halfedge(b, Mesh::next(vb));
+  set_halfedge(c, Mesh::previous(av));
+  if (d.valid()) set_halfedge(d, Mesh::previous(bv));
+  return v;
+}
+
+void MeshEditor::flip_edge(HalfedgeId h) {
+  const HalfedgeId t = mesh_.twin(h);
+  const FaceId f = Mesh::face(h), g = Mesh::face(t);
+  const VertexId a = mesh_.from(h), b = mesh_.to(h), c = mesh_.opposite(h), d = mesh_.opposite(t);
+  const HalfedgeId bc = Mesh::next(h), ca = Mesh::previous(h), ad = Mesh::next(t), db = Mesh::previous(t);
+  struct Side {
+    HalfedgeId twin;
+    EdgeId edge;
+  };
+  const auto side = [&](HalfedgeId x) { return Side{mesh_.twin(x), mesh_.edge(x)}; };
+  const Side side_bc = side(bc), side_ca = side(ca), side_ad = side(ad), side_db = side(db);
+  const EdgeId diagonal = mesh_.edge(h);
+  set_face(f, d, b, c);
+  set_face(g, c, a, d);
+  link(Mesh::halfedge(f, 0), side_db.twin, side_db.edge);
+  link(Mesh::halfedge(f, 1), side_bc.twin, side_bc.edge);
+  link(Mesh::halfedge(g, 0), side_ca.twin, side_ca.edge);
+  link(Mesh::halfedge(g, 1), side_ad.twin, side_ad.edge);
+  link(Mesh::halfedge(f, 2), Mesh::halfedge(g, 2), diagonal);
+  set_halfedge(a, Mesh::halfedge(g, 1));
+  set_halfedge(b, Mesh::halfedge(f, 1));
+  set_halfedge(c, Mesh::halfedge(g, 0));
+  set_halfedge(d, Mesh::halfedge(f, 0));
 }
 
 }  // namespace gvd

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -80,9 +79,8 @@ SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoin
         break;
     }
   }
-  std::sort(sorted.on_edges.begin(), sorted.on_edges.end(), [](const EdgeGenerator& a, const EdgeGenerator& b) {
-    return std::tuple(a.halfedge, a.t, a.generator) < std::tuple(b.halfedge, b.t, b.generator);
-  });
+  std::ranges::sort(sorted.on_edges, {},
+                    [](const EdgeGenerator& g) { return std::tuple(g.halfedge, g.t, g.generator); });
   return sorted;
 }
 

@@ -147,7 +147,7 @@ TEST_CASE("what is not asked for is not written, computed or timed") {
     FAIL("the scenes were made");
     return std::vector<ViewScene>();
   });
-  write_report_file(quiet.run);
+  finish_run(quiet.run, kGrid, {});
   CHECK(quiet.report()["timings_ms"].empty());
 }
 
@@ -157,10 +157,10 @@ TEST_CASE("the report tells the peak of memory, and is not written after a signa
   options.output.report = scratch / "r.json";
   QuietRun quiet(options);
   std::raise(SIGINT);
-  CHECK_THROWS_AS(write_report_file(quiet.run), Error);
+  CHECK_THROWS_AS(finish_run(quiet.run, kGrid, {}), Error);
   CHECK(!std::filesystem::exists(scratch / "r.json"));
   install_signal_handlers();
-  write_report_file(quiet.run);
+  finish_run(quiet.run, kGrid, {});
   CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["peak_memory_bytes"] > 1000000);
 }
 

@@ -2,8 +2,8 @@
 #include <limits>
 #include <utility>
 
-#include "diagram/assembly/branch_points.hpp"
 #include "diagram/assembly/face_distances.hpp"
+#include "diagram/assembly/face_polygon.hpp"
 #include "support/catch.hpp"
 #include "support/face_polygon.hpp"
 #include "support/random.hpp"

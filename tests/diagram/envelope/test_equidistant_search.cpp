@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "diagram/envelope/equidistant_search.hpp"
 #include "diagram/envelope/source_distances.hpp"
 #include "support/catch.hpp"
 #include "support/hand_made_field.hpp"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "geodesic/marching/local_march.hpp"
+#include "geodesic/marching/fast_marching.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "geodesic/marching/local_march.hpp"
+#include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/sampling/samplers.hpp"
 #include "gvd/vec.hpp"
 #include "support/catch.hpp"

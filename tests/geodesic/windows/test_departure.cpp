@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "geodesic/windows/departure.hpp"
 #include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/window.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -46,7 +46,7 @@ TEST_CASE("corner angles: each side follows the one before at the angle of their
   for (const test::NamedMesh& named : test::small_family()) {
     INFO(named.name);
     const Mesh& mesh = named.mesh;
-    const FaceFrames frames(mesh);
+    const FaceFrames frames(mesh, ParallelChunks(1, {}));
     const CornerAngles angles(mesh, frames, ParallelChunks(1, silent));
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       double sum = 0;

@@ -30,7 +30,8 @@ Mesh make_fan(int corners, double total, bool closed) {
 }
 
 VertexKind kind_in_fan(int corners, double half_turns, bool closed) {
-  return FaceFrames(make_fan(corners, half_turns * std::numbers::pi, closed)).kind[VertexCopyId(0)];
+  return FaceFrames(make_fan(corners, half_turns * std::numbers::pi, closed), ParallelChunks(1, {}))
+      .kind[VertexCopyId(0)];
 }
 
 // Rounding decides on which side of a multiple of pi the sum of the angles falls, so each case tries many fans.
@@ -66,11 +67,11 @@ TEST_CASE("a vertex is flat in a closed flat fan, and plain on a straight bounda
     std::vector<std::array<VertexId, 3>> faces;
     for (int i = 1; i <= corners; ++i) faces.push_back({VertexId(0), VertexId(i), VertexId(i % corners + 1)});
     INFO(corners << " corners");
-    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexCopyId(0)] == VertexKind::flat);
+    CHECK(FaceFrames(Mesh(positions, faces), ParallelChunks(1, {})).kind[VertexCopyId(0)] == VertexKind::flat);
     if (corners % 2 != 0) continue;
     faces.resize(static_cast<std::size_t>(corners / 2));
     positions.resize(static_cast<std::size_t>(corners / 2 + 2));
-    CHECK(FaceFrames(Mesh(positions, faces)).kind[VertexCopyId(0)] == VertexKind::plain);
+    CHECK(FaceFrames(Mesh(positions, faces), ParallelChunks(1, {})).kind[VertexCopyId(0)] == VertexKind::plain);
   }
 }
 
@@ -83,7 +84,8 @@ TEST_CASE("a needle keeps the digits of its angles, whichever corner comes first
       const std::array<Vec3, 3> corner{Vec3(0, 0, 0), width * across, width * across + along};
       std::vector<Vec3> positions;
       for (int i = 0; i < 3; ++i) positions.push_back(corner[(i + turn) % 3]);
-      const FaceFrames frames(Mesh(positions, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+      const FaceFrames frames(Mesh(positions, {std::array{VertexId(0), VertexId(1), VertexId(2)}}),
+                              ParallelChunks(1, {}));
       const FaceFrame& f = frames.frame[FaceId(0)];
       const auto at = [&](int i) { return static_cast<std::size_t>((i - turn + 3) % 3); };
       CHECK(frames.has_needles);
@@ -99,7 +101,8 @@ TEST_CASE("a needle keeps the digits of its angles, whichever corner comes first
 TEST_CASE("a face without area has angles with a sine above zero, however short its sides are") {
   for (const double step : {0.5, 1e-3, 1e-9, 1e-13}) {
     const FaceFrames frames(
-        Mesh({{0, 0, 0}, {step, 0, 0}, {1, 0, 0}}, {std::array{VertexId(0), VertexId(1), VertexId(2)}}));
+        Mesh({{0, 0, 0}, {step, 0, 0}, {1, 0, 0}}, {std::array{VertexId(0), VertexId(1), VertexId(2)}}),
+        ParallelChunks(1, {}));
     const FaceFrame& f = frames.frame[FaceId(0)];
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(f.sine[i] > 0);

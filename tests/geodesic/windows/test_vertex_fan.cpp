@@ -23,7 +23,7 @@ Rotation rotation(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 TEST_CASE("straight through a flat vertex is the opposite direction, on both sides") {
   const Mesh mesh = make_hexagon();
-  const FaceFrames frames(mesh);
+  const FaceFrames frames(mesh, ParallelChunks(1, {}));
   const VertexFan fan(frames);
   for (int i = 0; i < 6; ++i) {
     for (const double angle : {0.2, 0.5, 0.9}) {
@@ -38,7 +38,7 @@ TEST_CASE("straight through a flat vertex is the opposite direction, on both sid
 }
 
 TEST_CASE("a fan goes round a vertex inside, and ends at the boundary") {
-  const FaceFrames frames(make_hexagon());
+  const FaceFrames frames(make_hexagon(), ParallelChunks(1, {}));
   const VertexFan fan(frames);
   const HalfedgeId inside = Mesh::halfedge(FaceId(0), 0);
   CHECK(fan.left_of(inside) == Mesh::halfedge(FaceId(1), 0));
@@ -52,7 +52,8 @@ TEST_CASE("a fan goes round a vertex inside, and ends at the boundary") {
 TEST_CASE("a vertex with a total angle below pi has no straight continuation, and the search for one ends") {
   const auto face = [](int a, int b) { return std::array{VertexId(0), VertexId(a), VertexId(b)}; };
   const FaceFrames frames(
-      Mesh({{0, 0, 1}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, -0.1, 0}}, {face(1, 2), face(2, 3), face(3, 1)}));
+      Mesh({{0, 0, 1}, {0.1, 0, 0}, {0, 0.1, 0}, {-0.1, -0.1, 0}}, {face(1, 2), face(2, 3), face(3, 1)}),
+      ParallelChunks(1, {}));
   const VertexFan fan(frames);
   CHECK_FALSE(fan.straight_left({HalfedgeId(0), {}}).valid());
   CHECK_FALSE(fan.straight_right({HalfedgeId(0), {}}).valid());
@@ -65,7 +66,7 @@ TEST_CASE("a direction back is not grazing") {
 }
 
 TEST_CASE("a vertex sends a window between the points at which its rays meet the opposite side") {
-  const FaceFrames frames(make_hexagon());
+  const FaceFrames frames(make_hexagon(), ParallelChunks(1, {}));
   const FaceFrame& f = frames.frame[FaceId(0)];
   const HalfedgeId outgoing = Mesh::halfedge(FaceId(0), 0);
   const VertexPath path{4, GeneratorId(7), {}};

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "gvd/geodesic_tracing.hpp"
-#include "io/view/region_colors.hpp"
+#include "io/view/view_steps.hpp"
 #include "support/catch.hpp"
 #include "support/color_difference.hpp"
 #include "support/generators.hpp"

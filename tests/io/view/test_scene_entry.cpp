@@ -4,7 +4,7 @@
 #include <random>
 
 #include "gvd/diagram.hpp"
-#include "io/view/scene_entry.hpp"
+#include "io/view/view_steps.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "gvd/error.hpp"
-#include "io/writers/json_members.hpp"
+#include "io/writers/byte_writer.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "gvd/error.hpp"
-#include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_read_text {

@@ -8,6 +8,7 @@
 
 #include "gvd/check.hpp"
 #include "gvd/dual.hpp"
+#include "remesh/dual_defects.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -29,7 +30,7 @@ SurfacePoint extreme(const Mesh& mesh, const Vec3& direction) {
 }
 
 std::vector<DualDefect> check(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  return check_dual(mesh, compute_diagram(mesh, generators));
+  return test::find_dual_defects(mesh, compute_diagram(mesh, generators));
 }
 
 /// The corners of a tetrahedron, as directions.
@@ -72,7 +73,7 @@ Diagram contract_bisector(Diagram diagram) {
 TEST_CASE("dual: four generators on a sphere make a tetrahedron") {
   const Mesh mesh = test::make_sphere(3);
   const Diagram diagram = compute_diagram(mesh, extremes(mesh, tetrahedron()));
-  CHECK(check_dual(mesh, diagram).empty());
+  CHECK(test::find_dual_defects(mesh, diagram).empty());
   const DualMesh dual = build_dual(mesh, diagram);
   REQUIRE(dual.faces.size() == 4);
   CHECK(dual.branch_points.size() == 4);
@@ -140,9 +141,9 @@ TEST_CASE("dual: (5) and (8) what a sound diagram seldom has is found in a forge
   Diagram diagram = compute_diagram(mesh, extremes(mesh, tetrahedron()));
   Diagram doubled = diagram;
   doubled.bisectors.push_back(doubled.bisectors[BisectorId(0)]);
-  CHECK(finds(check_dual(mesh, doubled), DualProperty::one_bisector));
+  CHECK(finds(test::find_dual_defects(mesh, doubled), DualProperty::one_bisector));
   diagram.branch_points[BranchPointId(0)].generators[1] = diagram.branch_points[BranchPointId(0)].generators[0];
-  CHECK(finds(check_dual(mesh, diagram), DualProperty::different_cells));
+  CHECK(finds(test::find_dual_defects(mesh, diagram), DualProperty::different_cells));
 }
 
 TEST_CASE("dual: a branch point of four cells becomes two triangles, along an edge that is none yet") {
@@ -152,7 +153,7 @@ TEST_CASE("dual: a branch point of four cells becomes two triangles, along an ed
   REQUIRE(merged.branch_points[BranchPointId(0)].generators.size() +
               merged.branch_points[BranchPointId(1)].generators.size() >=
           6);
-  CHECK(check_dual(mesh, merged).empty());
+  CHECK(test::find_dual_defects(mesh, merged).empty());
   const DualMesh dual = build_dual(mesh, merged);
   CHECK(dual.faces.size() == 8);
   CHECK(std::count(dual.branch_points.begin(), dual.branch_points.end(), dual.branch_points[0]) <= 2);
@@ -165,7 +166,7 @@ TEST_CASE("dual: (9) a polygon whose diagonals are edges already can't be cut") 
   // Of the square's diagonals one is the other edge of the tetrahedron; now the contracted one is there as well.
   forged.bisectors.push_back(diagram.bisectors[BisectorId(0)]);
   for (const Bisector& b : diagram.bisectors) forged.bisectors.push_back(b);
-  CHECK(finds(check_dual(mesh, forged), DualProperty::polygon_fits));
+  CHECK(finds(test::find_dual_defects(mesh, forged), DualProperty::polygon_fits));
 }
 
 TEST_CASE("dual: many generators on smooth meshes have no defect") {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "remesh/dual_defects.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -203,7 +204,7 @@ TEST_CASE("local dual: defects are those of the whole mesh where it can tell") {
   std::vector<SurfacePoint> generators;
   for (int i = 0; i < 8; ++i) generators.push_back(vertex_point(mesh, VertexId(i * 12 * 24)));
   const Diagram diagram = compute_diagram(mesh, generators);
-  const auto whole = check_dual(mesh, diagram);
+  const auto whole = test::find_dual_defects(mesh, diagram);
   const LocalDual local(mesh, diagram, {GeneratorId(0)}, {}, {});
   CHECK(local.part().size() < static_cast<std::size_t>(mesh.face_count()));
   const auto result = local.compute({});

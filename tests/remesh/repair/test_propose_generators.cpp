@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/dual.hpp"
+#include "remesh/dual_defects.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -83,9 +84,9 @@ struct Setup {
   }
 
   std::vector<SurfacePoint> repair(const DualDefect& defect) const {
-    AddedGenerators added(mesh, diagram.generators, 100);
-    repair_defect(mesh, diagram, defect, added);
-    return added.take();
+    Diagram with_cells = diagram;
+    with_cells.cells.resize(diagram.generators.size());
+    return propose_generators(mesh, with_cells, {defect}, 100).points;
   }
   std::vector<SurfacePoint> repair_bisector(BisectorId b) const {
     DualDefect defect = make_defect(DualProperty::bisector_has_face);
@@ -237,7 +238,7 @@ struct Case {
 
   Case(Mesh m, const std::vector<SurfacePoint>& generators) : mesh(std::move(m)) {
     diagram = compute_diagram(mesh, generators);
-    defects = check_dual(mesh, diagram);
+    defects = test::find_dual_defects(mesh, diagram);
   }
   /// Only the defects of one property.
   std::vector<SurfacePoint> propose(DualProperty property, std::size_t max_count = 100) const {
@@ -364,7 +365,7 @@ std::vector<SurfacePoint> joined(std::vector<SurfacePoint> first, const std::vec
 }
 
 std::size_t count_defects(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  return check_dual(mesh, compute_diagram(mesh, generators)).size();
+  return test::find_dual_defects(mesh, compute_diagram(mesh, generators)).size();
 }
 
 TEST_CASE("generators nearby: with them fewer defects are left, within the number allowed") {
@@ -374,7 +375,7 @@ TEST_CASE("generators nearby: with them fewer defects are left, within the numbe
     INFO("seed " << seed);
     const auto generators = test::random_generators(mesh, 60, seed);
     const Diagram diagram = compute_diagram(mesh, generators);
-    const auto defects = check_dual(mesh, diagram);
+    const auto defects = test::find_dual_defects(mesh, diagram);
     REQUIRE(!defects.empty());
     const auto points = propose_generators(mesh, diagram, {defects.front()}, 10).points;
     const auto nearby = propose_nearby(mesh, diagram, points, 20, {});
@@ -393,7 +394,7 @@ TEST_CASE("generators nearby: none where the part would be more than a quarter o
   const Mesh mesh = make_thin_torus();
   const auto generators = test::random_generators(mesh, 4, 1);
   const Diagram diagram = compute_diagram(mesh, generators);
-  const auto defects = check_dual(mesh, diagram);
+  const auto defects = test::find_dual_defects(mesh, diagram);
   REQUIRE(!defects.empty());
   const auto points = propose_generators(mesh, diagram, {defects.front()}, 10).points;
   CHECK(propose_nearby(mesh, diagram, points, 20, {}).empty());

@@ -66,11 +66,8 @@ DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 ///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new.
 /// If all hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property
 /// (10), that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect.
-/// The diagram must be sound (see check_diagram). The defects ascend by property. Never throws on a finding.
-/// Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
-std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram);
-
-/// check_dual where the triangles of the dual are known: `dual` is that of build_dual.
+/// The diagram must be sound (see check_diagram), and `dual` that of build_dual. The defects ascend by property. Never
+/// throws on a finding. Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual);
 
 /// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this value. It counts as

@@ -202,10 +202,6 @@ std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, con
   return DualChecker(mesh, diagram, dual).run();
 }
 
-std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram) {
-  return check_dual(mesh, diagram, build_dual(mesh, diagram));
-}
-
 bool is_flipped(const Triangle& triangle, const Vec3& normal) {
   const auto& [a, b, c] = triangle;
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});

@@ -47,7 +47,7 @@ std::vector<Vec3> normals_at_faces(const Mesh& surface, const Mesh& remesh, cons
 DualDefect triangle_defect(const Diagram& diagram, const DualMesh& dual, std::size_t triangle, const std::string& what,
                            DualProperty property = DualProperty::not_flipped);
 
-// faces_intersect.cpp
+// self_intersections.cpp
 
 /// A sum of doubles without rounding. Exact unless a product underflows or overflows.
 class Expansion {
@@ -59,7 +59,10 @@ class Expansion {
   void add_product(const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c);
 
   /// -1, 0 or 1.
-  int sign() const;
+  int sign() const {
+    if (components_.empty()) return 0;
+    return components_.back() > 0 ? 1 : -1;
+  }
 
  private:
   std::vector<double> components_;  // not 0, no two overlap, ascending by magnitude
@@ -87,8 +90,6 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
 /// where the opposite edge of one meets the other. Why: the common points of two faces are convex and hold the vertex,
 /// so they end on one of these edges. Two faces of the same three vertices intersect.
 bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g);
-
-// self_intersections.cpp
 
 /// A closed box whose sides are parallel to the axes, mesh units.
 using Box3 = Eigen::AlignedBox3d;

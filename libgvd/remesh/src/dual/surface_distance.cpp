@@ -41,6 +41,21 @@ struct Sample {
   FaceId nearest;
 };
 
+/// The vertices, each search from the face nearest to the vertex before.
+std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, const ParallelChunks& parallel) {
+  return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), {}, [&](const Chunk& chunk) {
+    std::vector<Sample> samples;
+    FaceId near(0);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Vec3& at = from.position(VertexId(i));
+      const NearestFace nearest = tree.nearest_face(at, near);
+      near = nearest.face;
+      samples.push_back({at, nearest.distance, near});
+    }
+    return samples;
+  });
+}
+
 using Corners = std::array<Sample, 3>;
 
 /// A triangle within a face.
@@ -65,7 +80,8 @@ class DistanceMeasure {
   }
 
   SurfaceDistance run() {
-    sample_vertices();
+    at_vertex_ = IdVector<VertexId, Sample>(sample_vertices(from_, tree_, parallel_));
+    for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
     area_ = compute_area(from_);
     Findings all = collect(from_.face_count(), [&](std::size_t i, Findings& found) { sample_face(FaceId(i), found); });
     SurfaceDistance result;
@@ -87,19 +103,6 @@ class DistanceMeasure {
   Sample sample(const Vec3& at, FaceId guess) const {
     const NearestFace nearest = tree_.nearest_face(at, guess);
     return {at, nearest.distance, nearest.face};
-  }
-
-  void sample_vertices() {
-    const auto chunks = cut_into_chunks(from_.vertex_count(), kFacesPerChunk);
-    at_vertex_ = IdVector<VertexId, Sample>(parallel_.collect(chunks, {}, [&](const Chunk& chunk) {
-      std::vector<Sample> samples;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const FaceId near = samples.empty() ? FaceId(0) : samples.back().nearest;
-        samples.push_back(sample(from_.position(VertexId(i)), near));
-      }
-      return samples;
-    }));
-    for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
   }
 
   /// Joins what find(i, findings) adds for the items 0 .. count - 1.
@@ -231,29 +234,15 @@ IdVector<FaceId, std::int32_t> choose_steps(const Mesh& mesh) {
   return steps;
 }
 
-/// Distances of points from a mesh, each search from the face nearest to the point before.
-class Probe {
- public:
-  explicit Probe(const ClosestPointTree& tree) : tree_(tree) {}
-
-  double operator()(const Vec3& point) {
-    const NearestFace nearest = tree_.nearest_face(point, near_);
-    near_ = nearest.face;
-    return nearest.distance;
-  }
-
- private:
-  const ClosestPointTree& tree_;
-  FaceId near_ = FaceId(0);
-};
-
-void sample_lattice(const Mesh& mesh, FaceId f, std::int32_t k, Probe& probe, std::vector<double>& samples) {
+/// Calls visit(point) for the points of a face's lattice of k * k triangles; for none where it has a single one.
+template <class Visit>
+void visit_lattice(const Mesh& mesh, FaceId f, std::int32_t k, const Visit& visit) {
   if (k < 2) return;
   const auto& [a, b, c] = mesh.vertices(f);
   for (std::int32_t i = 0; i <= k; ++i) {
     for (std::int32_t j = 0; j <= k - i; ++j) {
       const double s = double(i) / k, t = double(j) / k, r = double(k - i - j) / k;
-      samples.push_back(probe(s * mesh.position(a) + r * mesh.position(b) + t * mesh.position(c)));
+      visit(s * mesh.position(a) + r * mesh.position(b) + t * mesh.position(c));
     }
   }
 }
@@ -272,21 +261,18 @@ DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int th
   const ParallelChunks parallel(threads, none);
   DistanceSamples result;
   result.steps = choose_steps(from);
-  const auto collect = [&](std::int32_t count, const auto& add) {
-    const auto chunks = cut_into_chunks(count, kFacesPerChunk);
-    return parallel.collect(chunks, {}, [&](const Chunk& chunk) {
-      std::vector<double> samples;
-      Probe probe(tree);
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) add(i, probe, samples);
-      return samples;
-    });
-  };
-  result.at_vertex = IdVector<VertexId, double>(
-      collect(from.vertex_count(), [&](std::size_t i, Probe& probe, std::vector<double>& samples) {
-        samples.push_back(probe(from.position(VertexId(i))));
-      }));
-  result.lattice = collect(from.face_count(), [&](std::size_t i, Probe& probe, std::vector<double>& samples) {
-    sample_lattice(from, FaceId(i), result.steps[FaceId(i)], probe, samples);
+  for (const Sample& sample : sample_vertices(from, tree, parallel)) result.at_vertex.push_back(sample.distance);
+  result.lattice = parallel.collect(cut_into_chunks(from.face_count(), kFacesPerChunk), {}, [&](const Chunk& chunk) {
+    std::vector<double> distances;
+    FaceId near(0);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      visit_lattice(from, FaceId(i), result.steps[FaceId(i)], [&](const Vec3& at) {
+        const NearestFace nearest = tree.nearest_face(at, near);
+        near = nearest.face;
+        distances.push_back(nearest.distance);
+      });
+    }
+    return distances;
   });
   return result;
 }

@@ -117,10 +117,6 @@ class DiscFlattener {
 
 }  // namespace
 
-std::size_t PlaneDisc::number(VertexId v) const {
-  return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
-}
-
 PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
                        DiscWeights weights) {
   return DiscFlattener(mesh, faces, border).run(weights);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
+#include "base/plane.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/segment.hpp"
 
@@ -56,7 +59,7 @@ struct CellSurface {
 /// Throws Error{no_valid_result} where the cells are no discs, and what cut_faces throws. Cost: O(n log n).
 CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result);
 
-// dual_polygons.cpp
+// map_to_remesh.cpp
 
 /// The faces of a remesh that stand for one branch point: a regular polygon in the plane, cut into triangles.
 ///
@@ -73,11 +76,13 @@ struct DualPolygon {
   /// Parameters at which the bisectors cross the sides, from 0 at a corner to 1 at the next one.
   std::vector<double> crossings;
 
-  Vec2 corner(std::size_t i) const;
+  Vec2 corner(std::size_t i) const {
+    return unit_vector(2 * std::numbers::pi * double(i % cells.size()) / double(cells.size()));
+  }
   /// The point where the bisector crosses the side from corner i to the next one.
   Vec2 crossing(std::size_t i) const { return corner(i) + crossings[i] * (corner(i + 1) - corner(i)); }
   /// The number of a cell; cells.size() if it is none of them.
-  std::size_t find(GeneratorId cell) const;
+  std::size_t find(GeneratorId cell) const { return std::find(cells.begin(), cells.end(), cell) - cells.begin(); }
   /// The point of the remesh that the map takes to `point`, which is in the polygon but for rounding.
   SurfacePoint on_remesh(const Vec2& point) const;
 };
@@ -95,7 +100,11 @@ class DualPolygons {
 
   /// Sets where the bisector between two cells crosses the remesh's edge, if it begins or ends at v. The polygon's side
   /// goes from cell a to cell b, `t` from 0 to 1.
-  void set_crossing(VertexId v, GeneratorId a, double t);
+  void set_crossing(VertexId v, GeneratorId a, double t) {
+    if (number_[v] < 0) return;
+    DualPolygon& polygon = polygons_[number_[v]];
+    polygon.crossings[polygon.find(a)] = t;
+  }
 
   const Mesh& remesh() const { return remesh_; }
 
@@ -110,7 +119,7 @@ class DualPolygons {
   IdVector<FaceId, char> is_used_;           ///< per face of the remesh
 };
 
-// border_targets.cpp
+// cell_map.cpp: where borders go
 
 /// The lengths from a path's first vertex to each of its vertices, mesh units. Cost: O(k).
 std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>& path);
@@ -134,36 +143,11 @@ struct BorderTarget {
 /// the ends. Cost: O(k) for k halfedges of borders.
 void place_crossings(const CellSurface& surface, DualPolygons& polygons);
 
-/// The targets of a cell's border, in its order, without the run along the mesh's boundary.
-///
-/// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
-/// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
-/// bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
-std::vector<BorderTarget> border_targets(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell);
-
-/// How the border of a cell is put into the plane, round the origin.
-enum class BorderShape {
-  star,   ///< by angles and distances at the remesh's vertex: nearly the shape of the remesh's part
-  round,  ///< on a circle: convex
-};
-
 /// A vertex of the border of a disc, and where it is put.
 struct BorderPoint {
   VertexId vertex;
   Vec2 point;
 };
-
-/// The border of a cell in the plane. That of a cell at the boundary is a sector, whose corner is the anchor, at the
-/// origin. Its two straight sides are the run along the boundary.
-struct PlaneBorder {
-  std::vector<BorderPoint> points;
-  std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
-};
-
-/// Puts the border of a cell into the plane. `targets`: those of the cell; at least three, or two at the boundary.
-/// Cost: O(k) for k halfedges.
-PlaneBorder place_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
-                         const std::vector<BorderTarget>& targets, BorderShape shape);
 
 // flatten_disc.cpp
 
@@ -173,7 +157,9 @@ struct PlaneDisc {
   std::vector<Vec2> points;        ///< in the same order
 
   /// The number of v among the vertices, which it must be one of.
-  std::size_t number(VertexId v) const;
+  std::size_t number(VertexId v) const {
+    return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
+  }
   const Vec2& at(VertexId v) const { return points[number(v)]; }
 };
 

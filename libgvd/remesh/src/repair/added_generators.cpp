@@ -48,13 +48,6 @@ AddedGenerators::AddedGenerators(const Mesh& mesh, const std::vector<SurfacePoin
   for (const SurfacePoint& g : existing) insert(g);
 }
 
-bool AddedGenerators::add(const SurfacePoint& point) {
-  if (is_full() || !(clearance(point) > spacing_)) return false;
-  insert(point);
-  points_.push_back(point);
-  return true;
-}
-
 double AddedGenerators::clearance(const SurfacePoint& point) const {
   const Vec3 at = position(mesh_, point);
   const std::int32_t component = component_[point.face];
@@ -66,11 +59,6 @@ double AddedGenerators::clearance(const SurfacePoint& point) const {
     if (squared > spacing_ * spacing_ || are_near(mesh_, point, all_[i], spacing_)) least = squared;
   }
   return std::sqrt(least);
-}
-
-void AddedGenerators::insert(const SurfacePoint& point) {
-  all_.push_back(point);
-  positions_.push_back(position(mesh_, point));
 }
 
 }  // namespace gvd

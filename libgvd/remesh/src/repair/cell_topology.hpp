@@ -19,7 +19,7 @@
 
 namespace gvd {
 
-// boundary_arcs.cpp
+// cell_topology.cpp
 
 /// A maximal connected arc of the mesh's boundary that lies in one cell: between two ends of bisectors, or a whole
 /// boundary loop.
@@ -41,8 +41,6 @@ SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const 
 /// has none. Cost: O(k log k) for k boundary edges and ends of bisectors.
 std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram);
 
-// cell_loops.cpp
-
 /// Whether the face of h belongs to the cell.
 inline bool is_in_cell(const CutMesh& cut, HalfedgeId h, GeneratorId cell) { return cut.label[Mesh::face(h)] == cell; }
 
@@ -52,7 +50,8 @@ inline bool is_in_cell(const CutMesh& cut, HalfedgeId h, GeneratorId cell) { ret
 class CellTree {
  public:
   /// The cut mesh must outlive the tree.
-  explicit CellTree(const CutMesh& cut);
+  explicit CellTree(const CutMesh& cut)
+      : cut_(cut), distance_(cut.mesh.vertex_count(), kInfinity), parent_(cut.mesh.vertex_count()) {}
 
   /// Replaces the tree by that of `cell` from `root`, a corner of its faces. Cost: O(k log k) for k faces.
   void grow(VertexId root, GeneratorId cell);
@@ -64,11 +63,13 @@ class CellTree {
     return parent_[a] == b || parent_[b] == a;
   }
   /// The vertices from v to the root, both included.
-  std::vector<VertexId> path_to_root(VertexId v) const;
+  std::vector<VertexId> path_to_root(VertexId v) const {
+    std::vector<VertexId> vertices;
+    for (; v.valid(); v = parent_[v]) vertices.push_back(v);
+    return vertices;
+  }
 
  private:
-  void clear();
-
   const CutMesh& cut_;
   IdVector<VertexId, double> distance_;
   IdVector<VertexId, VertexId> parent_;

@@ -32,11 +32,6 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
   return flags;
 }
 
-MeshPart::MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) : part_face_(mesh.face_count()) {
-  choose_faces(mesh, diagram, in_part);
-  build(mesh);
-}
-
 void MeshPart::choose_faces(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) {
   IdVector<FaceId, char> meets(part_face_.size(), 0), meets_others(part_face_.size(), 0);
   for (const FaceId f : mesh.faces()) {
@@ -86,12 +81,6 @@ void MeshPart::number_fan(const Mesh& mesh, HalfedgeId outgoing, VertexId v,
   while (number(h)) h = next_outgoing(mesh, h);
   h = previous_outgoing(mesh, outgoing);
   while (number(h)) h = previous_outgoing(mesh, h);
-}
-
-std::optional<SurfacePoint> MeshPart::to_part(const SurfacePoint& point) const {
-  const FaceId f = part_face_[point.face];
-  if (!f.valid()) return std::nullopt;
-  return SurfacePoint{f, point.bary};
 }
 
 namespace {

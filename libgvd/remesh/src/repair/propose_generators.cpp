@@ -247,10 +247,6 @@ std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const std::vec
 
 }  // namespace
 
-void repair_defect(const Mesh& mesh, const Diagram& diagram, const DualDefect& defect, AddedGenerators& added) {
-  DefectRepair(mesh, diagram, added).repair(defect);
-}
-
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count) {
   ProposedGenerators proposed;

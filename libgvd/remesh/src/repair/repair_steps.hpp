@@ -43,7 +43,12 @@ class AddedGenerators {
   std::vector<SurfacePoint> take() { return std::move(points_); }
 
   /// Adds the point unless the list is full or a generator is too close (kMinAddedSpacing). Cost: O(generators).
-  bool add(const SurfacePoint& point);
+  bool add(const SurfacePoint& point) {
+    if (is_full() || !(clearance(point) > spacing_)) return false;
+    insert(point);
+    points_.push_back(point);
+    return true;
+  }
 
   /// Adds the first point that `add` accepts, in descending order of value(point). False where it accepts none.
   template <class Value>
@@ -66,7 +71,10 @@ class AddedGenerators {
   const IdVector<FaceId, std::int32_t>& component() const { return component_; }
 
  private:
-  void insert(const SurfacePoint& point);
+  void insert(const SurfacePoint& point) {
+    all_.push_back(point);
+    positions_.push_back(position(mesh_, point));
+  }
 
   const Mesh& mesh_;
   double spacing_;  // kMinAddedSpacing in mesh units
@@ -92,14 +100,20 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
 class MeshPart {
  public:
   /// `in_part`: which cells. The diagram is one of the mesh. Cost: O(n).
-  MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part);
+  MeshPart(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) : part_face_(mesh.face_count()) {
+    choose_faces(mesh, diagram, in_part);
+    build(mesh);
+  }
 
   const Mesh& mesh() const { return part_; }
   /// The number of its faces.
   std::size_t size() const { return whole_face_.size(); }
 
   /// Nothing for a point of a face outside of the part.
-  std::optional<SurfacePoint> to_part(const SurfacePoint& point) const;
+  std::optional<SurfacePoint> to_part(const SurfacePoint& point) const {
+    const FaceId f = part_face_[point.face];
+    return f.valid() ? std::optional(SurfacePoint{f, point.bary}) : std::nullopt;
+  }
   SurfacePoint to_whole(const SurfacePoint& point) const { return {whole_face_[point.face], point.bary}; }
 
   /// Whether a face of the part meets other cells too, or an edge that is on the boundary of the part alone.
@@ -168,10 +182,6 @@ double compute_length(const Mesh& mesh, const Bisector& bisector);
 
 /// The point of the bisector's polyline nearest to the middle of an open bisector, by arc length. Cost: O(points).
 SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector);
-
-/// Adds the generators that repair one defect of a dual. The table of propose_generators says where they go. Adds
-/// nothing where no candidate is far enough from the other generators.
-void repair_defect(const Mesh& mesh, const Diagram& diagram, const DualDefect& defect, AddedGenerators& added);
 
 struct ProposedGenerators {
   std::vector<SurfacePoint> points;

@@ -11,19 +11,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "diagram/assembly/branch_points.hpp"
+#include "diagram/assembly/face_polygon.hpp"
 
 namespace gvd {
 namespace {
 
 /// How much farther the generator of interval i is at p than the nearest other one of the polygon.
 double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, const Bary& p) {
-  double others = std::numeric_limits<double>::infinity();
+  double others = kInfinity;
   for (const PolygonCorner& c : polygon) {
     if (c.next != polygon[i].next) others = std::min(others, distances.at(c.next, p));
   }
@@ -49,10 +48,10 @@ double excess_along_segments(const FacePolygon& polygon, const FaceDistances& di
   const auto point = [&](std::size_t k, double t) {
     return mix(polygon[k].bary, polygon[(k + 1) % polygon.size()].bary, t);
   };
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const double begin : kEnds) {
     for (const double end : kEnds) {
-      double most = -std::numeric_limits<double>::infinity();
+      double most = -kInfinity;
       double t = 0.5;
       for (int k = 0; k < kSamples && most < least; ++k, t = std::fmod(t + kGoldenRatio, 1)) {
         most = std::max(most, excess_at(polygon, distances, i, mix(point(i, begin), point(j, end), t)));

@@ -8,7 +8,6 @@
 // Invariant: the vertex of a generator has the label of that generator, even where offsets say otherwise.
 #include "diagram/graph/nearest_labels.hpp"
 
-#include <algorithm>
 #include <queue>
 #include <tuple>
 #include <vector>

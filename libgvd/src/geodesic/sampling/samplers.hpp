@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "geodesic/marching/local_march.hpp"
+#include "geodesic/marching/fast_marching.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -52,10 +52,6 @@ class AreaSampler {
   std::vector<FaceId> faces_;
   std::vector<double> sums_;  // sums_[i]: area of the faces before faces_[i]; back(): of all faces
 };
-
-/// `count` points inside faces, uniform by area, no two closer than kMinSampleSpacing.
-/// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
-std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
 
 /// All faces in order.
 std::vector<FaceId> list_faces(const Mesh& mesh);
@@ -116,18 +112,12 @@ std::int64_t max_splits(const Mesh& mesh, std::int64_t count);
 /// Cost: O(n).
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
 
-/// The same as surface points. Throws Error{precondition} if the mesh has fewer vertices.
-std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
-
 /// Sampling::farthest: `count` vertices, each the farthest from all before it. The caller has checked the options.
 std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOptions& options);
 
 /// Sampling::covering_radius: farthest vertices until no point is farther than `radius` from its nearest generator.
 /// The caller has checked the options.
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options);
-
-/// Sampling::poisson: `count` points with blue-noise spacing. The caller has checked the options.
-std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions& options);
 
 /// An upper bound on the distance of every point p of a triangle, from the distances of its corners: the maximum over p
 /// of min over corners i of distance[i] + |p - corner i|.

@@ -150,8 +150,7 @@ class FarthestSampler {
 
   VertexId farthest_corner(FaceId f) const {
     const auto& corners = mesh_.vertices(f);
-    return *std::max_element(corners.begin(), corners.end(),
-                             [&](VertexId v, VertexId w) { return field_.distance(v) < field_.distance(w); });
+    return *std::ranges::max_element(corners, {}, [&](VertexId v) { return field_.distance(v); });
   }
 
   /// No point of the face is farther than this from its nearest generator.

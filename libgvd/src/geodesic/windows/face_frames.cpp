@@ -127,8 +127,6 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
   }
 }
 
-FaceFrames::FaceFrames(const Mesh& mesh) : FaceFrames(mesh, ParallelChunks(1, {})) {}
-
 CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel)
     : mesh_(&mesh), corner_(mesh.halfedge_count()) {
   const auto faces = cut_into_chunks(mesh.face_count(), kScanChunk);

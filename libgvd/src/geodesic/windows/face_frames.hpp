@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "geodesic/windows/departure.hpp"
+#include "geodesic/windows/window.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 
@@ -70,8 +69,6 @@ struct FaceFrames {
 
   /// Cost: O(n), no trigonometry.
   FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);
-  /// The same on one thread.
-  explicit FaceFrames(const Mesh& mesh);
 };
 
 /// The angles of all corners, and those of the sides round a vertex, as departures count them.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "geodesic/windows/departure.hpp"
 #include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/window.hpp"
 #include "geodesic/windows/window_geometry.hpp"
 
 namespace gvd {

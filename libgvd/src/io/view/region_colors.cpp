@@ -4,12 +4,14 @@
 // of low genus. Over the scenes of a slider, each scene starts from the colours of the later one, and labels with the
 // colour of a neighbour take another in turn until none is left.
 // Invariant: the choice depends on the labels and their neighbours alone, and ties go to the smaller label or colour.
-#include "io/view/region_colors.hpp"
-
 #include <algorithm>
 #include <deque>
+#include <functional>
+#include <ranges>
 #include <set>
 #include <tuple>
+
+#include "io/view/view_steps.hpp"
 
 namespace gvd::io {
 namespace {
@@ -61,11 +63,7 @@ Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std:
 /// The first of the `count` colours of least cost.
 template <class Cost>
 std::size_t find_cheapest(std::size_t count, const Cost& cost) {
-  std::size_t best = 0;
-  for (std::size_t c = 1; c < count; ++c) {
-    if (cost(c) < cost(best)) best = c;
-  }
-  return best;
+  return std::ranges::min(std::views::iota(std::size_t{0}, count), {}, cost);
 }
 
 /// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
@@ -169,8 +167,7 @@ std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     if (scenes[i].iteration) order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return *scenes[a].iteration > *scenes[b].iteration; });
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return *scenes[i].iteration; });
   return order;
 }
 

@@ -5,8 +5,6 @@
 // keeps a mesh of any size and place within the precision of 32-bit floats.
 // Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
-#include "io/view/scene_entry.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/ear_clipping.hpp"
+#include "io/view/view_steps.hpp"
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {

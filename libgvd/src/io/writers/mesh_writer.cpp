@@ -1,25 +1,287 @@
 // Meshes in any format: the extension picks the writer, and the arrays are checked before the first byte is written.
+// OBJ, OFF and STL are written here; PLY, VTP and GLB in files of their own.
 //
-// An OBJ with labels is two files. The materials are written while the geometry is complete but has no name yet, so
-// both files are complete before either gets its name.
-// A format has one writer in a file of its own; none of them checks the arrays again. JSON holds a diagram, not a mesh.
-// Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too.
+// OBJ: a region is a group with a material. Bisectors are lines, whose vertices follow those of the mesh, so the
+// numbers of the mesh's vertices are those of the input, with and without bisectors, groups and texture. OBJ counts
+// from 1, and shares texture coordinates between faces by number. With labels it is two files. The materials are
+// written while the geometry is complete but has no name yet, so both files are complete before either gets its name.
+//
+// OFF: a coloured one has the header COFF. Four numbers from 0 to 1 follow each vertex, as Geomview specifies, and
+// three from 0 to 255 each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as
+// the next face. So a file has colours of all vertices and faces, or of none.
+//
+// STL, binary: 80 bytes of header, the number of triangles, and for each its normal, its corners and an attribute: 50
+// bytes, so that readers tell it from text by its length. STL has neither shared vertices nor labels. The colour of a
+// label goes into the attribute, by the convention of VisCAM and SolidView that most programs read.
+//
+// JSON holds a diagram, `gvd-diagram/1`, not a mesh: every element on a line of its own, in the order of the ids. The
+// text is printed piece by piece instead of built as a document, so memory does not grow with the diagram. Infinity and
+// NaN, which JSON does not have, are null; numbers bring the same double back.
+// Source: Wavefront's Advanced Visualizer manual, appendix B1, for the statements v, vt, f, l, g, mtllib and usemtl; the
+// Geomview manual, section OFF; 3D Systems' StereoLithography Interface Specification, for all but the colours.
+// Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too. No
+// writer checks the arrays again.
 #include "gvd/io/mesh_writer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gvd/error.hpp"
 #include "gvd/io/diagram_json.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
+#include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
+
+namespace gvd::io {
+namespace {
+
+void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
+
+/// Writes the coordinates of corners, equal ones of a vertex once. Gives their number for each corner, from 1; none
+/// without a texture.
+std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
+  std::vector<std::size_t> numbers;
+  if (mesh.corner_texture == nullptr) return numbers;
+  using Numbered = std::pair<std::array<double, 2>, std::size_t>;
+  IdVector<VertexId, std::vector<Numbered>> known(mesh.mesh.vertex_count());
+  std::size_t count = 0;
+  for (const HalfedgeId h : mesh.mesh.halfedges()) {
+    const std::array<double, 2>& uv = (*mesh.corner_texture)[h.index()];
+    std::vector<Numbered>& at = known[mesh.mesh.from(h)];
+    auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
+    if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
+      out.print("vt {} {}\n", uv[0], uv[1]);
+      found = at.insert(at.end(), {uv, ++count});
+    }
+    numbers.push_back(found == at.end() ? 0 : found->second);
+  }
+  return numbers;
+}
+
+/// A face without texture coordinates, or with those of its corners. `texture`: what print_texture gave.
+void print_face(ByteWriter& out, const Mesh& mesh, const std::vector<std::size_t>& texture, FaceId f) {
+  const auto& [a, b, c] = mesh.vertices(f);
+  const std::size_t* t = texture.empty() ? nullptr : texture.data() + 3 * f.index();
+  if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
+    out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+  } else {
+    out.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
+  }
+}
+
+void print_regions(ByteWriter& out, const LabelledMesh& mesh, const std::vector<std::size_t>& texture,
+                   bool with_materials) {
+  for (const Region& region : collect_regions(mesh)) {
+    const std::string name = region_name(region.label);
+    out.print("g {}\n", name);
+    if (with_materials) out.print("usemtl {}\n", name);
+    for (const FaceId f : region.faces) print_face(out, mesh.mesh, texture, f);
+  }
+}
+
+/// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
+/// `l`.
+/// Returns the number after the last vertex.
+std::size_t print_line(ByteWriter& out, const BisectorLine& line, std::size_t first) {
+  out.print("# left {} right {}\n", line.left.value(), line.right.value());
+  for (const Vec3& p : line.points) print_vertex(out, p);
+  const std::size_t last = first + line.points.size() - 1;
+  for (std::size_t i = first; i < last; ++i) out.print("l {} {}\n", i, i + 1);
+  return last + 1;
+}
+
+/// The vertices of the lines follow those of the mesh, whose numbers do not change.
+void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
+  const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
+  if (lines.empty()) return;
+  out.text("g bisectors\n");
+  std::size_t index = mesh.mesh.positions().size() + 1;
+  for (const BisectorLine& line : lines) index = print_line(out, line, index);
+}
+
+/// OBJ: a group for each region, and the bisectors as lines. `material_library` is the file name of the .mtl; empty for
+/// none.
+void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string& material_library) {
+  ByteWriter out(stream);
+  if (!material_library.empty()) out.print("mtllib {}\n", material_library);
+  for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
+  const std::vector<std::size_t> texture = print_texture(out, mesh);
+  if (mesh.face_label != nullptr) {
+    print_regions(out, mesh, texture, !material_library.empty());
+  } else {
+    for (const FaceId f : mesh.mesh.faces()) print_face(out, mesh.mesh, texture, f);
+  }
+  print_lines(out, mesh);
+  out.finish();
+}
+
+/// Writes the .mtl of an OBJ: one material for each region.
+void write_materials(std::ostream& stream, const LabelledMesh& mesh) {
+  ByteWriter out(stream);
+  for (const Region& region : collect_regions(mesh)) {
+    const Rgb color = label_color(region.label);
+    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", region_name(region.label), color.red / 255.0, color.green / 255.0,
+              color.blue / 255.0);
+  }
+  out.finish();
+}
+
+GeneratorId vertex_label(const LabelledMesh& labelled, VertexId v) {
+  if (labelled.vertex_label != nullptr) return (*labelled.vertex_label)[v];
+  return (*labelled.face_label)[Mesh::face(labelled.mesh.halfedge(v))];
+}
+
+void print_off_vertices(ByteWriter& out, const LabelledMesh& labelled) {
+  for (const VertexId v : labelled.mesh.vertices()) {
+    const Vec3& p = labelled.mesh.position(v);
+    out.print("{} {} {}", p.x(), p.y(), p.z());
+    if (labelled.face_label != nullptr) {
+      const Rgb color = label_color(vertex_label(labelled, v));
+      out.print(" {:.4f} {:.4f} {:.4f} 1.0", color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+    }
+    out.text("\n");
+  }
+}
+
+void print_off_faces(ByteWriter& out, const LabelledMesh& labelled) {
+  for (const FaceId f : labelled.mesh.faces()) {
+    const auto& [a, b, c] = labelled.mesh.vertices(f);
+    out.print("3 {} {} {}", a.value(), b.value(), c.value());
+    if (labelled.face_label != nullptr) {
+      const Rgb color = label_color((*labelled.face_label)[f]);
+      out.print(" {} {} {}", color.red, color.green, color.blue);
+    }
+    out.text("\n");
+  }
+}
+
+/// OFF, or COFF with colours of vertices and faces where there are labels.
+void write_off(std::ostream& stream, const LabelledMesh& labelled) {
+  ByteWriter out(stream);
+  const Mesh& mesh = labelled.mesh;
+  out.print("{}OFF\n{} {} {}\n", labelled.face_label != nullptr ? "C" : "", mesh.vertex_count(), mesh.face_count(),
+            mesh.edge_count());
+  print_off_vertices(out, labelled);
+  print_off_faces(out, labelled);
+  out.finish();
+}
+
+/// The header of an STL must not begin with "solid": readers would take the file for text.
+constexpr std::string_view kHeader = "binary STL, 32-bit floats, face colours in the attribute";
+constexpr std::size_t kHeaderBytes = 80;
+
+/// The attribute of a face by its colour: bit 15 is set, then 5 bits each of red, green and blue.
+std::uint16_t attribute(const Rgb& color) {
+  return std::uint16_t(0x8000 | (color.red >> 3) << 10 | (color.green >> 3) << 5 | color.blue >> 3);
+}
+
+/// Binary STL, with the colours of labelled faces in their attributes.
+void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
+  const Mesh& mesh = labelled.mesh;
+  ByteWriter out(stream);
+  std::string header(kHeader);
+  header.resize(kHeaderBytes, ' ');
+  out.text(header);
+  out.binary(std::uint32_t(mesh.face_count()));
+  for (const FaceId f : mesh.faces()) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    const Vec3& origin = mesh.position(a);
+    // Normalized first: the product of two short edges can underflow. A face without area gets the normal 0.
+    const Vec3 u = (mesh.position(b) - origin).stableNormalized();
+    const Vec3 v = (mesh.position(c) - origin).stableNormalized();
+    out.floats(u.cross(v).normalized());
+    for (const VertexId corner : {a, b, c}) out.floats(mesh.position(corner));
+    out.binary(labelled.face_label != nullptr ? attribute(label_color((*labelled.face_label)[f])) : std::uint16_t{0});
+  }
+  out.finish();
+}
+
+void print_branch_point(ByteWriter& out, const BranchPoint& branch) {
+  out.text("{");
+  print_point_members(out, branch.point, branch.position);
+  out.text(",\"generators\":");
+  print_ids(out, branch.generators);
+  out.print(",\"distance\":{}}}", json_number(branch.distance));
+}
+
+void print_bisector(ByteWriter& out, const Mesh& mesh, const Bisector& bisector) {
+  out.print("{{\"left\":{},\"right\":{},\"closed\":{},\"ends\":", bisector.left.value(), bisector.right.value(),
+            bisector.closed);
+  print_array(out, bisector.ends,
+              [&](BranchPointId end) { out.text(end.valid() ? fmt::format("{}", end.value()) : "null"); });
+  out.text(",\"points\":");
+  print_array(out, bisector.points, [&](const SurfacePoint& point) { print_point(out, mesh, point); });
+  out.text("}");
+}
+
+void print_cell(ByteWriter& out, const Cell& cell) {
+  out.print("{{\"generator\":{},\"area\":{},\"euler_characteristic\":{},\"neighbours\":", cell.generator.value(),
+            json_number(cell.area), cell.euler_characteristic);
+  print_ids(out, cell.neighbours);
+  out.print(",\"boundary_loops\":{}}}", cell.boundary_loops);
+}
+
+}  // namespace
+
+void print_open_diagram(ByteWriter& out, const Mesh& mesh, const Diagram& diagram) {
+  out.text("{\"schema\":\"gvd-diagram/1\",\n");
+  out.text("\"generators\":");
+  print_lines(out, diagram.generators, [&](const SurfacePoint& point) { print_point(out, mesh, point); });
+  out.text(",\n\"branch_points\":");
+  print_lines(out, diagram.branch_points, [&](const BranchPoint& branch) { print_branch_point(out, branch); });
+  out.text(",\n\"bisectors\":");
+  print_lines(out, diagram.bisectors, [&](const Bisector& bisector) { print_bisector(out, mesh, bisector); });
+  out.text(",\n\"cells\":");
+  print_lines(out, diagram.cells, [&](const Cell& cell) { print_cell(out, cell); });
+  out.text(",\n\"vertex_labels\":");
+  print_ids(out, diagram.vertex_label);
+  out.text(",\n\"vertex_distances\":");
+  print_array(out, diagram.vertex_distance, [&](double distance) { out.text(json_number(distance)); });
+}
+
+void print_mesh_members(ByteWriter& out, const Mesh& mesh) {
+  out.text("\"vertices\":");
+  print_rows(out, mesh.positions(), [&](const Vec3& p) { out.print("[{},{},{}]", p.x(), p.y(), p.z()); });
+  out.text(",\n\"faces\":");
+  print_rows(out, mesh.faces(), [&](FaceId f) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    out.print("[{},{},{}]", a.value(), b.value(), c.value());
+  });
+}
+
+std::string bare_extension(std::string_view extension) {
+  return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
+}
+
+void check_single_precision(const Mesh& mesh, std::string_view format) {
+  const double largest = mesh.largest_coordinate();
+  using Float = std::numeric_limits<float>;
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
+  };
+  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
+  const double step = std::max<double>(largest * Float::epsilon(), Float::min());
+  if (mesh.bbox_diagonal() <= step) {
+    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+                       mesh.bbox_diagonal(), largest));
+  }
+}
+
+}  // namespace gvd::io
 
 namespace gvd {
 namespace {
@@ -108,28 +370,11 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
   write_file(path, write_both, progress);
 }
 
+void write_diagram_json(std::ostream& stream, const Mesh& mesh, const Diagram& diagram) {
+  io::ByteWriter out(stream);
+  io::print_open_diagram(out, mesh, diagram);
+  out.text("}\n");
+  out.finish();
+}
+
 }  // namespace gvd
-
-namespace gvd::io {
-
-std::string bare_extension(std::string_view extension) {
-  return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
-}
-
-void check_single_precision(const Mesh& mesh, std::string_view format) {
-  const double largest = mesh.largest_coordinate();
-  using Float = std::numeric_limits<float>;
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
-  };
-  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
-  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
-  const double step = std::max<double>(largest * Float::epsilon(), Float::min());
-  if (mesh.bbox_diagonal() <= step) {
-    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
-                       mesh.bbox_diagonal(), largest));
-  }
-}
-
-}  // namespace gvd::io

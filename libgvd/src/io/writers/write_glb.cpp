@@ -101,13 +101,10 @@ class GlbWriter {
   /// Adds their bounds to an accessor of positions.
   template <class ForEachPoint>
   void set_bounds(std::size_t accessor, ForEachPoint for_each_point) {
-    Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    for_each_point([&](const Vec3& p) {
-      low = low.cwiseMin(p.cast<float>());
-      high = high.cwiseMax(p.cast<float>());
-    });
-    gltf_["accessors"][accessor]["min"] = {low.x(), low.y(), low.z()};
-    gltf_["accessors"][accessor]["max"] = {high.x(), high.y(), high.z()};
+    Eigen::AlignedBox3f box;
+    for_each_point([&box](const Vec3& p) { box.extend(p.cast<float>()); });
+    gltf_["accessors"][accessor]["min"] = {box.min().x(), box.min().y(), box.min().z()};
+    gltf_["accessors"][accessor]["max"] = {box.max().x(), box.max().y(), box.max().z()};
   }
 
   /// A primitive of the last material.

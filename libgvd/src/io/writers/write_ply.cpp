@@ -121,9 +121,8 @@ class Rows {
 
   /// The coordinates of a face's corners, or none where one is not finite.
   void put_texture(const std::array<double, 2>* corners) {
-    const bool has = std::all_of(corners, corners + 3, [](const std::array<double, 2>& uv) {
-      return std::isfinite(uv[0]) && std::isfinite(uv[1]);
-    });
+    const auto is_finite = [](const std::array<double, 2>& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); };
+    const bool has = std::all_of(corners, corners + 3, is_finite);
     put(std::uint8_t(has ? 6 : 0));
     for (int i = 0; has && i < 3; ++i) {
       for (const double number : corners[i]) put(float(number));

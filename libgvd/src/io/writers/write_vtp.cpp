@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
@@ -14,20 +15,11 @@
 namespace gvd::io {
 namespace {
 
-template <class T>
-constexpr std::string_view kTypeName = "";
-template <>
-constexpr std::string_view kTypeName<double> = "Float64";
-template <>
-constexpr std::string_view kTypeName<std::int32_t> = "Int32";
-template <>
-constexpr std::string_view kTypeName<std::int64_t> = "Int64";
-
 /// One DataArray: the number of its bytes as UInt64, then the numbers that `fill` passes to its argument.
 template <class T, class Fill>
 void write_array(ByteWriter& out, std::string_view name, std::size_t size, int components, Fill fill) {
-  out.print("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n", kTypeName<T>, name,
-            components);
+  out.print("<DataArray type=\"{}{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
+            std::is_floating_point_v<T> ? "Float" : "Int", 8 * sizeof(T), name, components);
   Base64Writer base64(out);
   base64.binary(static_cast<std::uint64_t>(size * sizeof(T)));
   fill([&base64](T value) { base64.binary(value); });

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "gvd/text.hpp"
-#include "mesh/reading/read_text.hpp"
 #include "mesh/reading/readers.hpp"
 
 namespace gvd {

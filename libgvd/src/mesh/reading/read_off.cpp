@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "gvd/text.hpp"
-#include "mesh/reading/read_text.hpp"
 #include "mesh/reading/readers.hpp"
 
 namespace gvd {

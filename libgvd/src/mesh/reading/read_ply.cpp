@@ -18,7 +18,6 @@
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/read_ply_header.hpp"
-#include "mesh/reading/read_text.hpp"
 #include "mesh/reading/readers.hpp"
 
 namespace gvd {

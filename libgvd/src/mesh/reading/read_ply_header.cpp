@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "gvd/text.hpp"
-#include "mesh/reading/read_text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {
@@ -27,8 +27,7 @@ std::optional<NumberType> parse_type(std::string_view word) {
                                                                       {"uint", "uint32"},
                                                                       {"float", "float32"},
                                                                       {"double", "float64"}}};
-  const auto it = std::find_if(kNames.begin(), kNames.end(),
-                               [&](const auto& names) { return names[0] == word || names[1] == word; });
+  const auto it = std::ranges::find_if(kNames, [&](const auto& name) { return name[0] == word || name[1] == word; });
   if (it == kNames.end()) return std::nullopt;
   return static_cast<NumberType>(it - kNames.begin());
 }

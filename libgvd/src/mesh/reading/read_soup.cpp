@@ -15,7 +15,6 @@
 #include "gvd/error.hpp"
 #include "gvd/mesh_property.hpp"
 #include "gvd/text.hpp"
-#include "mesh/reading/read_text.hpp"
 #include "mesh/reading/readers.hpp"
 
 namespace gvd {

@@ -13,7 +13,6 @@
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
-#include "mesh/reading/read_text.hpp"
 #include "mesh/reading/readers.hpp"
 
 namespace gvd {
@@ -127,8 +126,8 @@ class TextStlParser {
 
  private:
   void change_level(std::string_view word) {
-    const auto statement = std::find_if(kStlStatements.begin(), kStlStatements.end(),
-                                        [&](const StlStatement& s) { return same_word(word, s.word); });
+    const auto is_named = [&](const StlStatement& s) { return same_word(word, s.word); };
+    const auto statement = std::ranges::find_if(kStlStatements, is_named);
     if (statement == kStlStatements.end()) text_.refuse(fmt::format("{} is no statement of a text STL", quoted(word)));
     if (level_ != statement->from) text_.refuse(fmt::format("'{}' is out of place", statement->name));
     level_ = statement->to;

@@ -4,8 +4,6 @@
 // exponent does. Texts with lone CR as line ends are copied once, so that all others are read in place.
 // The readers of all formats share them, so a wrong token, a missing number and an early end read alike in all formats.
 // Invariant: an element that lacks a number is refused on its own line, before the next one's numbers are taken for it.
-#include "mesh/reading/read_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd {
 namespace {

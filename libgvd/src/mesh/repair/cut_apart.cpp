@@ -47,9 +47,7 @@ std::vector<Spoke> sort_round_edge(const WorkFaces& work, const std::vector<std:
     const Vec3 arm = at(work.from(WorkFaces::previous(h))) - at(low);
     spokes.push_back({pseudo_angle(arm.dot(x), arm.dot(y)), h, work.from(h) == low});
   }
-  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
-    return std::tie(a.angle, a.halfedge) < std::tie(b.angle, b.halfedge);
-  });
+  std::ranges::sort(spokes, {}, [](const Spoke& s) { return std::tuple(s.angle, s.halfedge); });
   return spokes;
 }
 

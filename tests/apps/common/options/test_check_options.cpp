@@ -20,12 +20,6 @@ std::string refusal(const std::vector<std::string>& arguments, ErrorCode code = 
   return test::refusal([&] { check_options(parse_options(arguments), kOutputFormats); }, code);
 }
 
-/// The same of the outputs alone.
-std::string output_refusal(const std::vector<std::string>& arguments, ErrorCode code = ErrorCode::invalid_option) {
-  CAPTURE(arguments);
-  return test::refusal([&] { check_outputs(parse_options(arguments), kOutputFormats); }, code);
-}
-
 TEST_CASE("generators come from exactly one option") {
   CHECK_NOTHROW(check_options(parse_options({"a.obj", "--vertices", "1,2"}), kOutputFormats));
   CHECK(refusal({"a.obj"}) == "no generators: give one of -n, --generators, --vertices or --radius");
@@ -91,24 +85,23 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
     outputs.insert(outputs.begin(), {"a.obj", "-n", "3"});
     return outputs;
   };
-  CHECK_THAT(output_refusal(with({"-o", "a.doc"})), Contains("a.doc") && Contains(".ply, .obj, .json"));
-  CHECK_THAT(output_refusal(with({"-o", ""})), Contains("empty"));
-  CHECK_THAT(output_refusal(with({"-o", "a.ply", "-o", "./a.ply"})), Contains("-o ./a.ply: two outputs go there"));
-  CHECK_THAT(output_refusal(with({"-o", "-", "-o", "-"})), Contains("two outputs go there"));
-  CHECK_THAT(output_refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two outputs"));
-  CHECK_THAT(output_refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
-  CHECK_THAT(output_refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output),
-             Contains("is a directory"));
-  CHECK_THAT(output_refusal(with({"-o", scratch / "none/a.ply"}), ErrorCode::unwritable_output),
+  CHECK_THAT(refusal(with({"-o", "a.doc"})), Contains("a.doc") && Contains(".ply, .obj, .json"));
+  CHECK_THAT(refusal(with({"-o", ""})), Contains("empty"));
+  CHECK_THAT(refusal(with({"-o", "a.ply", "-o", "./a.ply"})), Contains("-o ./a.ply: two outputs go there"));
+  CHECK_THAT(refusal(with({"-o", "-", "-o", "-"})), Contains("two outputs go there"));
+  CHECK_THAT(refusal(with({"-o", "a.json", "--report", "a.json"})), Contains("--report a.json: two outputs"));
+  CHECK_THAT(refusal(with({"--report", "-"})), Contains("only -o can write to standard output"));
+  CHECK_THAT(refusal(with({"--report", scratch / ""}), ErrorCode::unwritable_output), Contains("is a directory"));
+  CHECK_THAT(refusal(with({"-o", scratch / "none/a.ply"}), ErrorCode::unwritable_output),
              Contains("there is no directory"));
-  CHECK_NOTHROW(check_outputs(parse_options(with({"-o", scratch / "a.ply", "-o", "-", "--report", scratch / "r.json"})),
+  CHECK_NOTHROW(check_options(parse_options(with({"-o", scratch / "a.ply", "-o", "-", "--report", scratch / "r.json"})),
                               kOutputFormats));
 }
 
 TEST_CASE("an option of a format that is not written is refused") {
-  CHECK_THAT(output_refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
-  CHECK_THAT(output_refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
-  CHECK_NOTHROW(check_outputs(
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
+  CHECK_NOTHROW(check_options(
       parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kOutputFormats));
 }
 
@@ -120,9 +113,9 @@ TEST_CASE("an option of a format in a file goes where the command line writes an
   const Options other = parse_options({"a.obj", "-o", "b.ply", "--config", config});
   CHECK(!other.output.no_curves);
   CHECK(other.output.files == std::vector<std::string>{"b.ply"});
-  CHECK_THAT(output_refusal({"a.obj", "-o", "b.ply", "--no-curves", "--config", config}), Contains("only .obj, .vtp"));
+  CHECK_THAT(refusal({"a.obj", "-o", "b.ply", "--no-curves", "--config", config}), Contains("only .obj, .vtp"));
   test::write_text(config, "output = \"b.ply\"\nno-curves = true\n");
-  CHECK_THAT(output_refusal({"a.obj", "--config", config}), Contains("o.toml:2:1: --no-curves: only .obj, .vtp"));
+  CHECK_THAT(refusal({"a.obj", "--config", config}), Contains("o.toml:2:1: --no-curves: only .obj, .vtp"));
   test::write_text(config, "ascii-ply = true\n");
   CHECK(!parse_options({"a.obj", "-o", "b.obj", "--config", config}).output.ascii_ply);
 }
@@ -134,35 +127,35 @@ TEST_CASE("no target is a file that the run reads, whatever it is called") {
   test::write_text(list, "{}");
   std::filesystem::create_hard_link(mesh, scratch / "hard.obj");
   for (const char* name : {"mesh.obj", "hard.obj", "./mesh.obj"}) {
-    CHECK_THAT(output_refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("the run reads this file"));
+    CHECK_THAT(refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("the run reads this file"));
   }
-  CHECK_THAT(output_refusal({mesh, "--generators", list, "--report", list}), Contains("the run reads this file"));
+  CHECK_THAT(refusal({mesh, "--generators", list, "--report", list}), Contains("the run reads this file"));
 }
 
 TEST_CASE("a link that leads nowhere yet is the file that it names") {
   const test::ScratchFolder scratch;
   std::filesystem::create_symlink("b.ply", scratch / "a.ply");
-  CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "a.ply", "-o", scratch / "b.ply"}),
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", scratch / "a.ply", "-o", scratch / "b.ply"}),
              Contains("two outputs go there"));
 }
 
 TEST_CASE("the materials of an .obj are a file of the run, too") {
   const test::ScratchFolder scratch;
-  CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "a.obj", "--report", scratch / "a.mtl"}),
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", scratch / "a.obj", "--report", scratch / "a.mtl"}),
              Contains("two outputs go there"));
   std::filesystem::create_directory(scratch / "b.mtl");
-  CHECK_THAT(output_refusal({"a.obj", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output),
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output),
              Contains("is a directory"));
-  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "c.obj"}), kOutputFormats));
+  CHECK_NOTHROW(check_options(parse_options({"a.obj", "-n", "3", "-o", scratch / "c.obj"}), kOutputFormats));
   CHECK(!std::filesystem::exists(scratch / "c.mtl"));
   // Of a command that writes none, what lies there is nobody's business.
-  CHECK_NOTHROW(check_outputs(parse_options({"a.obj", "-o", scratch / "b.obj"}), {test::kFormats, false}));
+  CHECK_NOTHROW(check_options(parse_options({"a.obj", "-n", "3", "-o", scratch / "b.obj"}), {test::kFormats, false}));
 }
 
 TEST_CASE("the file of options is not replaced") {
   const test::ScratchFolder scratch;
   test::write_text(scratch / "o.toml", "n = 3\n");
-  CHECK_THAT(output_refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
+  CHECK_THAT(refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
              Contains("the run reads this file"));
 }
 
@@ -171,15 +164,15 @@ TEST_CASE("a folder of outputs that is none, or can't be made, is refused with w
   const std::string mesh = scratch / "a.obj";
   test::write_text(mesh, "v 0 0 0\n");
   const auto into = [&](const std::string& folder) {
-    return output_refusal({mesh, "-n", "3", "--output-dir", folder}, ErrorCode::unwritable_output);
+    return refusal({mesh, "-n", "3", "--output-dir", folder}, ErrorCode::unwritable_output);
   };
   CHECK(into(mesh) == "--output-dir " + mesh + ": is a file; name a folder");
   for (const char* nested : {"x/y", "x/y/", "x/y//"}) {
     CHECK_THAT(into(scratch / nested), Contains(": there is no directory " + scratch / "x; create it first"));
   }
-  CHECK(output_refusal({mesh, "-n", "3", "--output-dir", ""}) ==
+  CHECK(refusal({mesh, "-n", "3", "--output-dir", ""}) ==
         "--output-dir: the name is empty; name a folder (see gvd-test --help)");
-  CHECK_NOTHROW(check_outputs(parse_options({mesh, "-n", "3", "--output-dir", scratch / "new/"}), kOutputFormats));
+  CHECK_NOTHROW(check_options(parse_options({mesh, "-n", "3", "--output-dir", scratch / "new/"}), kOutputFormats));
   CHECK(std::filesystem::is_directory(scratch / "new"));
 }
 
@@ -187,16 +180,16 @@ TEST_CASE("what is named twice is told as such") {
   const test::ScratchFolder scratch;
   const std::string mesh = scratch / "a.obj", out = scratch / "out";
   test::write_text(mesh, "v 0 0 0\n");
-  CHECK_THAT(output_refusal({mesh, "-n", "3", "--output-dir", out, "--output-format", "ply,obj,ply"}),
+  CHECK_THAT(refusal({mesh, "-n", "3", "--output-dir", out, "--output-format", "ply,obj,ply"}),
              Contains("--output-format: ply is given twice; keep one"));
-  CHECK(output_refusal({mesh, scratch / "./a.obj", "-n", "3", "--output-dir", out}) ==
+  CHECK(refusal({mesh, scratch / "./a.obj", "-n", "3", "--output-dir", out}) ==
         "INPUT " + scratch / "./a.obj: given twice; keep one");
 }
 
 TEST_CASE("an option of a format that is not written names the option that chooses it") {
   const auto with = [](std::vector<std::string> outputs) {
     outputs.insert(outputs.begin(), {"a.obj", "-n", "3"});
-    return output_refusal(outputs);
+    return refusal(outputs);
   };
   CHECK_THAT(with({"--output-dir", "out", "--no-curves"}), Contains("write one of them with --output-format or"));
   CHECK_THAT(with({"-o", "-", "--output-format", "obj", "--ascii-ply"}), Contains("write one with --output-format or"));

@@ -14,7 +14,7 @@ constexpr std::uint32_t kAtBegin = WindowHistory::kAtBegin, kAtEnd = WindowHisto
 struct Setup {
   explicit Setup(double height = 1)
       : mesh(test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}}, {{0, 1, 2}})),
-        frames(mesh),
+        frames(mesh, ParallelChunks(1, {})),
         labels(3),
         apex_path(3),
         crossing(frames, labels, apex_path, angles) {

@@ -35,8 +35,8 @@ TEST_CASE("every partition has vertex copies of its own") {
   for (const auto& [name, mesh] : test::small_family()) {
     for (const std::int32_t partition_faces : {1, 20, 150, 1 << 20}) {
       INFO(name << " in partitions of " << partition_faces);
-      const FaceFrames before(mesh);
-      FaceFrames frames(mesh);
+      const FaceFrames before(mesh, ParallelChunks(1, {}));
+      FaceFrames frames(mesh, ParallelChunks(1, {}));
       const MeshPartitions partitions(mesh, partition_faces, frames);
       IdVector<VertexCopyId, PartitionId> partition_of_copy(partitions.copy_count());
       for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("every partition has vertex copies of its own") {
 TEST_CASE("the number of partitions follows the number of faces, up to a bound") {
   const Mesh mesh = test::make_grid(20, 20);  // 800 faces
   const auto count = [&](std::int32_t partition_faces) {
-    FaceFrames frames(mesh);
+    FaceFrames frames(mesh, ParallelChunks(1, {}));
     return MeshPartitions(mesh, partition_faces, frames).count();
   };
   CHECK(count(1) == MeshPartitions::kMaxPartitions);

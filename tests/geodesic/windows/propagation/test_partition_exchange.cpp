@@ -59,7 +59,7 @@ struct Received {
 struct Setup {
   Setup()
       : mesh(test::make_grid(8, 8)),
-        frames(mesh),
+        frames(mesh, ParallelChunks(1, {})),
         partitions(mesh, 30, frames),
         mailboxes(partitions.count()),
         last_sent(partitions.shared_count()) {}

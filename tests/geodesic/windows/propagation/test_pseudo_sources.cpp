@@ -29,7 +29,7 @@ Mesh make_fan(int count, bool closed) {
 
 struct Setup {
   Setup(int count, bool closed, std::int32_t partition_faces = 1000)
-      : mesh(make_fan(count, closed)), frames(mesh), partitions(mesh, partition_faces, frames) {}
+      : mesh(make_fan(count, closed)), frames(mesh, ParallelChunks(1, {})), partitions(mesh, partition_faces, frames) {}
 
   test::RecordingTarget send(const VertexEvent& event, PartitionId own = PartitionId(0)) const {
     test::RecordingTarget target;

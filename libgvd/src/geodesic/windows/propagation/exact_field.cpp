@@ -20,7 +20,6 @@
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_queries.hpp"
 #include "gvd/error.hpp"
-#include "mesh/split_faces.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {

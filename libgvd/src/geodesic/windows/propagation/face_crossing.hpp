@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geodesic/windows/departure.hpp"
 #include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/vertex_fan.hpp"
+#include "geodesic/windows/window.hpp"
 #include "geodesic/windows/window_filters.hpp"
 #include "geodesic/windows/window_geometry.hpp"
 

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "generator_moves.hpp"
+
+namespace gvd {
+
+/// The energies of a relaxation, from the start on, and what each iteration did.
+///
+/// A change of the level of precision restates the last energy. Iterations that have not lowered the energy as it is
+/// measured then count as one with the iteration before them, with the sum of their moves. So the energies still fall.
+struct IterationRecord {
+  double initial_energy = 0;
+  std::vector<LloydIteration> iterations;
+  /// Of each iteration, as a fraction of the energy before it. Merging keeps them: the rule that ends a level asks for
+  /// their mean.
+  std::vector<double> falls;
+
+  /// Adds an iteration that took the energy from `before` to `after`.
+  void add(const GeneratorMove& move, double before, double after, const Precision& precision) {
+    LloydIteration iteration;
+    iteration.energy = after;
+    for (const double length : move.length) {
+      iteration.largest_move = std::max(iteration.largest_move, length);
+      iteration.mean_move += length / double(move.length.size());
+    }
+    iteration.scale = move.scale;
+    iteration.held = move.held;
+    iteration.method = precision.diagram.method;
+    iteration.is_sampled = precision.skips_diagram;
+    iteration.by = move.by;
+    iteration.relocated = move.relocated;
+    iterations.push_back(iteration);
+    falls.push_back((before - after) / before);
+  }
+
+  /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
+  /// fewer.
+  bool falls_by(double fraction, int window) const {
+    if (std::ssize(falls) < window) return true;
+    return std::accumulate(falls.end() - window, falls.end(), 0.0) >= fraction * window;
+  }
+
+  /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
+  /// measured now count as one with the iteration before them.
+  void restate(double energy, const Precision& precision) {
+    while (iterations.size() > 1 && !(energy < iterations[iterations.size() - 2].energy)) merge_last();
+    if (iterations.empty()) {
+      initial_energy = energy;
+    } else {
+      iterations.back().energy = energy;
+      iterations.back().method = precision.diagram.method;
+      iterations.back().is_sampled = precision.skips_diagram;
+    }
+  }
+
+  /// Makes one iteration of all.
+  void merge_all() {
+    while (iterations.size() > 1) merge_last();
+  }
+
+ private:
+  void merge_last() {
+    const LloydIteration last = iterations.back();
+    iterations.pop_back();
+    iterations.back().largest_move += last.largest_move;
+    iterations.back().mean_move += last.mean_move;
+    iterations.back().relocated += last.relocated;
+  }
+};
+
+}  // namespace gvd
