@@ -74,6 +74,8 @@ struct DiffusionOptions {
 ///
 /// Source: P. Herholz, F. Haase, M. Alexa, Diffusion diagrams: Voronoi cells and centroids from diffusion, 2017: [8] in
 ///   the paper, section 5.4.
+/// Unlike in the account of section 5.4, heat is compared and not distance, and a face is split until its corners and
+/// midpoints have two labels, not until anything is linear.
 /// `field_ms`: matrix, factorisation, and a solution for each generator; `diagram_ms`: labels and envelopes. Faults:
 /// faces in which the cap ended the split, and vertices that no heat reaches (HeatField says when). Generators may lie
 /// anywhere: they become vertices first. Throws Error{invalid_option} if an option is out of its range.
@@ -87,6 +89,8 @@ Comparison compute_diffusion(const Mesh& mesh, const std::vector<SurfacePoint>& 
 ///   diagram, 2014: [28] in the paper, section 5.5.
 /// A round clips the pieces of each island by the bisector planes between the cells that touch it, of which only
 /// components with a generator count. Parts that still do not touch their own cell are islands of the next round.
+/// [28] clusters locally before it clips, and has bisectors of straight distances everywhere. Here a border between two
+/// islands can stay where both are divided: then it is no bisector of the cells on its sides.
 /// `rounds`: the number of sweeps, at most `most_rounds`; 0 leaves the restricted Voronoi diagram as it is. An island
 /// that no cell touches stays, and is counted: it lies on a component of the mesh without a generator. Generators may
 /// lie anywhere.

@@ -5,10 +5,12 @@
 // of each generator is linear, so that a straight line parts two labels. A face with more of them is split at its
 // midpoints, again and again, up to a cap; there three cells meet in the centre.
 //
-// Source: P. Herholz, F. Haase, M. Alexa, Diffusion diagrams: Voronoi cells and centroids from diffusion, 2017. Heat
-// orders generators as distance does only for a short time step and far from boundaries, which reflect it. So labels
-// near bisectors are wrong, and bisectors zig-zag with the triangles: figure 10 of the paper. The cost is m solutions
-// of one factorised system, and m values at each vertex; the other methods store the nearest generators alone.
+// Source: P. Herholz, F. Haase, M. Alexa, Diffusion diagrams: Voronoi cells and centroids from diffusion, 2017. It
+// compares heat and no distance derived from it. Section 5.4 of the paper tells of distances instead, and of splits
+// until their change is linear; here the labels alone end a split, so that no error of linear heat is noticed.
+// Heat orders generators as distance does only for a short time step and far from boundaries, which reflect it. So
+// labels near bisectors are wrong, and bisectors zig-zag with the triangles: figure 10 of the paper. The cost is m
+// solutions of one factorised system, and m values at each vertex; the other methods store the nearest generators.
 #include "diffusion.hpp"
 
 #include <Eigen/Sparse>
@@ -88,7 +90,6 @@ namespace {
 /// A triangle whose corners have one label is whole: the fields are linear. Where corners and midpoints of sides have
 /// two labels, the line on which their fields are equal cuts it. Otherwise it is split at the midpoints. At the cap,
 /// three labels meet in its centre.
-/// Source: Herholz, Haase, Alexa 2017, as section 5.4 of the paper describes it.
 class HeatEnvelope {
  public:
   /// `most_splits`: the cap, >= 0. All arguments must outlive this.

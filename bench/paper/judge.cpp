@@ -161,6 +161,7 @@ OtherJudge::OtherJudge(const Mesh& mesh, const std::vector<SurfacePoint>& genera
   for (const SurfacePoint& g : generators) {
     exact_.emplace_back(mesh, std::vector<SurfacePoint>{g});
     marched_.push_back(march_from(mesh, g));
+    positions_.push_back(position(mesh, g));
   }
 }
 
@@ -193,7 +194,7 @@ double OtherJudge::find_spread(const std::vector<GeneratorId>& owners, const Bis
   return most - least;
 }
 
-/// The midpoint rule on kParts parts of a segment; all three integrals have the same points.
+/// The midpoint rule on kParts parts of a segment; all integrals have the same points.
 void OtherJudge::add_segment(const Bisector& bisector, std::size_t i, const Owners& owners, OtherErrors& sum) const {
   const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % bisector.points.size()]);
   if (!view) return;
@@ -204,6 +205,7 @@ void OtherJudge::add_segment(const Bisector& bisector, std::size_t i, const Owne
     const SurfacePoint p = make_surface_point(from.face, mix(from.bary, to.bary, (part + 0.5) / kParts));
     sum.by_marching += length * std::abs(march(bisector.left, p) - march(bisector.right, p));
     sum.of_face += length * find_spread(owners[from.face.index()], bisector, p);
+    sum.by_straight += length * std::abs(straight(bisector.left, p) - straight(bisector.right, p));
     sum.distance += length * exact(bisector.left, p);
   }
 }

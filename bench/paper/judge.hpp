@@ -52,6 +52,8 @@ double sum_turning_angles(const Mesh& mesh, const Diagram& diagram);
 struct OtherErrors {
   /// As E, but by the distances of planar marching, linear in each face, instead of the exact ones.
   double by_marching = 0;
+  /// As E, but by straight distances through space: 0 for RVD.
+  double by_straight = 0;
   /// As E, but S(p) is all generators that own a part of the face of p, not only the two of the bisector.
   double of_face = 0;
   /// Of the exact distance from the bisector's left generator: E where the other distance is missing.
@@ -71,6 +73,9 @@ class OtherJudge {
 
   Owners find_owners(const Diagram& diagram) const;
   double exact(GeneratorId g, const SurfacePoint& p) const { return exact_[g.index()].nearest(p).distance; }
+  double straight(GeneratorId g, const SurfacePoint& p) const {
+    return (position(mesh_, p) - positions_[g.index()]).norm();
+  }
   /// Marched distances are linear in a face, as the paper takes them to be.
   double march(GeneratorId g, const SurfacePoint& p) const { return interpolate_at(mesh_, marched_[g.index()], p); }
   double find_spread(const std::vector<GeneratorId>& owners, const Bisector& bisector, const SurfacePoint& p) const;
@@ -78,6 +83,7 @@ class OtherJudge {
 
   const Mesh& mesh_;
   std::vector<ExactField> exact_;                    // [generator]
+  std::vector<Vec3> positions_;                      // [generator]
   std::vector<IdVector<VertexId, double>> marched_;  // [generator] by vertex
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 // The same surface with other triangles, for tables 1 to 5.
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -75,7 +76,7 @@ Mesh decimate(const Mesh& mesh, int faces);
 /// makes a triangle of Q below 0.1, is left out. Equal seeds give equal meshes.
 Mesh jitter(const Mesh& mesh, double percent_below_30, std::uint64_t seed);
 
-inline constexpr int kMostJitterRounds = 20;
+inline constexpr std::size_t kMostJitterRounds = 20;
 
 /// The unit sphere, as an icosahedron with every face cut in four `subdivisions` times: 20 * 4^subdivisions faces.
 Mesh make_icosphere(int subdivisions);

@@ -4,8 +4,8 @@
 // triangulation of the generators names the planes that can bound a cell. A walk along Delaunay edges finds the
 // generator nearest to each vertex; a face with one label lies in its convex cell. Straight distances know nothing of
 // the surface, so cells come through thin plates. The localized diagram divides such islands among the cells that touch
-// them, in rounds, until there is none: cells are connected then, but their bisectors are still those of straight
-// distances.
+// them, in rounds, until there is none: cells are connected then. Borders are still bisectors of straight distances,
+// or those of former islands that touched each other, which are no bisectors.
 //
 // Sources: Yan, Levy, Liu, Sun, Wang 2009 and Yan, Bao, Zhang, Wonka 2014; full titles are with the declarations.
 // Invariant: both cells of a bisector plane are clipped by one form up to its sign, and points on the sides of a face

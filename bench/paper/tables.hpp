@@ -11,14 +11,15 @@
 
 namespace gvd::paper {
 
-/// What is measured on a mesh. Run i draws the generators at vertices with seed i.
+/// What is measured on a mesh. Run i draws the generators with seed i.
 struct Experiment {
   const Mesh& mesh;
   int generators = 1;
   int runs = 1;
-  bool errors = false;  ///< whether E and the turning angle are computed, which takes most of the time
-  bool memory = false;  ///< whether the peak of the heap is counted, in a run of its own
-  bool others = false;  ///< whether what else could be taken for E is measured
+  bool errors = false;   ///< whether E and the turning angle are computed, which takes most of the time
+  bool memory = false;   ///< whether the peak of the heap is counted, in a run of its own
+  bool others = false;   ///< whether what else could be taken for E is measured
+  bool crowded = false;  ///< whether all generators lie in one face, instead of at vertices
 };
 
 struct Statistic {
@@ -30,17 +31,16 @@ struct Statistic {
 
 Statistic summarize(const std::vector<double>& values);
 
-/// A method's figures: lists have one value for each run.
+/// A method's figures: one value for each run in each list. What the experiment does not ask for is empty or 0.
 struct Measurement {
   std::string method;
+  double memory_kb = 0;  ///< largest heap of the first run, without the input
   std::vector<double> field_ms, diagram_ms;
-  std::vector<double> islands;          ///< components of cells without their generator
-  std::vector<double> open_ends;        ///< ends that nothing continues
-  std::vector<double> errors;           ///< E, square mesh units; empty without errors
-  std::vector<double> turn_per_length;  ///< radians for each mesh unit; empty without errors
-  /// What else could be taken for E (`OtherErrors`); empty without others.
-  std::vector<double> by_marching, of_face, distance;
-  double memory_kb = 0;  ///< largest heap of the first run, without the input; 0 if it is not counted
+  std::vector<double> errors;                                       ///< E, square mesh units
+  std::vector<double> turn_per_length;                              ///< radians for each mesh unit
+  std::vector<double> wrong_percent;                                ///< the share of the vertices with a wrong label
+  std::vector<double> islands;                                      ///< components of cells without their generator
+  std::vector<double> by_marching, by_straight, of_face, distance;  ///< OtherErrors
 };
 
 std::vector<Measurement> measure(const Experiment& experiment, const std::vector<Comparator>& methods);
@@ -59,7 +59,7 @@ struct Table {
   std::function<nlohmann::json(const Evaluation&)> measure;
 };
 
-/// Tables 1 to 5, E at ten sets of generators, figure 10, and what else the numbers that are not met could be.
+/// Tables 1 to 5, E at ten sets of generators, figure 10, and many generators in one triangle.
 std::vector<Table> list_tables();
 
 }  // namespace gvd::paper

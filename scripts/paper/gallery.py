@@ -13,7 +13,7 @@ FIGURE_10 = ("Spot with 30 generators, seed 0, and its head and neck: the diffus
              " data/figure.obj replaces a missing model.")
 FIGURE_11 = ("Elephant with 30 generators, if available, and a thin plate with 12, seed 0; each cell has the same colour in a row of pictures."
              " RVD's cells come through from the other side; each such piece is an island without its generator. LRVD divides them"
-             " among the surrounding cells, but its bisectors remain those of straight distances.")
+             " among the surrounding cells, by straight distances too.")
 
 
 def compare_pictures(section, lines, folder, text):

@@ -3,9 +3,10 @@ import html
 import math
 
 from paper.gallery import page_of, picture
-from paper.section import CIRCLE, EXACT, PLANAR, STEPS, WINDOWS
+from paper.section import CIRCLE, DIFFUSION, EXACT, PLANAR, STEPS, WINDOWS
 
-COLOURS = {"paper": "#777777", STEPS: "#8e44ad", PLANAR: "#c0392b", CIRCLE: "#e08e0b", EXACT: "#1f6fb2", WINDOWS: "#2e8b57"}
+COLOURS = {"paper": "#777777", STEPS: "#8e44ad", PLANAR: "#c0392b", CIRCLE: "#e08e0b", EXACT: "#1f6fb2", WINDOWS: "#2e8b57",
+           DIFFUSION: "#8b5a2b"}
 
 
 def scale_of(values):

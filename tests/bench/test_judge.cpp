@@ -4,6 +4,7 @@
 #include "bench/comparisons.hpp"
 #include "comparators.hpp"
 #include "judge.hpp"
+#include "rvd.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
@@ -131,6 +132,15 @@ TEST_CASE("by the distances of planar marching, its own diagram has a smaller er
   const OtherJudge judge(mesh, generators);
   const Diagram exact = compute(mesh, generators, Method::exact), planar = compute(mesh, generators, Method::gbgvd);
   CHECK(judge.judge(planar).by_marching < 0.5 * judge.judge(exact).by_marching);
+}
+
+TEST_CASE("by straight distances RVD has no error, and the exact diagram has one off the plane only") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2), grid = test::make_grid(8, 4);
+  const auto generators = test::vertex_points(mesh, 10, 1, 60), corners = test::vertex_points(grid, 2, 0, 8);
+  const OtherJudge judge(mesh, generators);
+  CHECK(judge.judge(compute_rvd(mesh, generators).diagram).by_straight < 1e-12);
+  CHECK(judge.judge(compute(mesh, generators, Method::exact)).by_straight > 1e-2);
+  CHECK(OtherJudge(grid, corners).judge(compute(grid, corners, Method::exact)).by_straight < 1e-9);
 }
 
 TEST_CASE("with all generators of a face the error is not less than with two, and more at branch points") {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "bench/comparisons.hpp"
 #include "bench/flat_grid.hpp"
 #include "bench/pieces_of_faces.hpp"
@@ -125,6 +127,18 @@ TEST_CASE("the cells of LRVD are still not the geodesic ones") {
   CHECK(lrvd.wrong_labels > 0);
   CHECK(lrvd.wrong_labels < rvd.wrong_labels);
   CHECK(lrvd.error.error_integral < rvd.error.error_integral);
+}
+
+TEST_CASE("where islands touch, LRVD leaves borders that are no bisectors of their cells") {
+  const Mesh mesh = test::make_plate(16, 0.01);
+  double most = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto generators = test::random_generators(mesh, 30, seed);
+    const OtherJudge judge(mesh, generators);
+    CHECK(judge.judge(compute_rvd(mesh, generators).diagram).by_straight < 1e-12);
+    most = std::max(most, judge.judge(compute_lrvd(mesh, generators).diagram).by_straight);
+  }
+  CHECK(most > 0.01);
 }
 
 TEST_CASE("an island on a component without a generator stays, and is counted") {
