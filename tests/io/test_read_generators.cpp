@@ -156,6 +156,10 @@ TEST_CASE("what is no number in full is refused with its line") {
 TEST_CASE("a file of numbers that is not there is refused with its name") {
   const std::string message = refusal([] { read_numbers("missing/numbers.txt"); }, ErrorCode::unreadable_input);
   CHECK(message == "missing/numbers.txt: No such file or directory; name a list of numbers");
+  const TemporaryFolder folder;
+  std::ofstream(folder / "list.txt.gz") << "\x1f\x8b\x08";
+  CHECK_THAT(refusal([&] { read_generators(folder / "list.txt.gz"); }, ErrorCode::unreadable_input),
+             Catch::Matchers::EndsWith("list.txt.gz: is compressed by gzip; unpack it first"));
   CHECK(refusal([] { read_numbers("/"); }, ErrorCode::unreadable_input) == "/: is a directory; name a list of numbers");
 }
 

@@ -33,7 +33,8 @@ struct PolygonSoup {
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
   std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
   bool unwelded = false;                     ///< whether every polygon has vertices of its own (STL)
-  std::vector<std::string> notes;            ///< what the reader left out, one line each
+  bool has_texture = false;                  ///< whether the file has texture coordinates, which are not read here
+  std::vector<std::string> notes;            ///< what else the reader left out, one line each
 
   /// Makes a polygon of the corners that were appended last.
   void close_polygon() { first_corner.push_back(corners.size()); }

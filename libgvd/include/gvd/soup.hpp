@@ -23,7 +23,7 @@ enum class DefectKind {
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
-  crossing_quads,            ///< a quadrilateral that crosses itself: cut along a diagonal
+  crossing_quads,            ///< a quadrilateral that is folded or crosses itself: cut along a diagonal
   inconsistent_orientation,  ///< flipped, so that each component follows the majority of its faces
   nonmanifold_edges,         ///< three or more faces: cut apart
   nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart
@@ -76,8 +76,9 @@ struct CheckedMesh {
 ///
 /// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error` that is any
 /// defect. Under the others it is what can't be repaired: a component with one side only (a Moebius strip; under
-/// `largest` only if it is the largest), a polygon that crosses itself, a coordinate beyond kLargestCoordinate, a mesh
-/// smaller than kSmallestExtent, or no face left. Cost: O(n log n) time for n corners, O(n) memory.
+/// `largest` only if it is the largest), a polygon that is folded or crosses itself, a coordinate beyond
+/// kLargestCoordinate, a mesh smaller than kSmallestExtent, or no face left. Cost: O(n log n) time for n corners, O(n)
+/// memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair);
 
 /// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 // Numbers and quotations in messages, and the bytes and numbers of texts. Nothing here depends on the locale.
@@ -53,6 +54,23 @@ std::optional<T> parse_number(std::string_view text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// The program that compressed these bytes, by the mark at their start: "gzip", "zip", "bzip2", "xz" or "zstd". Empty
+/// for any other bytes.
+inline std::string_view find_compression(std::string_view bytes) {
+  using Mark = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Mark, 5> kMarks{{{"\x1f\x8b", "gzip"},
+                                        {"PK\x03\x04", "zip"},
+                                        {"BZh", "bzip2"},
+                                        {"\xfd"
+                                         "7zXZ",
+                                         "xz"},
+                                        {"\x28\xb5\x2f\xfd", "zstd"}}};
+  for (const auto& [mark, program] : kMarks) {
+    if (bytes.starts_with(mark)) return program;
+  }
+  return {};
 }
 
 /// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.

@@ -50,6 +50,8 @@ std::string read_list_file(const std::filesystem::path& path, std::string_view w
   if (!file) refuse(fmt::format("{}; name a list of {}", std::strerror(errno), what));
   std::string content = read_to_end(file);
   if (file.bad()) refuse("could not be read to its end");
+  const std::string_view program = find_compression(content);
+  if (!program.empty()) refuse(fmt::format("is compressed by {}; unpack it first", program));
   return content;
 }
 
@@ -267,6 +269,9 @@ class Resolver {
                          closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
+    if (result_.farthest.empty() || closest.distance > longest_snap_)
+      result_.farthest = location(result_.points.size());
+    longest_snap_ = std::max(longest_snap_, closest.distance);
     return closest.point;
   }
 
@@ -274,6 +279,7 @@ class Resolver {
   void merge_coincident() {
     const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
     ResolvedGenerators kept;
+    kept.farthest = result_.farthest;
     for (int i = 0; i < std::ssize(first); ++i) {
       const int twin = first[i];
       if (twin == i) {
@@ -293,6 +299,7 @@ class Resolver {
   const GeneratorList& list_;
   const ResolveOptions& options_;
   std::optional<ClosestPointTree> tree_;
+  double longest_snap_ = 0;
   ResolvedGenerators result_;
 };
 

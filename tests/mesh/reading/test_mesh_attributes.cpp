@@ -65,6 +65,8 @@ TEST_CASE("attributes: a PLY's lists keep their lengths; texcoord is the texture
       parse_attributes(with_face_list("texcoord", "3 0 1 2 6 0 0 1 0 0 1\n3 0 2 1 0\n"), MeshFormat::ply);
   CHECK(wedges.properties.empty());
   REQUIRE(wedges.texture.has_value());
+  CHECK(parse_soup(with_face_list("texcoord", "3 0 1 2 0\n3 0 2 1 0\n"), MeshFormat::ply, "mesh").has_texture);
+  CHECK(!parse_soup(with_face_list("weights", "3 0 1 2 0\n3 0 2 1 0\n"), MeshFormat::ply, "mesh").has_texture);
   CHECK(wedges.texture->corners == std::vector<std::int32_t>{0, 1, 2, 0, 2, 1});
   CHECK(wedges.texture->coordinates[1] == std::array<double, 2>{1, 0});
   CHECK(std::isnan(wedges.texture->coordinates[3][1]));

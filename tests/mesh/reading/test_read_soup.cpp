@@ -95,6 +95,9 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
   require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
                        "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file");
+  for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
+    require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "the file is compressed by gzip; unpack it first");
+  }
   require_file_refused(TemporaryFile("a.off", "hello\n").path(), "should be OFF, and is 'hello'");
   require_file_refused(file.folder(), "directory");
   require_file_refused(file.folder() / "missing.off", "there is no such file");

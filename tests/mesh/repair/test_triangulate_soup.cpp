@@ -144,9 +144,20 @@ TEST_CASE("quads that cross themselves are cut into their two triangles, and cou
     CHECK(checked.mesh.face_count() == 2);
     CHECK(checked.defects.zero_area_faces == 0);
     CHECK(checked.defects.count(DefectKind::crossing_quads) == 1);
-    CHECK(checked.defects.messages.front() == "1 quadrilateral crosses itself, first face 0: cut along a diagonal");
+    CHECK(checked.defects.messages.front() ==
+          "1 quadrilateral is folded or crosses itself, first face 0: cut along a diagonal");
     CHECK_THROWS_WITH(build_mesh(quad, DefectPolicy::error), Catch::Matchers::Contains("crosses itself"));
   }
+}
+
+TEST_CASE("a quad whose corners form a tetrahedron is cut, even where both diagonals are edges already") {
+  PolygonSoup soup = one_polygon({{0, 1, 0}, {1, 2, 1}, {0, 1, 1}, {0, 2, 1}, {3, 0, 0}, {0, 0, 3}});
+  soup.corners = {0, 1, 2, 3, 0, 2, 4, 1, 3, 5};
+  soup.first_corner = {0, 4, 7, 10};
+  const auto checked = build_mesh(soup);
+  CHECK(checked.mesh.face_count() == 4);
+  CHECK(checked.defects.zero_area_faces == 0);
+  CHECK_THAT(checked.defects.messages.front(), Catch::Matchers::Contains("is folded or crosses itself"));
 }
 
 TEST_CASE("other polygons that cross themselves are refused") {

@@ -212,6 +212,7 @@ class AtomicFile {
         temporary_ = candidate;
         return;
       }
+      if (errno == ENOENT) fail(name_, "its folder takes no new files; choose another");  // such as /proc
       if (errno != EEXIST) fail(name_, reason_of(errno));
     }
     fail(name_, fmt::format("too many files named '{}.partial*' beside it; remove them", start));

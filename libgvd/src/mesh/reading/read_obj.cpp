@@ -57,8 +57,9 @@ class ObjParser {
       const std::string_view statement = text_.token();
       if (statement == "v") {
         add_vertex();
-      } else if (statement == "vt" && texture_) {
-        add_texture_vertex();
+      } else if (statement == "vt") {
+        soup_.has_texture = true;
+        if (texture_) add_texture_vertex();
       } else if (statement == "f") {
         add_face();
       } else if (statement == "l") {

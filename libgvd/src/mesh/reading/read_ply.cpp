@@ -114,6 +114,9 @@ class BinarySource {
   std::int64_t index_ = 0;
 };
 
+/// The texture coordinates of a face's corners, as MeshLab and VCGlib name them.
+constexpr const char* kTextureList = "texcoord";
+
 bool is_on_mesh(const PlyElement& element) { return element.name == "vertex" || element.name == "face"; }
 
 /// Whether property p of a vertex is a coordinate, or property p of a face the list of its corners.
@@ -163,6 +166,7 @@ class BodyParser {
       if (element.name == "vertex") {
         read_vertices(element);
       } else if (element.name == "face") {
+        soup_.has_texture = element.find(kTextureList) >= 0;
         read_faces(element);
       } else if (element.name == "tristrips") {
         read_strips(element);
@@ -349,7 +353,7 @@ MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view nam
   found.properties = read_body(bytes, name, parse_ply_header(bytes, name),
                                [&](auto parser) { return parser.parse_properties(wanted); });
   const auto list = std::find_if(found.properties.begin(), found.properties.end(), [](const MeshProperty& property) {
-    return !property.of_vertices && property.count_type && property.name == "texcoord";
+    return !property.of_vertices && property.count_type && property.name == kTextureList;
   });
   if (list == found.properties.end()) return found;
   found.texture = make_texture(*list, parse_ply(bytes, name));

@@ -46,6 +46,11 @@ bool is_obj_statement(std::string_view word) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
+void refuse_compressed(std::string_view bytes, std::string_view name) {
+  const std::string_view program = find_compression(bytes);
+  if (!program.empty()) refuse(name, fmt::format("the file is compressed by {}; unpack it first", program));
+}
+
 std::string read_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code error;
@@ -92,6 +97,7 @@ void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_vi
 
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (bytes.empty()) refuse(name, "the file is empty");
+  refuse_compressed(bytes, name);
   constexpr std::array kReaders = {parse_obj, parse_ply, parse_off, parse_stl};
   PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
   if (soup.polygon_count() == 0) {
@@ -107,8 +113,10 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   const std::string bytes = read_bytes(path);
   if (bytes.empty()) refuse(name, "the file is empty");
   if (!format) format = detect_format(bytes, name);
-  if (!format)
+  if (!format) {
+    refuse_compressed(bytes, name);
     refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
+  }
   return parse_soup(bytes, *format, name);
 }
 

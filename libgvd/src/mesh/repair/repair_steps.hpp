@@ -98,8 +98,8 @@ WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<
 void remove_duplicate_faces(WorkPolygons& polygons, std::size_t vertex_count, DefectLog& log);
 
 /// Cuts polygons into triangles: quadrilaterals along their better diagonal, larger ones by clipping ears. `twin` is
-/// left empty. A quadrilateral that crosses itself is a defect, and is cut where a diagonal leaves two triangles with
-/// area. Throws Error{precondition} for any other polygon that crosses itself, or is too complex.
+/// left empty. A quadrilateral that is folded or crosses itself is a defect, and is cut where a diagonal leaves two
+/// triangles with area. Throws Error{precondition} for any other such polygon, and for one too complex.
 /// Cost: O(n log n + n r) for each polygon of n corners, r of them not convex.
 WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& positions, DefectLog& log);
 

@@ -2,8 +2,9 @@
 //
 // A second edge between two vertices of the mesh would count as the same edge, with four faces. So a diagonal that is
 // an edge already is the last choice. Quadrilaterals, the most frequent polygons, are cut along the better diagonal;
-// larger polygons are projected along their normal and cut by clipping ears. Nobody knows whether a polygon is simple:
-// where no ear is left, it crosses itself. Ears come by four rules, from good ones to flat ones along existing edges.
+// larger polygons are projected along their normal and cut by clipping ears. Nobody knows whether a polygon is simple
+// there: where no ear is left, it is folded or crosses itself. Ears come by four rules, from good ones to flat ones
+// along existing edges.
 // Source: Newell's formula for the normal (M. E. Newell, R. G. Newell and T. L. Sancha, A solution to the hidden surface
 // problem, 1972); ear clipping (G. H. Meisters, Polygons have ears, 1975).
 // Invariant: each triangle but the last of its polygon was cut off along the side from its third corner to its first.
@@ -296,22 +297,24 @@ class Triangulator {
     for (std::size_t f = begin; f + 1 < work.faces.size(); ++f) known_.add_diagonal(work.faces[f][2], work.faces[f][0]);
   }
 
-  /// The quadrilaterals that cross themselves, and the first of them.
+  /// The quadrilaterals that are folded or cross themselves, and the first of them.
   std::int64_t crossing_quads() const { return crossing_quads_; }
   std::int32_t first_crossing_quad() const { return first_crossing_quad_; }
 
  private:
-  /// Whether the two triangles of a quadrilateral must face the same way.
-  enum class Quad { simple, crossing };
+  /// Quadrilaterals, from the most usual: the two triangles of the first face the same way; those of the last may share
+  /// an edge that the mesh has already, which is cut apart later.
+  enum class Quad { simple, crossing, along_edge };
 
   const Vec3& at(std::int32_t v) const { return positions_[v]; }
 
   /// Quality of the diagonal a-c: that of the worse of its two triangles. 0 where a triangle is flat, the two of a
-  /// simple quadrilateral face different ways, or the diagonal is an edge already.
+  /// simple quadrilateral face different ways, or the diagonal is an edge already and must not be.
   double diagonal_quality(const std::array<std::int32_t, 4>& quad, Quad shape) const {
     const auto [a, b, c, d] = quad;
     const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a)), normal_d = (at(c) - at(a)).cross(at(d) - at(a));
-    if ((shape == Quad::simple && !(normal_b.dot(normal_d) > 0)) || known_.contains(a, c)) return 0;
+    if (shape == Quad::simple && !(normal_b.dot(normal_d) > 0)) return 0;
+    if (shape != Quad::along_edge && known_.contains(a, c)) return 0;
     return std::min(triangle_quality(at(a), at(b), at(c)), triangle_quality(at(a), at(c), at(d)));
   }
 
@@ -331,10 +334,12 @@ class Triangulator {
     return true;
   }
 
-  /// Cuts a quadrilateral that crosses itself into two triangles with area, or refuses the polygon.
+  /// Cuts a quadrilateral that is folded or crosses itself into two triangles with area, or refuses the polygon.
   void cut_crossing_quad(PolygonShape shape, std::span<const std::int32_t> polygon, std::int32_t origin,
                          std::vector<std::array<std::int32_t, 3>>& faces) {
-    if (polygon.size() != 4 || !split_quad(polygon, faces, Quad::crossing)) refuse(shape, polygon.size(), origin);
+    const bool is_cut = polygon.size() == 4 &&
+                        (split_quad(polygon, faces, Quad::crossing) || split_quad(polygon, faces, Quad::along_edge));
+    if (!is_cut) refuse(shape, polygon.size(), origin);
     if (crossing_quads_++ == 0) first_crossing_quad_ = origin;
   }
 
@@ -344,8 +349,9 @@ class Triangulator {
           fmt::format("face {} has {} corners in too complex a shape; cut it into smaller ones", origin, corners),
           origin);
     }
-    refuse_soup(fmt::format("face {} with its {} corners crosses itself; cut it into triangles", origin, corners),
-                origin);
+    refuse_soup(
+        fmt::format("face {} with its {} corners is folded or crosses itself; cut it into triangles", origin, corners),
+        origin);
   }
 
   const std::vector<Vec3>& positions_;
@@ -385,10 +391,10 @@ WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& p
   }
   const std::int32_t first = triangulator.first_crossing_quad();
   log.add(DefectKind::crossing_quads, triangulator.crossing_quads(), first,
-          fmt::format(
-              "{}, first face {}",
-              counted(triangulator.crossing_quads(), "quadrilateral crosses itself", "quadrilaterals cross themselves"),
-              first),
+          fmt::format("{}, first face {}",
+                      counted(triangulator.crossing_quads(), "quadrilateral is folded or crosses itself",
+                              "quadrilaterals are folded or cross themselves"),
+                      first),
           "cut along a diagonal");
   return work;
 }
