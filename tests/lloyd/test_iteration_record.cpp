@@ -32,6 +32,17 @@ TEST_CASE("iteration record: an iteration has what its move has") {
   CHECK(record.iterations[1].is_sampled);
 }
 
+TEST_CASE("iteration record: the decline tells how near the falls are to their end, and never goes back") {
+  IterationRecord record = make_record();  // falls of 0.1, 0.056 and 0.012
+  CHECK(record.decline(0.001, 4) == 0);
+  CHECK(record.decline(0, 1) == 0);
+  CHECK(record.decline(0.001, 1) == Approx(std::log(8.5) / std::log(100)));
+  CHECK(record.decline(0.02, 1) == 1);
+  const double before = record.decline(0.001, 1);
+  record.falls.push_back(0.09);
+  CHECK(record.decline(0.001, 1) == before);
+}
+
 TEST_CASE("iteration record: the mean of the last falls counts") {
   const IterationRecord record = make_record();  // falls of 0.1, 0.056 and 0.012
   CHECK(record.falls_by(0.05, 3));

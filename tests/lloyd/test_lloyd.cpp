@@ -330,4 +330,21 @@ TEST_CASE("lloyd: cancelling throws") {
   CHECK(calls == 5);
 }
 
+TEST_CASE("lloyd: a relaxation that ends by its tolerance has told so before") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 2);
+  for (const auto& [tolerance, stop] : {std::pair{0.0, LloydStop::energy}, {0.01, LloydStop::centroids}}) {
+    LloydOptions options;
+    options.move_tolerance = tolerance;
+    double last = 0;
+    options.progress = [&](std::string_view, double fraction) {
+      last = fraction;
+      return true;
+    };
+    const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 20, 1), options);
+    REQUIRE(result.stop == stop);
+    CHECK(std::ssize(result.iterations) < max_iterations(options) / 2);
+    CHECK(last > 0.7);
+  }
+}
+
 }  // namespace gvd::test_lloyd

@@ -5,6 +5,8 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
@@ -188,7 +190,7 @@ TEST_CASE("remesh: where a spike is too narrow, the reason names its tip and its
         refusal(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))}, {}).what());
   };
   CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("the total angle of vertex 0 at (0, 0, 1) is 0.001 degrees"));
-  CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("remove the generators nearer than 0.172 to it"));
+  CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("no generator may be nearer to it than 0.172; choose others"));
   CHECK_THAT(reason(1e-5), Catch::Matchers::Contains("is 1e-05 degrees"));
   CHECK_THAT(reason(1e-5), Catch::Matchers::Contains("cut the surface off there"));
 }
@@ -293,6 +295,19 @@ TEST_CASE("remesh: progress can cancel") {
   RemeshOptions options;
   options.diagram.progress = [](std::string_view, double) { return false; };
   CHECK(refusal(mesh, test::random_generators(mesh, 5, 0), options).code() == ErrorCode::interrupted);
+}
+
+TEST_CASE("remesh: progress tells of the placement and the distance, too") {
+  const Mesh mesh = test::make_sphere(2);
+  RemeshOptions options;
+  std::set<std::string> steps;
+  options.diagram.progress = [&](std::string_view step, double) {
+    steps.emplace(step);
+    return true;
+  };
+  remesh(mesh, test::random_generators(mesh, 12, 0), options);
+  CHECK(steps.contains("placement"));
+  CHECK(steps.contains("distance"));
 }
 
 TEST_CASE("remesh: the certificate does not hold for another mesh") {

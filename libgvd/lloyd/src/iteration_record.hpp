@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -42,6 +43,17 @@ struct IterationRecord {
   bool falls_by(double fraction, int window) const {
     if (std::ssize(falls) < window) return true;
     return std::accumulate(falls.end() - window, falls.end(), 0.0) >= fraction * window;
+  }
+
+  /// How far the falls have come from the first one to `fraction`, in orders of magnitude: in [0, 1]. The least mean of
+  /// `window` falls counts, so that it never goes back.
+  double decline(double fraction, int window) const {
+    if (std::ssize(falls) < window || !(fraction > 0) || !(falls.front() > fraction)) return 0;
+    double least = falls.front();
+    for (auto first = falls.begin(); falls.end() - first >= window; ++first) {
+      least = std::min(least, std::accumulate(first, first + window, 0.0) / window);
+    }
+    return std::log(falls.front() / std::max(least, fraction)) / std::log(falls.front() / fraction);
   }
 
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -137,13 +138,17 @@ class Relaxer {
     if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
-    const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
-    if (record_.falls_by(least, window)) return std::nullopt;
+    if (record_.falls_by(least, stall_window())) return std::nullopt;
     return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
   }
 
-  bool is_at_centroids(const RelaxationState& state) const {
-    return state.residual <= options_.move_tolerance * state.mean_cell_radius;
+  bool is_at_centroids(const RelaxationState& state) {
+    const double limit = options_.move_tolerance * state.mean_cell_radius;
+    if (limit > 0) {
+      largest_residual_ = std::max(largest_residual_, state.residual / limit);
+      least_residual_ = std::clamp(state.residual / limit, 1.0, least_residual_);
+    }
+    return state.residual <= limit;
   }
 
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
@@ -240,12 +245,20 @@ class Relaxer {
     return std::nullopt;
   }
 
-  /// `share`: what is done of the next iteration, if its first step is taken.
+  /// `share`: what is done of the next iteration, if its first step is taken. Most relaxations end by a tolerance long
+  /// before the last iteration. So the orders of magnitude count by which the falls of the energy, or the ways to the
+  /// centroids, have come nearer to their tolerance, where they are farther.
   void report(double share = 0) const {
     const double done = double(record_.iterations.size()) + std::min(share, 1.0);
-    report_progress(options_.progress, "relaxation",
-                    std::min(1.0, done / std::max(1.0, double(max_iterations(options_)))));
+    const double by_count = done / std::max(1.0, double(max_iterations(options_)));
+    const double by_decline = record_.decline(energy_tolerance(options_), stall_window());
+    const double by_ways =
+        largest_residual_ > 1 ? std::log(largest_residual_ / least_residual_) / std::log(largest_residual_) : 0;
+    report_progress(options_.progress, "relaxation", std::min(1.0, std::max({by_count, by_decline, by_ways})));
   }
+
+  /// Iterations over which the mean fall of the energy decides whether to end.
+  int stall_window() const { return options_.acceleration == Acceleration::none ? 1 : kStallWindow; }
 
   void report_iteration(const RelaxationState& state) const {
     if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), state.energy, state.generators);
@@ -259,6 +272,8 @@ class Relaxer {
   Accelerator accelerator_;
   IterationRecord record_;
   std::size_t next_relocation_ = 0;  // iterations before the next attempt
+  // The largest way to a centroid, as a multiple of the tolerance: the most so far, and the least, but at least 1.
+  double largest_residual_ = 1, least_residual_ = std::numeric_limits<double>::max();
 };
 
 }  // namespace

@@ -188,6 +188,7 @@ class Placer {
     const double count = kSamplesPerVertex * remesh_.vertex_count();
     const FitTarget target{&surface_, &tree, sample_surface(surface_, count), count, options_.threads};
     for (int round = 0; round < kFitRounds; ++round) {
+      report_progress(options_.progress, "placement", double(round) / kFitRounds);
       const Mesh current = with_positions(remesh_, positions);
       std::vector<Vec3> fitted = fit_vertices(current, target, make_springs(current, plan));
       keep_fixed(fitted);

@@ -47,9 +47,10 @@ void check_options(const RemeshOptions& options, std::size_t generators) {
 
 std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
   const Vec3& at = mesh.position(narrow.tip);
-  const std::string advice = narrow.least_distance < mesh.bbox_diagonal()
-                                 ? fmt::format("remove the generators nearer than {:.3g} to it", narrow.least_distance)
-                                 : "cut the surface off there";
+  const std::string advice =
+      narrow.least_distance < mesh.bbox_diagonal()
+          ? fmt::format("no generator may be nearer to it than {:.3g}; choose others", narrow.least_distance)
+          : "cut the surface off there";
   return fmt::format(
       "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
       "round it would be too close to each other; {}",
@@ -93,6 +94,7 @@ class RoundMaker {
   void place(const Diagram& diagram, RemeshRound& round) {
     PlacementOptions options = options_.placement;
     options.threads = options_.diagram.threads;
+    options.progress = options_.diagram.progress;
     if (options.method != Placement::generator) {
       round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
     }
@@ -283,8 +285,9 @@ class Remesher {
 
   void measure() {
     enter(RemeshStage::distance);
-    result_.certificate =
-        certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, options_.diagram.threads);
+    const int threads = options_.diagram.threads;
+    const Progress& progress = options_.diagram.progress;
+    result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, threads);
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,
@@ -295,8 +298,8 @@ class Remesher {
     result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
-    result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, options_.diagram.threads);
-    result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, options_.diagram.threads);
+    result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, threads, progress);
+    result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, threads, progress);
   }
 
   const Mesh& mesh_;

@@ -50,13 +50,14 @@ TEST_CASE("cell borders: quarters of a square have two neighbours each, and the 
 TEST_CASE("cell borders: cells that are no discs, or that touch twice, are refused") {
   const Mesh sphere = test::make_sphere(2), grid = test::make_grid(6, 6);
   const auto in_zones = label_faces(sphere, [](const Vec3& p) { return p.z() > 0.5 ? 1 : p.z() < -0.5 ? 2 : 0; });
-  CHECK(refused(sphere, in_zones, 3) == "cell 0 is not a disc");
+  CHECK(refused(sphere, in_zones, 3) == "cell 0 is no disc of whole triangles");
   const auto in_stripes = label_faces(grid, [](const Vec3& p) { return p.x() < 2 ? 1 : p.x() < 4 ? 0 : 2; });
   CHECK(refused(grid, in_stripes, 3) == "cell 0 touches the boundary twice");
   const auto in_halves = label_faces(sphere, [](const Vec3& p) { return p.z() > 0 ? 1 : 0; });
   CHECK(refused(sphere, in_halves, 2) == "cell 0 has too few neighbours");
   CHECK_THAT(refused(sphere, label_faces(sphere, third), 2), Catch::Matchers::Contains("is in no cell"));
-  CHECK(refused(sphere, label_faces(sphere, [](const Vec3&) { return 0; }), 1) == "cell 0 is not a disc");
+  CHECK(refused(sphere, label_faces(sphere, [](const Vec3&) { return 0; }), 1) ==
+        "cell 0 is no disc of whole triangles");
 }
 
 }  // namespace gvd::test_cut_into_cells

@@ -5,6 +5,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -23,7 +24,8 @@ struct PlacementOptions {
   double least_angle = 33;
   /// The least angle of triangles at creases, and of all triangles with Placement::quadric; degrees, in [0, 60].
   double least_crease_angle = 10;
-  int threads = 0;  ///< 0: one a core; the result does not depend on it
+  int threads = 0;    ///< 0: one a core; the result does not depend on it
+  Progress progress;  ///< of the step "placement"
 };
 
 /// Throws Error{invalid_option} for an angle out of its range, or a fixed generator that is none of so many `generators`.

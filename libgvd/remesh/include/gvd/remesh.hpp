@@ -40,7 +40,7 @@ struct RemeshOptions {
   /// generators are added on them where cells of others come between, and where long edges would cut off bends of
   /// creases. `max_added` counts them, and at most one for each given generator and 100 more are added.
   std::vector<CreaseCurve> creases;
-  PlacementOptions placement;  ///< where the vertices are; its `threads` are those of `diagram`
+  PlacementOptions placement;  ///< where the vertices are; its `threads` and `progress` are those of `diagram`
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };

@@ -2,6 +2,7 @@
 
 #include "gvd/distance_samples.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -30,7 +31,8 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 /// most kMaxHausdorffRounds times and while they are 2^18 or fewer.
 /// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
 /// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
-SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);
+SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
+                                         const Progress& progress = {});
 
 /// The number of equal triangles that sample_surface_distance cuts a surface into, by area.
 inline constexpr double kSampledTriangles = 1 << 16;

@@ -41,9 +41,11 @@ struct Sample {
   FaceId nearest;
 };
 
+constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6}, kOfPieces{"distance", 0.6, 1};
+
 /// The vertices, each search from the face nearest to the vertex before.
 std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, const ParallelChunks& parallel) {
-  return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), {}, [&](const Chunk& chunk) {
+  return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), kOfVertices, [&](const Chunk& chunk) {
     std::vector<Sample> samples;
     FaceId near(0);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -74,7 +76,9 @@ struct Findings {
 
 class DistanceMeasure {
  public:
-  DistanceMeasure(const Mesh& from, const Mesh& to, int threads) : from_(from), tree_(to), parallel_(threads, none_) {
+  /// All arguments but `threads` must outlive this.
+  DistanceMeasure(const Mesh& from, const Mesh& to, int threads, const Progress& progress)
+      : from_(from), tree_(to), parallel_(threads, progress) {
     triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
     absolute_tolerance_ = kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal());
   }
@@ -83,12 +87,13 @@ class DistanceMeasure {
     at_vertex_ = IdVector<VertexId, Sample>(sample_vertices(from_, tree_, parallel_));
     for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
     area_ = compute_area(from_);
-    Findings all = collect(from_.face_count(), [&](std::size_t i, Findings& found) { sample_face(FaceId(i), found); });
+    Findings all =
+        collect(from_.face_count(), kOfFaces, [&](std::size_t i, Findings& found) { sample_face(FaceId(i), found); });
     SurfaceDistance result;
     result.rms = area_ > 0 ? std::sqrt(all.square_sum / area_) : 0;
     for (int round = 0; round < kMaxHausdorffRounds; ++round) {
       if (all.pieces.empty() || all.pieces.size() > kMaxPieces) break;
-      all = collect(all.pieces.size(),
+      all = collect(all.pieces.size(), kOfPieces,
                     [&](std::size_t i, Findings& found) { cut_in_four(all.pieces[i].corners, found); });
     }
     result.hausdorff = farthest_;
@@ -107,8 +112,8 @@ class DistanceMeasure {
 
   /// Joins what find(i, findings) adds for the items 0 .. count - 1.
   template <class Find>
-  Findings collect(std::size_t count, const Find& find) {
-    return join(parallel_.map(cut_into_chunks(count, kFacesPerChunk), {}, [&](const Chunk& chunk) {
+  Findings collect(std::size_t count, const StepPart& step, const Find& find) {
+    return join(parallel_.map(cut_into_chunks(count, kFacesPerChunk), step, [&](const Chunk& chunk) {
       Findings found;
       found.farthest = farthest_;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) find(i, found);
@@ -213,7 +218,6 @@ class DistanceMeasure {
 
   const Mesh& from_;
   ClosestPointTree tree_;
-  const Progress none_;
   ParallelChunks parallel_;
   double absolute_tolerance_ = 0;  // mesh units
   double triangles_ = 0;           // least number that the faces are cut into
@@ -249,9 +253,9 @@ void visit_lattice(const Mesh& mesh, FaceId f, std::int32_t k, const Visit& visi
 
 }  // namespace
 
-SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads) {
+SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads, const Progress& progress) {
   check_faces(from, to);
-  return DistanceMeasure(from, to, threads).run();
+  return DistanceMeasure(from, to, threads, progress).run();
 }
 
 DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads) {

@@ -133,7 +133,7 @@ class BorderTracer {
     for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
     if (length == 0 || length != size.border_edges || size.components != 1 || twice_euler != 2 ||
         find_repeated(std::move(vertices))) {
-      refuse_cell(g, "is not a disc");
+      refuse_cell(g, "is no disc of whole triangles");
     }
     std::vector<GeneratorId> others;
     for (const BorderRun& run : border.runs) others.push_back(run.other);

@@ -223,8 +223,9 @@ std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagra
 // fewer_generators.cpp
 
 /// Bounds on the search, in faces and generators of all its diagrams: so many times those of the whole diagram, or so
-/// many in all. Beyond either, no more pairs are tried; beyond twice as many, the search ends. That is some seconds on
-/// one core. With 400 times as many, two meshes of docs/notes/remesh-bench.md came out the same.
+/// many in all. Beyond either, no more pairs are tried; beyond twice as many, the search ends. This bounds the work,
+/// not the time: most meshes take a few seconds on one core, and one of long needles took 34. With 400 times as many,
+/// two meshes of docs/notes/remesh-bench.md came out the same.
 inline constexpr std::size_t kSearchedMeshes = 60, kSearchedElements = 1'000'000;
 
 /// Looks for generators without which the dual has no defect either, among those that a repair has added. It tries to
