@@ -41,11 +41,7 @@ void Command::add_target(const std::string& name, const std::string& type, const
                          const std::vector<std::string>& extensions) {
   CLI::Option* const option = add_file(line_, name, options_.output.own[name], description, type);
   option->group("Output")->excludes("--output-dir");
-  if (extensions.empty()) return;
-  option->check([extensions](const std::string& file) {
-    if (contains(extensions, file_extension(file))) return std::string();
-    return fmt::format("'{}': the extension must be one of .{}", printable(file), fmt::join(extensions, ", ."));
-  });
+  option->check(with_extension(extensions));
 }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {

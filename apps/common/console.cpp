@@ -1,6 +1,7 @@
 // Standard error of a command: lines of messages, and a progress bar below them on a terminal.
 //
-// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second. Every
+// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second. Where
+// standard error is a file or a pipe, a long step has a line of progress each ten seconds instead. Every
 // message is one line: control characters become blanks, so that no file name can change a terminal's state. The time
 // left is that of the step's rest at the speed of its part that is done.
 
@@ -20,7 +21,6 @@
 namespace gvd::app {
 namespace {
 
-constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kStepColumns = 24;
 constexpr int kPercentColumns = 7;  // "] 100 %"
 constexpr int kSmallestBar = 10;
@@ -69,6 +69,7 @@ ConsoleStyle detect_console_style() {
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
   style.bars = ::isatty(STDERR_FILENO) == 1 && !dumb;
+  if (style.bars) style.interval = std::chrono::milliseconds(100);
   style.colours = style.bars && !is_set("NO_COLOR");
   winsize size{};
   if (style.bars && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
@@ -94,8 +95,19 @@ std::string render_bar(const Bar& bar, const ConsoleStyle& style) {
   return line;
 }
 
+std::string describe_progress(const Bar& bar) {
+  std::string text = fmt::format("{}: {:.0f} %", bar.step, std::floor(100 * std::clamp(bar.fraction, 0.0, 1.0)));
+  if (!bar.status.empty()) text += fmt::format(", {}", bar.status);
+  if (bar.seconds_left) text += fmt::format(", {}", format_time_left(*bar.seconds_left));
+  return text;
+}
+
 Console::Console(std::string command, const ConsoleStyle& style, bool quiet, bool verbose)
-    : command_(std::move(command)), style_(style), quiet_(quiet), verbose_(verbose) {}
+    : command_(std::move(command)),
+      style_(style),
+      quiet_(quiet),
+      verbose_(verbose),
+      next_draw_(std::chrono::steady_clock::now() + style.interval) {}
 
 Console::~Console() { clear_bar(); }
 
@@ -116,13 +128,16 @@ void Console::detail(std::string_view message) {
 }
 
 void Console::bar(std::string_view step, double fraction) {
-  if (!style_.bars || quiet_) return;
+  if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
-  if (now < next_draw_) return;
-  next_draw_ = now + kRedrawInterval;
+  const bool is_new = style_.bars && step != drawn_step_;
+  if (!is_new && now < next_draw_) return;
+  next_draw_ = now + style_.interval;
+  drawn_step_ = step;
   const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
-  const auto left = time_left_.update(step, fraction, seconds);
-  write_stderr(fmt::format("{}{}", kClearLine, render_bar({step, status_, fraction, left}, style_)));
+  const Bar bar{step, status_, fraction, time_left_.update(step, fraction, seconds)};
+  if (!style_.bars) return line("", describe_progress(bar));
+  write_stderr(fmt::format("{}{}", kClearLine, render_bar(bar, style_)));
   bar_drawn_ = true;
 }
 

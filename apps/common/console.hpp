@@ -24,9 +24,10 @@ std::string format_time_left(double seconds);
 
 /// Capabilities of standard error.
 struct ConsoleStyle {
-  bool bars = false;     ///< a terminal that can redraw a line
-  bool colours = false;  ///< a terminal, and NO_COLOR is not set
-  int width = 80;        ///< columns
+  bool bars = false;                           ///< a terminal that can redraw a line
+  bool colours = false;                        ///< a terminal, and NO_COLOR is not set
+  int width = 80;                              ///< columns
+  std::chrono::milliseconds interval{10'000};  ///< between two lines of progress, or two drawings of a bar
 };
 
 /// Asks the terminal and the environment (TERM, NO_COLOR). Bars are off on anything but a terminal.
@@ -44,6 +45,9 @@ struct Bar {
 /// line has room, the time left.
 std::string render_bar(const Bar& bar, const ConsoleStyle& style);
 
+/// The same in words, with as much as is known: "sampling: 45 %, 12 s left".
+std::string describe_progress(const Bar& bar);
+
 /// Standard error: messages of one line each, and a progress bar below them.
 class Console {
  public:
@@ -57,7 +61,8 @@ class Console {
   void detail(std::string_view message);  ///< printed only where verbose
   /// Sets the text that bars show behind the name of their step, from now on.
   void set_status(std::string status) { status_ = std::move(status); }
-  /// Redraws the bar, at most ten times a second; nothing where the console has no bars or is quiet.
+  /// Redraws the bar, or prints a line of progress where there are no bars, once in each `interval` of the style; the
+  /// bar of a new step at once. Nothing where the console is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();
   /// Clears the terminal's line, where another console may have drawn a bar.
@@ -73,7 +78,8 @@ class Console {
   std::string status_;
   TimeLeft time_left_;
   bool bar_drawn_ = false;
-  std::chrono::steady_clock::time_point next_draw_{};
+  std::string drawn_step_;
+  std::chrono::steady_clock::time_point next_draw_;
 };
 
 }  // namespace gvd::app

@@ -50,11 +50,12 @@ struct Advice {
   std::string_view of_command;
 };
 
-constexpr std::array<Advice, 8> kAdvice{{
+constexpr std::array<Advice, 9> kAdvice{{
     {"name the format", "name the format with --input-format obj, ply, off or stl"},
     {"allow its repair", "allow its repair with --on-defect repair"},
     {"give the list as CSV", "give the list as CSV with --generators-format csv"},
     {"raise max_snap", "raise --max-snap"},
+    {"choose others", "choose others, by another list, -n or --seed"},
     {"set merge_coincident", "add --merge-coincident"},
     {"set refine", "leave --no-refine or --exact-count out"},
     {"raise max_added", "raise --max-added"},
@@ -66,17 +67,14 @@ constexpr std::array<Advice, 8> kAdvice{{
 ComputeOptions g_compute;
 
 Outcome out_of_memory() {
-  // The points of the bisectors are most of an exact diagram.
-  const bool exact = g_compute.method == Method::exact;
-  const char* const coarser = exact ? ", or take a coarser --chord-tolerance" : "";
-  std::string message;
-  if (g_compute.max_memory) {
-    message = fmt::format("out of memory: the run needs more than --max-memory {}; raise it, {}simplify the mesh{}",
-                          format_bytes(*g_compute.max_memory), exact ? "" : "or ", coarser);
-  } else {
-    message = fmt::format("out of memory: up to {} in use; simplify the mesh{}; --max-memory ends such a run sooner",
-                          format_bytes(peak_memory_bytes()), coarser);
-  }
+  // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
+  std::string advice = "take a mesh of fewer or rounder triangles";
+  if (g_compute.method == Method::exact) advice += ", or a coarser --chord-tolerance";
+  std::string message = g_compute.max_memory
+                            ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
+                                          format_bytes(*g_compute.max_memory), advice)
+                            : fmt::format("out of memory: up to {} in use; {}; --max-memory ends such a run sooner",
+                                          format_bytes(peak_memory_bytes()), advice);
   return {kNoResult, std::move(message), "out of memory"};
 }
 
@@ -121,7 +119,8 @@ std::atomic_flag g_ending;
 constinit thread_local bool t_ending = false;
 
 [[noreturn]] void end_with_fixed_text() {
-  constexpr std::string_view kText = ": error: out of memory, even for a message; simplify the mesh\n";
+  constexpr std::string_view kText =
+      ": error: out of memory, even for a message; take a mesh of fewer or rounder triangles\n";
   for (const std::string_view text : {std::string_view(g_command), kText}) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
   }

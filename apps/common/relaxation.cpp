@@ -46,8 +46,9 @@ WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<S
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
   const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
   if (!start.freedom.empty()) {
-    run.console().note(fmt::format("generators: {} fixed, {} on creases, {} free", count(Freedom::fixed),
-                                   count(Freedom::on_crease), count(Freedom::free)));
+    const char* const curves = constraints.features ? "creases or the boundary" : "the boundary";
+    run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count(Freedom::fixed),
+                                   count(Freedom::on_crease), curves, count(Freedom::free)));
   }
   return start;
 }
@@ -58,10 +59,10 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   options.density = start.density;
   options.diagram = make_diagram_options(run.options().compute);
   if (!options.progress) options.progress = run.progress();
-  options.on_iteration = [&run, most = max_iterations(options), also = std::move(options.on_iteration)](
-                             std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
+  options.on_iteration = [&run, also = std::move(options.on_iteration)](std::int64_t iterations, double energy,
+                                                                        const std::vector<SurfacePoint>& generators) {
     if (also) also(iterations, energy, generators);
-    run.console().set_status(fmt::format("{}/{}, energy {:.6g}", iterations, most, energy));
+    run.console().set_status(fmt::format("{}, energy {:.6g}", iterations, energy));
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");

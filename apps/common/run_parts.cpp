@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 
@@ -55,10 +56,19 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   }
 }
 
-void note_changes(Console& console, const ResolvedGenerators& resolved) {
+/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
+/// units. Digitised and rounded points are much nearer to their surface.
+constexpr double kFarSnap = 0.01;
+
+void note_changes(Console& console, const ResolvedGenerators& resolved, double diagonal) {
   double largest = -1;
   for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
-  if (largest >= 0) console.note(fmt::format("generators: moved to the surface, by at most {}", largest));
+  if (largest >= 0) console.note(fmt::format("generators: moved to the surface, by at most {:.4g}", largest));
+  if (largest > kFarSnap * diagonal) {
+    console.note(fmt::format(
+        "warning: {} is {:.4g} from the surface of a model of {:.4g}; check its units, or refuse it with --max-snap",
+        resolved.farthest, largest, diagonal));
+  }
   if (resolved.merged == 0) return;
   console.note(fmt::format("generators: {}",
                            counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
@@ -163,6 +173,28 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
 }
 
+/// Where coordinates are multiples of more than this fraction of a mean edge, written points are that far off: farther
+/// than the default chord tolerance lets bisectors be.
+constexpr double kCoarseGrid = 1e-4;
+
+/// Tells what the files of the run can't hold: a texture, and small lengths far from the origin.
+void note_losses(Run& run, const PolygonSoup& soup, const Mesh& mesh, bool carries_texture) {
+  const std::vector<std::string> formats = written_formats(run.options().output);
+  const auto is_mesh = [](const std::string& format) { return parse_output_format(format).has_value(); };
+  const bool writes_mesh = std::any_of(formats.begin(), formats.end(), is_mesh);
+  if (soup.has_texture && writes_mesh && !carries_texture) {
+    note_on_input(run, "the texture is left out; gvd-remesh --carry keeps texture coordinates");
+  }
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const double grid = std::nextafter(largest, HUGE_VAL) - largest;
+  if (grid > kCoarseGrid * mesh.mean_edge_length()) {
+    note_on_input(run, fmt::format("so far from the origin, coordinates are multiples of {:.2g}, and a mean edge is "
+                                   "{:.2g} long: results are that inexact; move the model to the origin",
+                                   grid, mesh.mean_edge_length()));
+  }
+}
+
 }  // namespace
 
 void note_on_input(Run& run, const std::string& message) {
@@ -175,6 +207,7 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, message);
+  note_losses(run, soup, checked.mesh, standard_input != nullptr);
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
   run.report().set_input(summary, checked.defects);
@@ -191,7 +224,7 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, st
   ResolvedGenerators found = run.timed("generators", [&] {
     ResolvedGenerators chosen = options.generators.are_listed() ? resolve(input, options.generators, run.progress())
                                                                 : sample(input.mesh, options, run.progress());
-    note_changes(run.console(), chosen);
+    note_changes(run.console(), chosen, input.mesh.bbox_diagonal());
     return chosen;
   });
   for (std::size_t i = 0; i < found.points.size(); ++i) {

@@ -318,6 +318,7 @@ int main(int argc, char** argv) {
       "--points", "FILE",
       "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)",
       {"ply", "xyz", "npy"});
-  command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV");
+  command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV",
+                     {"csv"});
   return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
 }

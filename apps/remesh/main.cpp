@@ -120,9 +120,11 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
 /// Remeshes, and reports the time of each stage.
 RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, RemeshOptions options) {
   StepTimes times(run);
-  options.on_stage = [&times](RemeshStage stage) {
+  options.on_stage = [&times, &run](RemeshStage stage) {
     constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
-    times.start(kNames[static_cast<std::size_t>(stage)]);
+    const char* const name = kNames[static_cast<std::size_t>(stage)];
+    times.start(name);
+    report_progress(run.progress(), name, 0);
   };
   if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
   return remesh(mesh, start.constrained.points, options);

@@ -152,10 +152,10 @@ int main(int argc, char** argv) {
                    {{"ply", "obj", "off", "stl", "vtp", "glb", "json"}}});
   command.line().option_defaults()->group("Regions");
   add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  add_choice(
-      command.line(), "--labels", own.labels, kLabels,
-      "How to label whole faces on a bisector: for the shortest borders, or by the largest share (default: smooth)")
+  add_choice(command.line(), "--labels", own.labels, kLabels,
+             "How to label whole faces on a bisector: for short borders, or by the largest share (default: smooth)")
       ->excludes("--cut");
-  command.add_target("--stats", "FILE.csv", "Write the area, perimeter, radius and neighbours of each region (CSV)");
+  command.add_target("--stats", "FILE.csv", "Write the area, perimeter, radius and neighbours of each region (CSV)",
+                     {"csv"});
   return command.run(argc, argv, [&](Run& run) { segment(run, own); });
 }

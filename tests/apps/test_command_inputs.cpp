@@ -115,6 +115,23 @@ TEST_CASE("commands: a bad list of generators is refused in one line") {
   }
 }
 
+TEST_CASE("commands: what the results lack or get wrong is told") {
+  const ScratchFolder scratch;
+  write_text(scratch / "far.txt", "p 1.3 0 0\np 0 9 0\n");
+  write_text(scratch / "textured.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
+  write_text(scratch / "distant.obj", "v 1e15 0 0\nv 1.000000000000008e15 0 0\nv 1e15 8 0\nf 1 2 3\n");
+  const auto told = [&](const std::string& arguments) {
+    const CommandResult result = run_command("gvd-segment", arguments + " -o " + scratch / "out.ply");
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(told(data_file("torus.ply") + " --generators " + scratch / "far.txt"),
+             Contains("far.txt:2 is ") && Contains("; check its units, or refuse it with --max-snap"));
+  CHECK_THAT(told(scratch / "textured.obj -n 1"), Contains("the texture is left out; gvd-remesh --carry keeps"));
+  CHECK_THAT(told(scratch / "distant.obj -n 1"), Contains("coordinates are multiples of 0.12, and a mean edge is 9"));
+  CHECK_THAT(told(data_file("torus.ply") + " -n 3"), !Contains("texture") && !Contains("multiples"));
+}
+
 TEST_CASE("commands: one of a kind is counted in the singular") {
   const CommandResult result = run_command("gvd-segment", data_file("torus.ply") + " -n 1 -v");
   for (const char* part : {" 1 component, ", " 1 generator\n", " 1 cell, 0 branch points, 0 bisectors"}) {

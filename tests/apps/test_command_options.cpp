@@ -22,6 +22,10 @@ TEST_CASE("commands: help and version go to standard output") {
          {"Examples:", "--generators", "--on-defect", "--config", "--chord-tolerance", "--report", "Exit codes:"}) {
       CHECK_THAT(help.out, Contains(part));
     }
+    const CommandResult main = run_command(name, "-h");
+    CHECK(main.exit_code == 0);
+    CHECK(line_count(main.out) <= 24);  // a screen
+    CHECK_THAT(main.out, Contains("-o, --output FILE") && Contains("All options, and examples: " + name + " --help"));
     const CommandResult version = run_command(name, "--version");
     CHECK(version.exit_code == 0);
     CHECK_THAT(version.out, StartsWith(name + " "));
@@ -55,6 +59,11 @@ TEST_CASE("commands: a bad option is a usage error") {
     require_error(name, mesh + " -n 5 --smapling random --sed 3", 2,
                   "unknown options: --smapling (did you mean --sampling?), --sed (did you mean --seed?)");
     require_error(name, mesh + " -n 5 -o picture.bmp", 2, "picture.bmp");
+    require_error(name, mesh + " -n 5 --report keep.ply", 2, "--report: 'keep.ply': the extension must be .json");
+    require_error(name, mesh + " -n 5 --view x.ply", 2, "the extension must be one of .html, .htm");
+    require_error(name, mesh + " -n 5 --sampling fartest", 2, "poisson; did you mean farthest?");
+    require_error(name, "help", 2, "'help' is not a file; did you mean --help?");
+    require_error(name, mesh + " --faces 500", 2, "--faces (-n sets the vertices; a closed mesh has twice as many");
     require_error(name, "- -n 5", 2, "--input-format");
     require_error(name, mesh + " -n 5 --config /nonexistent.toml", 2, "/nonexistent.toml");
   }

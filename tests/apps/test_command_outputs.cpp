@@ -33,18 +33,17 @@ TEST_CASE("commands: whether outputs can be written is found out before the work
   const std::string missing = scratch / "missing.obj", start = missing + " -n 20 --config " + scratch / "options.toml ";
   // The input is missing, which is said once it is read: what is said of an output is said before.
   for (const std::string& name : built_commands()) {
-    require_error(name, start + "-o /proc/x.ply", 6, "/proc/x.ply");
+    require_error(name, start + "-o /proc/x.ply", 6, "'/proc/x.ply': its folder takes no new files; choose another");
     require_error(name, start + "-o " + scratch / "folder.ply", 6, "is a directory");
     require_error(name, start + "-o " + scratch / "none/a.ply", 6, "create it first");
     // gvd-remesh has no regions to colour: it writes no .mtl.
     require_error(name, start + "-o " + scratch / "c.obj", name == "gvd-remesh" ? 3 : 6,
                   name == "gvd-remesh" ? missing : "c.mtl: is a directory");
-    if (name != "gvd-remesh") require_error(name, start + "-o a.obj --diagram ./a.mtl", 2, "two outputs go there");
-    require_error(name, start + "--report " + scratch / "options.toml", 2, "the run reads this file");
+    require_error(name, start + "-o a.json --diagram ./a.json", 2, "two outputs go there");
     require_error(name, start + "-o - >&-", 6, "standard output is closed");
     for (const char* option : {"--report ", "--diagram ", "--view "}) {
       require_error(name, start + option + "''", 2, "the name is empty");
-      require_error(name, start + option + "/proc/x", 6, "/proc/x");
+      require_error(name, start + option + "/proc/x", 2, "'/proc/x': the extension must be ");
     }
     require_error(name, start + "-o " + scratch / "a.ply", 3, missing);
   }
@@ -90,23 +89,26 @@ TEST_CASE("commands: a mesh that the format can't hold is refused before the wor
 TEST_CASE("commands: no output replaces a file that is read") {
   namespace fs = std::filesystem;
   const ScratchFolder scratch;
-  const std::string mesh = scratch / "mesh.ply", list = scratch / "list.txt";
+  const std::string mesh = scratch / "mesh.ply", list = scratch / "list.json";
   fs::copy_file(data_file("torus.ply"), mesh);
   write_text(list, "1\n5\n");
   fs::create_symlink(mesh, scratch / "link.ply");
-  fs::create_hard_link(mesh, scratch / "hard.ply");
+  for (const char* name : {"hard.ply", "hard.json", "hard.html"}) fs::create_hard_link(mesh, scratch / name);
   fs::create_directory(scratch / "folder");
   const std::string before = read_text(mesh), what = "the run reads this file";
   for (const std::string& name : built_commands()) {
     for (const char* spelling : {"mesh.ply", "./mesh.ply", "folder/../mesh.ply", "link.ply", "hard.ply"}) {
       const std::string path = scratch / spelling;
-      for (const char* option : {"-o", "--report", "--diagram", "--view"}) {
-        require_error(name, mesh + " -n 20 " + option + " " + path, 2, path + ": " + what);
-      }
+      require_error(name, mesh + " -n 20 -o " + path, 2, path + ": " + what);
       require_error(name, path + " -n 20 -o " + mesh, 2, mesh + ": " + what);
       require_error(name, "- --input-format ply -n 20 -o " + path + " < " + mesh, 2, path + ": " + what);
     }
-    require_error(name, mesh + " --generators " + list + " --report " + list, 2, list + ": " + what);
+    for (const char* option : {"--report ", "--diagram ", "--view "}) {
+      const std::string path = scratch / (option == std::string("--view ") ? "hard.html" : "hard.json");
+      require_error(name, mesh + " -n 20 " + option + path, 2, path + ": " + what);
+    }
+    require_error(name, mesh + " --generators-format text --generators " + list + " --report " + list, 2,
+                  list + ": " + what);
   }
   CHECK(read_text(mesh) == before);
   CHECK(read_text(list) == "1\n5\n");

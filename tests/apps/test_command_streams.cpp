@@ -104,7 +104,7 @@ TEST_CASE("commands: a list of generators comes through a pipe, in any format") 
   require_error("gvd-segment", "- --input-format obj --generators -", 2,
                 "INPUT and --generators are both standard input");
   require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format requires --generators");
-  const std::string list = scratch / "list.csv";
+  const std::string list = scratch / "list.json";
   require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2, "the run reads this file");
 }
 
@@ -125,11 +125,11 @@ TEST_CASE("commands: bars are drawn on a terminal only") {
   }
 }
 
-TEST_CASE("commands: the bar of a relaxation has iteration and energy") {
+TEST_CASE("commands: the bar of a relaxation has iteration and energy, and no last iteration that may not come") {
   setenv("TERM", "xterm", 1);
   const CommandResult result =
       run_on_terminal("gvd-lloyd", {data_file("figure.obj"), "-n", "40", "--iterations", "30", "--tolerance", "0"});
-  CHECK_THAT(result.err, Contains("relaxation ") && Contains("/30, energy "));
+  CHECK_THAT(result.err, Contains("relaxation ") && Contains(", energy ") && !Contains("/30"));
 }
 
 TEST_CASE("commands: an interrupted run exits with 130 and leaves the old file") {

@@ -35,6 +35,7 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
   std::error_code ignored;
   if (word.starts_with('-')) return "is not a file; options go before --";
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
+  if (word == "%") return "is not a file; write a number and % without a blank, as in --error 1%";
   if (parse_number<std::int64_t>(word)) {
     if (options.generators.vertices) return "is not a file; --vertices takes commas without blanks, as in 3,17,99";
     if (!options.generators.count) return fmt::format("is not a file; did you mean -n {}?", word);
@@ -62,10 +63,18 @@ bool may_be_read(const std::string& path) {
                      paths.front(), others));
 }
 
+/// Refuses a word that other programs take for a command.
+void check_commands(const std::string& path) {
+  if ((path == "help" || path == "version") && !may_be_read(path)) {
+    refuse(fmt::format("unexpected: '{0}' is not a file; did you mean --{0}?", path));
+  }
+}
+
 /// Several inputs need a folder for their outputs, in which standard input has no name.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   const bool has_list_piped = options.generators.file == "-", into_folder = !options.output.folder.empty();
+  check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <string_view>
 
@@ -59,6 +60,21 @@ std::size_t count_edits(const std::string& from, const std::string& to) {
   return now[to.size()];
 }
 
+/// The options of -h, which fit a screen: where meshes and generators come from, and where results go.
+bool is_main(const CLI::Option& option) {
+  constexpr std::array kMain{"INPUT",      "-n",       "--generators", "--error",  "--iterations",
+                             "--features", "--output", "--output-dir", "--report", "--view",
+                             "--cut",      "--stats",  "--points"};
+  return std::any_of(kMain.begin(), kMain.end(), [&](const char* name) { return option.check_name(name); });
+}
+
+/// A description up to its first detail.
+std::string first_clause(const std::string& description) {
+  std::size_t end = description.size();
+  for (const char* detail : {";", " (default", ", or ", ", in "}) end = std::min(end, description.find(detail));
+  return description.substr(0, end);
+}
+
 /// Every name that a user can type, and those of positional arguments.
 std::vector<std::string> list_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -78,7 +94,9 @@ void check_known(const CLI::App& app, const std::string& hint) {
   for (const std::string& word : app.remaining()) {
     if (word == "--") continue;
     const auto meant = suggest_name(word, names);
-    const char* const form = !meant                  ? "{}"
+    const char* const form = bare_name(word) == "faces"
+                                 ? "{} (-n sets the vertices; a closed mesh has twice as many faces)"
+                             : !meant                ? "{}"
                              : meant->front() == '-' ? "{} (did you mean {}?)"
                                                      : "{} ({} needs no option in front)";
     unknown.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
@@ -144,8 +162,9 @@ std::string wrap(const std::string& text, std::size_t width, std::size_t indent)
   return wrapped;
 }
 
-std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const {
+std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   std::string text = wrap(app->get_description(), kHelpWidth, 0) + "\n\n" + make_usage(app, name);
+  if (mode == CLI::AppFormatMode::Normal) return text + make_main_options(app);
   for (const std::string& group : app->get_groups()) {
     text += fmt::format("\n{}:\n", group);
     for (const CLI::Option* const option : app->get_options()) {
@@ -155,13 +174,26 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
   return text + app->get_footer();
 }
 
-std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
+std::string HelpFormatter::make_main_options(const CLI::App* app) const {
+  std::string text = "\n";
+  for (const CLI::Option* const option : app->get_options()) {
+    if (is_main(*option)) text += make_line(option, first_clause(option->get_description()));
+  }
+  return text + fmt::format("\nAll options, and examples: {} --help\n", app->get_name());
+}
+
+std::string HelpFormatter::make_option(const CLI::Option* option, bool) const {
+  return make_line(option, option->get_description());
+}
+
+std::string HelpFormatter::make_line(const CLI::Option* option, const std::string& description) {
+  const bool is_positional = option->get_positional();
   const std::string type = option->get_items_expected_max() > 0 ? " " + option->get_type_name() : "";
   const std::string names = CLI::detail::find_and_replace(option->get_name(is_positional, true), ",", ", ");
   const std::string title = fmt::format("  {:{}}", names + type, kDescriptionColumn - 4);
   const std::string gap =
       title.size() + 2 <= kDescriptionColumn ? "  " : fmt::format("\n{:{}}", "", kDescriptionColumn);
-  return title + gap + wrap(option->get_description(), kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
+  return title + gap + wrap(description, kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
 }
 
 std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<ValueRule>& rules, int argc,
@@ -175,6 +207,8 @@ std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<V
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
     return std::string(version.what()) + "\n";
+  } catch (const CLI::CallForAllHelp&) {
+    return app.help("", CLI::AppFormatMode::All);
   } catch (const CLI::Success&) {
     return app.help();
   } catch (const CLI::Error& error) {

@@ -37,12 +37,17 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
 /// The words of `text` in lines of at most `width` columns, all but the first one after `indent` blanks.
 std::string wrap(const std::string& text, std::size_t width, std::size_t indent);
 
-/// The --help of an app. Its options are listed in groups, in the order in which each group and each of its options
-/// comes first. No line is longer than 80 columns, as long as no single word is.
+/// The help of an app. With the mode All, that of --help, its options are listed in groups, in the order in which each
+/// group and each of its options comes first. Otherwise, for -h, the main ones come without details. No line is longer
+/// than 80 columns, as long as no single word is.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
+
+ private:
+  std::string make_main_options(const CLI::App* app) const;
+  static std::string make_line(const CLI::Option* option, const std::string& description);
 };
 
 }  // namespace gvd::app

@@ -136,9 +136,15 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
   add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
   add_flag(app, "--ascii-ply", output.ascii_ply,
            "Write .ply as text instead of binary; meshio reads face labels only from text");
-  add_file(app, "--report", output.report, "Write a report of the run (JSON)")->excludes("--output-dir");
-  add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)")->excludes("--output-dir");
-  add_file(app, "--view", output.view, "Write an interactive page of the result (HTML)")->excludes("--output-dir");
+  add_file(app, "--report", output.report, "Write a report of the run (JSON)", "FILE.json")
+      ->check(with_extension({"json"}))
+      ->excludes("--output-dir");
+  add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)", "FILE.json")
+      ->check(with_extension({"json"}))
+      ->excludes("--output-dir");
+  add_file(app, "--view", output.view, "Write an interactive page of the result (HTML)", "FILE.html")
+      ->check(with_extension({"html", "htm"}))
+      ->excludes("--output-dir");
   Choices<UpAxis> axes;
   for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
     axes.emplace_back(to_text(axis), axis);
@@ -227,8 +233,10 @@ void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
 
 void register_general(CLI::App& app, Options& options, const std::string& version) {
   app.option_defaults()->group("General");
-  const auto show_help = [] { throw CLI::CallForHelp(); };
-  app.add_flag_callback("-h,--help", show_help, "Show this help")->configurable(false)->trigger_on_parse();
+  const auto show_short = [] { throw CLI::CallForHelp(); };
+  const auto show_all = [] { throw CLI::CallForAllHelp(); };
+  app.add_flag_callback("-h", show_short, "Show the main options")->configurable(false)->trigger_on_parse();
+  app.add_flag_callback("--help", show_all, "Show all options")->configurable(false)->trigger_on_parse();
   app.set_version_flag("--version", version, "Show the version")->trigger_on_parse();
   app.set_config("--config", "", "Read options from this TOML file; the command line overrides it")
       ->type_name("FILE.toml")

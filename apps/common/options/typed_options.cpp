@@ -6,7 +6,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+
+#include "common/options/command_line.hpp"
 
 namespace gvd::app {
 namespace {
@@ -65,6 +68,24 @@ CLI::Option* add_flag(CLI::App& app, const std::string& names, bool& target, con
 
 CLI::Validator not_empty(const std::string& kind) {
   return {[kind](std::string& name) { return name.empty() ? "the name is empty; name a " + kind : ""; }, ""};
+}
+
+CLI::Validator with_extension(const std::vector<std::string>& extensions) {
+  const auto check = [extensions](const std::string& file) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(file, ignored);
+    const bool is_file = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+    if (!is_file || file == "-" || contains(extensions, file_extension(file))) return std::string();
+    return fmt::format("'{}': the extension must be {}.{}", printable(file), extensions.size() > 1 ? "one of " : "",
+                       fmt::join(extensions, ", ."));
+  };
+  return {check, ""};
+}
+
+std::string describe_unknown(const std::string& text, const std::vector<std::string>& names) {
+  const auto meant = suggest_name(text, names);
+  return fmt::format("'{}' is not one of {}{}", text, fmt::join(names, "|"),
+                     meant ? fmt::format("; did you mean {}?", *meant) : "");
 }
 
 CLI::Option* add_file(CLI::App& app, const std::string& names, std::string& target, const std::string& description,

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/options/options.hpp"
 #include "gvd/text.hpp"
@@ -58,6 +59,9 @@ CLI::Option* add_flag(CLI::App& app, const std::string& names, bool& target, con
 /// Refuses an empty name. `kind`: what is to be named, for messages.
 CLI::Validator not_empty(const std::string& kind);
 
+/// Refuses a name without one of these extensions, which have no dots. Pipes, devices and "-" may have any name.
+CLI::Validator with_extension(const std::vector<std::string>& extensions);
+
 /// Adds an option that names a file. `type`: "FILE", or with an extension.
 CLI::Option* add_file(CLI::App& app, const std::string& names, std::string& target, const std::string& description,
                       const std::string& type = "FILE");
@@ -74,21 +78,24 @@ CLI::Option* add_number(CLI::App& app, const std::string& names, Target& target,
   return add_parsed(app, names, std::numeric_limits<T>::is_integer ? "N" : "NUMBER", store, description);
 }
 
+/// What is wrong with a name that is none of these, with the one that it may stand for.
+std::string describe_unknown(const std::string& text, const std::vector<std::string>& names);
+
 /// Adds an option that takes one of a few names. `Target` is T or std::optional<T>.
 template <class T, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& names, Target& target, const Choices<T>& choices,
                         const std::string& description) {
-  std::string listed;
-  for (const auto& [name, value] : choices) listed += (listed.empty() ? "" : "|") + name;
+  std::vector<std::string> listed;
+  for (const auto& [name, value] : choices) listed.push_back(name);
   const auto store = [&target, choices, listed](const std::string& text) -> std::string {
     for (const auto& [name, value] : choices) {
       if (text != name) continue;
       target = value;
       return "";
     }
-    return fmt::format("'{}' is not one of {}", text, listed);
+    return describe_unknown(text, listed);
   };
-  return add_parsed(app, names, listed, store, description);
+  return add_parsed(app, names, fmt::format("{}", fmt::join(listed, "|")), store, description);
 }
 
 }  // namespace gvd::app

@@ -1,3 +1,8 @@
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "apps/run_command.hpp"
 #include "common/console.hpp"
 #include "support/catch.hpp"
 
@@ -31,6 +36,25 @@ TEST_CASE("a bar shows what its step has found, and the time left") {
   const std::string bar = render_bar({"relaxation", "12/100, energy 0.0012", 0.5, 41.5}, {true, false, 80});
   CHECK_THAT(bar, Catch::Matchers::StartsWith("relaxation 12/100, energy 0.0012 [#"));
   CHECK_THAT(bar, Catch::Matchers::EndsWith("]  50 %  42 s left"));
+}
+
+TEST_CASE("without bars, a line of progress tells the same once in each interval") {
+  CHECK(describe_progress({"sampling", "", 0.459, {}}) == "sampling: 45 %");
+  CHECK(describe_progress({"relaxation", "12, energy 0.5", 0.5, 41.5}) ==
+        "relaxation: 50 %, 12, energy 0.5, 42 s left");
+  const test::ScratchFolder scratch;
+  const auto printed = [&](std::chrono::milliseconds interval, bool quiet) {
+    const int kept = ::dup(STDERR_FILENO);
+    REQUIRE(std::freopen((scratch / "err").c_str(), "w", stderr) != nullptr);
+    Console("gvd-test", {false, false, 80, interval}, quiet, false).bar("sampling", 0.25);
+    std::fflush(stderr);
+    ::dup2(kept, STDERR_FILENO);
+    ::close(kept);
+    return test::read_text(scratch / "err");
+  };
+  CHECK(printed(std::chrono::milliseconds(0), false) == "gvd-test: sampling: 25 %\n");
+  CHECK(printed(std::chrono::milliseconds(0), true).empty());
+  CHECK(printed(std::chrono::seconds(10), false).empty());
 }
 
 TEST_CASE("the time left is that of the part that is left") {

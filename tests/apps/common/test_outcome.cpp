@@ -76,15 +76,18 @@ TEST_CASE("a shortage is described with the limit and what helps") {
         .message;
   };
   ComputeOptions compute;
-  CHECK_THAT(message(compute), StartsWith("out of memory: up to ") &&
-                                   EndsWith("simplify the mesh, or take a coarser --chord-tolerance; --max-memory ends "
-                                            "such a run sooner"));
+  CHECK_THAT(message(compute),
+             StartsWith("out of memory: up to ") &&
+                 EndsWith("take a mesh of fewer or rounder triangles, or a coarser --chord-tolerance; "
+                          "--max-memory ends such a run sooner"));
   compute.method = Method::gbgvd;
   CHECK_THAT(message(compute),
-             EndsWith("simplify the mesh; --max-memory ends such a run sooner") && !Contains("generators"));
+             EndsWith("take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner") &&
+                 !Contains("generators"));
   compute.max_memory = std::int64_t{2} << 30;
   CHECK(message(compute) ==
-        "out of memory: the run needs more than --max-memory 2 GiB; raise it, or simplify the mesh");
+        "out of memory: the run needs more than --max-memory 2 GiB; raise it, or take a mesh of fewer or rounder "
+        "triangles");
   limit_memory_of({});
 }
 
@@ -123,8 +126,9 @@ void throw_in_destructor(const std::function<void()>& fail) {
 TEST_CASE("an exception that nothing may catch ends the process with one line and an exit code") {
   const Ended memory = terminate_in([] { throw_in_destructor([] { throw std::bad_alloc(); }); });
   CHECK(memory.exit_code == 5);
-  CHECK_THAT(memory.err, StartsWith("gvd-test: error: out of memory: ") &&
-                             EndsWith("; simplify the mesh; --max-memory ends such a run sooner\n"));
+  CHECK_THAT(memory.err,
+             StartsWith("gvd-test: error: out of memory: ") &&
+                 EndsWith("; take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner\n"));
   const Ended other = terminate_in([] { throw_in_destructor([] { throw std::runtime_error("x"); }); });
   CHECK(other.exit_code == 5);
   CHECK(other.err == "gvd-test: error: unexpected: x; please report it\n");

@@ -41,6 +41,7 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
   CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is not a file; options go before --");
   CHECK(with(scratch / "x.ply") ==
         "unexpected: '" + scratch / "x.ply" + "' is not a file; did you mean -o " + scratch / "x.ply" + "?");
+  CHECK(with("%") == "unexpected: '%' is not a file; write a number and % without a blank, as in --error 1%");
   CHECK(with("cut") == "unexpected: 'cut' is not a file; options begin with a dash");
   CHECK_THAT(with(scratch / ""), Contains("is a directory; did you mean --output-dir "));
   CHECK(refusal({mesh, other, "-n", "3"}) ==
@@ -141,8 +142,8 @@ TEST_CASE("a link that leads nowhere yet is the file that it names") {
 
 TEST_CASE("the materials of an .obj are a file of the run, too") {
   const test::ScratchFolder scratch;
-  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", scratch / "a.obj", "--report", scratch / "a.mtl"}),
-             Contains("two outputs go there"));
+  test::write_text(scratch / "a.mtl", "v 0 0 0\n");
+  CHECK_THAT(refusal({scratch / "a.mtl", "-n", "3", "-o", scratch / "a.obj"}), Contains("the run reads this file"));
   std::filesystem::create_directory(scratch / "b.mtl");
   CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", scratch / "b.obj"}, ErrorCode::unwritable_output),
              Contains("is a directory"));
@@ -154,8 +155,8 @@ TEST_CASE("the materials of an .obj are a file of the run, too") {
 
 TEST_CASE("the file of options is not replaced") {
   const test::ScratchFolder scratch;
-  test::write_text(scratch / "o.toml", "n = 3\n");
-  CHECK_THAT(refusal({"a.obj", "--config", scratch / "o.toml", "--report", scratch / "o.toml"}),
+  test::write_text(scratch / "o.json", "n = 3\n");
+  CHECK_THAT(refusal({"a.obj", "--config", scratch / "o.json", "--report", scratch / "o.json"}),
              Contains("the run reads this file"));
 }
 

@@ -30,7 +30,10 @@ struct Fixture {
     line.add_option("-f,--file", files, "Some files")->type_name("FILE")->allow_extra_args(false);
     add_flag(line, "--flag", flag, "A flag")->group("Numbers")->needs("--even");
     line.add_flag_callback(
-            "-h,--help", [] { throw CLI::CallForHelp(); }, "Show this help")
+            "-h", [] { throw CLI::CallForHelp(); }, "Show the main options")
+        ->configurable(false);
+    line.add_flag_callback(
+            "--help", [] { throw CLI::CallForAllHelp(); }, "Show all options")
         ->configurable(false);
     line.set_version_flag("--version", "gvd-test 1.2", "Show the version");
     line.set_config("--config", "", "More options")->check(CLI::ExistingFile)->each([this](const std::string& file) {
@@ -108,14 +111,16 @@ TEST_CASE("after two dashes an argument may begin with a dash") {
 TEST_CASE("help and version are answers, even where a required argument is missing") {
   Fixture fixture;
   CHECK(parse_line(fixture.line, {"--version"}) == "gvd-test 1.2\n");
-  for (const char* name : {"-h", "--help"}) {
-    const auto help = parse_line(fixture.line, {name});
-    REQUIRE(help);
-    for (const char* part : {"A test.", "The footer.", "Usage: gvd-test [OPTIONS] INPUT...", "--even N",
-                             "-f, --file FILE", "Numbers:", "Some files"}) {
-      CHECK_THAT(*help, Contains(part));
-    }
+  const auto help = parse_line(fixture.line, {"--help"});
+  REQUIRE(help);
+  for (const char* part : {"A test.", "The footer.", "Usage: gvd-test [OPTIONS] INPUT...", "--even N",
+                           "-f, --file FILE", "Numbers:", "Some files"}) {
+    CHECK_THAT(*help, Contains(part));
   }
+  const auto main = parse_line(fixture.line, {"-h"});
+  REQUIRE(main);
+  CHECK_THAT(*main, Contains("Usage: gvd-test [OPTIONS] INPUT...") &&
+                        Contains("All options, and examples: gvd-test --help") && !Contains("--even"));
 }
 
 /// A fixture that has read a file of options, and the refusal of one that it can't read.
@@ -197,7 +202,7 @@ TEST_CASE("options are listed in groups, in the order in which each comes first"
   add_flag(line, "-q,--quiet", quiet, "Say nothing but errors")->group("General");
   line.footer("\nThe end.\n");
   line.formatter(std::make_shared<HelpFormatter>());
-  CHECK(line.help() ==
+  CHECK(line.help("", CLI::AppFormatMode::All) ==
         "A test that has a description of so many words that they do not fit into one\n"
         "line of the help.\n"
         "\nUsage: x [OPTIONS] [INPUT...]\n"

@@ -131,7 +131,7 @@ TEST_CASE("a wrong value is refused with what is expected, and the target stays"
 
 TEST_CASE("help shows the type of each option") {
   Fixture fixture;
-  const std::string help = parse_line(fixture.line, {"--help"}).value();
+  const std::string help = fixture.line.help("", CLI::AppFormatMode::All);
   for (const char* part : {"--count N", "--length NUMBER", "--colour red|green", "--name TEXT"}) {
     CHECK_THAT(help, Contains(part));
   }
