@@ -166,9 +166,10 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
 
 bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (diagram.face_label[p.face].valid()) return diagram.face_label[p.face] == g;
-  const auto in_face = std::ranges::equal_range(diagram.pieces, p.face, {}, &FacePiece::face);
-  const auto has_point = [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); };
-  return std::ranges::any_of(in_face, has_point);
+  const auto first = std::ranges::lower_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  const auto last = std::ranges::upper_bound(diagram.pieces, p.face, {}, &FacePiece::face);
+  return std::any_of(first, last,
+                     [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 
 /// A point on an edge belongs to the faces on both sides. In a face without area other points lie at the same position,

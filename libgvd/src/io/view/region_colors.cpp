@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
-#include <ranges>
 #include <set>
 #include <tuple>
 
@@ -63,7 +62,11 @@ Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std:
 /// The first of the `count` colours of least cost.
 template <class Cost>
 std::size_t find_cheapest(std::size_t count, const Cost& cost) {
-  return std::ranges::min(std::views::iota(std::size_t{0}, count), {}, cost);
+  std::size_t best = 0;
+  for (std::size_t c = 1; c < count; ++c) {
+    if (cost(c) < cost(best)) best = c;
+  }
+  return best;
 }
 
 /// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
