@@ -3,8 +3,8 @@
 // Idea: an event is a triangle and a generator. It carries the generator's distances across the triangle's edges to the
 // corners opposite. A generator that another one dominates in a triangle does not propagate from there, so that the
 // work is O(n) for any number of generators.
-// Source: section 4.1 of the paper, with its domination test by auxiliary distances. The local update is that of Kimmel
-// and Sethian (1998), or the one by a circle.
+// Source: section 4.1 of the paper, with the test of section 3 for a defeated generator. The local update is that of
+// Kimmel and Sethian (1998), or the one by a circle.
 // Invariant: a vertex has one distance for each generator, which all faces round it share. It only falls.
 #include "geodesic/marching/fast_marching.hpp"
 
@@ -106,7 +106,8 @@ class Marcher {
     }
   }
 
-  /// Whether another generator of the face is nearer at all corners and all edge midpoints (section 4.1).
+  /// Whether another generator of the face is nearer at all corners: equation (3). It is nearer at the midpoints of the
+  /// edges as well, because no update decreases when its distances grow (property (4) in local_update.hpp).
   bool is_dominated(const TableEntry& entry) const {
     const std::int32_t head = entry.face.value();
     if (table_.entry(head).next < 0) return false;
@@ -115,23 +116,9 @@ class Marcher {
       const TableEntry& other = table_.entry(i);
       if (other.generator == entry.generator || other.dominated) continue;
       const auto others = table_.corner_distances(other);
-      if (others[0] < own[0] && others[1] < own[1] && others[2] < own[2] && dominates_midpoints(other, entry))
-        return true;
+      if (others[0] < own[0] && others[1] < own[1] && others[2] < own[2]) return true;
     }
     return false;
-  }
-
-  bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
-    const auto own = table_.corner_distances(entry), others = table_.corner_distances(other);
-    const FaceShape& shape = mesh_.shape(entry.face);
-    for (std::size_t i = 0; i < 3; ++i) {
-      // From a corner to the midpoint a distance changes by at most half the edge length.
-      const std::size_t j = kNext[i];
-      if (std::min(others[i], others[j]) + shape.length[i] < std::max(own[i], own[j])) continue;
-      const MedianHalves halves = make_median_halves(shape, i);
-      if (!(auxiliary_distance(halves, others, i, front_) < auxiliary_distance(halves, own, i, front_))) return false;
-    }
-    return true;
   }
 
   /// Carries generator g across halfedge h, from A to B, into h's face, to the corner D opposite. `index_a`, `index_b`:
