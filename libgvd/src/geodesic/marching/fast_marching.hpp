@@ -18,13 +18,17 @@ struct FastMarchingResult {
 };
 
 /// Computes the distances from all generators at once. An event is a triangle and a generator; events are handled in
-/// ascending order of the sum of the three corner distances. Every triangle has a table of the generators that
+/// nearly ascending order of the sum of the three corner distances. Every triangle has a table of the generators that
 /// may be nearest in a part of it. A generator does not propagate from a triangle in which another one dominates it.
 ///
-/// Source: section 4.1 of the paper. Each distance is stored once per vertex and generator, so that neighbouring
-/// triangles can't disagree. An improved distance queues the triangles round its vertex again, so that the result does
-/// not depend on the order of the queue.
+/// Source: section 4.1 of the paper. Deviations: each distance is stored once per vertex and generator, so that
+/// neighbouring triangles can't disagree; an improved distance queues the triangles round its vertex again; a ring of
+/// buckets replaces the priority queue, so that an event may come before others that are nearer by a mean edge length.
 /// Throws: gvd::Error (interrupted) where `progress` cancels. Cost: O(n) events on average.
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress);
+
+/// The same with the paper's priority queue: the event with the least sum is always the next one. Which generators are
+/// stopped, and where, may differ. Cost: O(n log n).
+FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress);
 
 }  // namespace gvd

@@ -22,7 +22,7 @@ class LocalMarch {
   /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[v] where `upper` is
   /// given. The ring of vertices round these gets distances too, because they improve those inside.
   ///
-  /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
+  /// The march is label-correcting: the distances are a fixed point of the updates.
   /// If updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 
