@@ -19,7 +19,7 @@ NOT_MET = (
     " With all 30 generators within 2, 10 or 30 % of the vertices around a random one (15 sets each), E of LRVD is .04 to .74. The rule for"
     " orphans does not explain it: RVD, without any sweep, has an E of .58 for ten sets. Nor does the unit of length: one that makes LRVD"
     " fit on Spot would make E of growth eleven times the paper's.",
-    "With the generators of another test of this mesh, E on Spot is .2075 by --method paper and .173 by planar growth; the paper has .205.",
+    "With the generators of another test of this mesh, E on Spot is .216 by --method paper and .173 by planar growth; the paper has .205.",
 )
 
 
