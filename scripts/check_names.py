@@ -7,6 +7,8 @@ Documents are README.md, CONTRIBUTING.md, the pages of docs/ and the README of e
 repository, from the page's folder, from an include folder, or below libgvd/src; a source's extension may be omitted. Words in
 capitals stand for anything (apps/NAME). Code is searched among the words of sources, scripts and CMake files.
 
+In the tables of the paper map, each function is named in a file of its row.
+
 Also fails if CTest can't run a test by its name. After an unclosed bracket, CMake joins the following names into one; CTest takes a
 name that begins with a dash for an option.
 """
@@ -84,6 +86,20 @@ def unusable_test_names(files):
                 yield f'{path.relative_to(ROOT)}: CTest cannot run a test named "{name}"'
 
 
+def misplaced_functions(page):
+    """The functions in a table of `item | file | function | test | ...` that no file of their row names."""
+    for line in page.read_text().splitlines():
+        cells = line.split("|")[1:-1]
+        if len(cells) < 5:
+            continue
+        places = [ROOT / start / name for name in CODE.findall(cells[1] + cells[3]) for start in ("", "libgvd/src")]
+        files = [path for place in places for path in (place.glob("*.*") if place.is_dir() else [place]) if path.is_file()]
+        text = " ".join(path.read_text(errors="ignore") for path in files)
+        for function in CODE.findall(cells[2]):
+            if IDENTIFIER.fullmatch(function) and function.split("::")[-1] not in re.findall(r"\w+", text):
+                yield f"{page.relative_to(ROOT)}: names `{function}`, which the files of its row do not have"
+
+
 def main():
     files = tracked()
     words = collect_words(files)
@@ -92,7 +108,7 @@ def main():
     folders = [ROOT, ROOT / "libgvd", ROOT / "libgvd/src", ROOT / "libgvd/include", ROOT / "web"]
     tops = {child.name for folder in folders for child in folder.iterdir() if child.is_dir()}
     pages = [path for path in files if is_page(path)]
-    findings = list(unusable_test_names(files))
+    findings = list(unusable_test_names(files)) + list(misplaced_functions(ROOT / "docs/developer/paper-map.md"))
     for page in pages:
         own_tops = tops | {child.name for child in page.parent.iterdir() if child.is_dir()}
         for text in sorted(set(CODE.findall(FENCE.sub("", page.read_text())))):

@@ -100,7 +100,7 @@ ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& 
   const GeneratorOptions& asked = run.generators;
   SamplingOptions options;
   options.seed = asked.seed;
-  options.front = make_diagram_options(run.compute).front;
+  options.front = make_diagram_options(run.compute).chosen_front();
   options.progress = progress;
   if (asked.count) options.count = *asked.count;
   if (asked.radius) options.radius = *asked.radius;

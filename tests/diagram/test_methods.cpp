@@ -1,7 +1,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
+#include "geodesic/marching/fast_marching.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
@@ -11,10 +13,9 @@
 
 namespace gvd::test_methods {
 
-const std::vector<Method> kMethods{{Solver::windows, Tracer::envelope},
-                                   {Solver::windows, Tracer::growth},
-                                   {Solver::fast_marching, Tracer::envelope},
-                                   {Solver::fast_marching, Tracer::growth}};
+const std::vector<Method> kMethods{{Solver::windows, Tracer::envelope},     {Solver::windows, Tracer::growth},
+                                   {Solver::windows, Tracer::paper},        {Solver::fast_marching, Tracer::envelope},
+                                   {Solver::fast_marching, Tracer::growth}, {Solver::fast_marching, Tracer::paper}};
 
 Diagram diagram_by(const Mesh& mesh, const std::vector<SurfacePoint>& generators, Method method) {
   DiagramOptions options;
@@ -37,19 +38,62 @@ TEST_CASE("every solver works with every tracer, on every family") {
   }
 }
 
-TEST_CASE("the two solvers with names, and their tracers") {
+TEST_CASE("the three methods with names: their solvers and tracers") {
   CHECK(Method::exact == kMethods[0]);
-  CHECK(Method::gbgvd == kMethods[3]);
+  CHECK(Method::gbgvd == kMethods[4]);
+  CHECK(Method::paper == kMethods[5]);
 }
 
-TEST_CASE("on a flat mesh all four find the same straight bisector") {
+TEST_CASE("the paper's method has planar fronts unless the options name another, and all others have circles") {
+  for (const Method& method : kMethods) {
+    DiagramOptions options;
+    options.method = method;
+    CHECK(options.chosen_front() == (method == Method::paper ? Front::planar : Front::circle));
+    for (const Front front : {Front::planar, Front::circle}) {
+      options.front = front;
+      CHECK(options.chosen_front() == front);
+    }
+  }
+  const Mesh mesh = test::make_bumpy_sphere(2, 1);
+  const auto generators = test::random_generators(mesh, 12, 8);
+  const auto length = [&](std::optional<Front> front) {
+    DiagramOptions options;
+    options.method = Method::paper;
+    options.front = front;
+    return compute_diagram(mesh, generators, options).length;
+  };
+  CHECK(length({}) == length(Front::planar));
+  CHECK(length({}) != length(Front::circle));
+}
+
+TEST_CASE("the paper's method has the paper's priority queue, and the others have buckets") {
+  int different = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto generators = test::random_generators(mesh, 20, 3);
+    const WorkingMesh working(mesh, generators);
+    const auto entries = [&](auto marcher, Front front) {
+      return static_cast<std::int64_t>(marcher(working, front, {}).table.entry_count());
+    };
+    const auto reported = [&](Method method) { return diagram_by(mesh, generators, method).report.table_entries; };
+    const auto in_order = entries(march_in_order, Front::planar);
+    CHECK(reported(Method::paper) == in_order);
+    CHECK(reported(Method::gbgvd) == entries(march, Front::circle));
+    different += in_order != entries(march, Front::planar) ? 1 : 0;
+  }
+  CHECK(different > 0);
+}
+
+TEST_CASE("on a flat mesh all find the same straight bisector") {
   const Mesh mesh = test::make_grid(9, 8);
   const auto generators = test::random_generators(mesh, 2, 5);
   const double length = diagram_by(mesh, generators, Method::exact).length;
   for (const Method& method : kMethods) {
     const Diagram diagram = diagram_by(mesh, generators, method);
     CHECK(diagram.bisectors.size() == 1);
-    CHECK(diagram.length == Approx(length).epsilon(2e-3));
+    // The paper's segments zigzag: distances are taken to be linear in a face, and each edge takes the mean of two
+    // faces.
+    CHECK(diagram.length == Approx(length).epsilon(method.tracer == Tracer::paper ? 0.1 : 2e-3));
   }
 }
 

@@ -38,7 +38,7 @@ void add_compute(Json& json, const ComputeOptions& compute) {
   const bool exact = compute.method == Method::exact;
   json["method"] = name_in(kMethods, compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
-  json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.front));
+  json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.chosen_front()));
   json["threads"] = compute.threads;
   json["verify"] = compute.verify;
   json["max_memory"] = or_null(compute.max_memory);
@@ -71,7 +71,7 @@ std::vector<std::string> written_formats(const OutputOptions& output) {
 DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   DiagramOptions options;
   options.method = compute.method;
-  options.front = compute.front.value_or(compute.method == Method::paper ? Front::planar : options.front);
+  options.front = compute.front;
   options.chord_tolerance = compute.chord_tolerance.value_or(options.chord_tolerance);
   options.threads = compute.threads;
   return options;

@@ -35,7 +35,7 @@ struct Method {
   bool operator==(const Method&) const = default;
   static const Method exact;  ///< windows and envelope: the diagram of the exact polyhedral metric
   static const Method gbgvd;  ///< fast marching and growth: the paper's method, improved
-  static const Method paper;  ///< the paper's method step by step; Front::planar belongs to it
+  static const Method paper;  ///< the paper's method step by step, with planar fronts unless the options name another
 };
 inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
@@ -47,13 +47,16 @@ inline constexpr double kLeastChordTolerance = 1e-10;
 
 struct DiagramOptions {
   Method method = Method::exact;
-  Front front = Front::circle;  ///< of fast marching
+  std::optional<Front> front;  ///< of fast marching; without one, that of `chosen_front`
   /// Largest distance of a bisector's segments from the curve, in mean edge lengths, >= kLeastChordTolerance. Only the
   /// envelope tracer uses it. The number of points grows with the square root of its inverse.
   double chord_tolerance = 1e-4;
   /// Number of threads, >= 1; 0 for one a core. The result does not depend on it, to the last bit.
   int threads = 0;
   Progress progress;  ///< may be empty
+
+  /// `front`, or that of the method: planar for Method::paper, circle for all others.
+  Front chosen_front() const { return front.value_or(method == Method::paper ? Front::planar : Front::circle); }
 };
 
 /// A point that belongs to three or more cells.

@@ -53,10 +53,10 @@ double tolerance(const Mesh& mesh, const DiagramOptions& options) {
 TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options) {
   NearestLabels labels = compute_nearest_labels(working, table);
   if (options.method.tracer == Tracer::paper) {
-    PaperTracer tracer(working, table, options.front, options.progress);
+    PaperTracer tracer(working, table, options.chosen_front(), options.progress);
     return trace_connected(working, std::move(labels), tracer, options.progress);
   }
-  GrowthTracer tracer(working, table, options.front, options.progress);
+  GrowthTracer tracer(working, table, options.chosen_front(), options.progress);
   return trace_connected(working, std::move(labels), tracer, options.progress);
 }
 
@@ -68,7 +68,8 @@ struct Traced {
 
 Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
                      DiagramReport& report) {
-  const FastMarchingResult marched = march(working, options.front, options.progress);
+  const auto march_by_method = options.method == Method::paper ? march_in_order : march;
+  const FastMarchingResult marched = march_by_method(working, options.chosen_front(), options.progress);
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
   if (options.method.tracer != Tracer::envelope) {

@@ -25,7 +25,7 @@ struct TableEntry {
   std::array<std::int32_t, 3> corner;  ///< indices of the VertexDistances at the three corners
   std::int32_t next;                   ///< index of the face's next entry, or -1
   double processed_key;                ///< sum of the distances at the last propagation; infinity before the first
-  bool dominated;                      ///< another generator is nearer everywhere in the triangle
+  bool dominated;                      ///< another generator is nearer at all three corners
 };
 
 /// The generator tables of all triangles and vertices.

@@ -20,9 +20,9 @@ GrowingEnd end_at(const Vec2& start, const Vec2& left_image, const Vec2& right_i
 
 TEST_CASE("an end grows along the bisector of its images, the left one on its left") {
   const GrowingEnd end = end_at({1, 1}, {0, 1}, {2, 1});
-  CHECK((end.direction() - Vec2(0, 1)).norm() < 1e-15);
+  CHECK((end.direction - Vec2(0, 1)).norm() < 1e-15);
   CHECK(end.distance_at({1, 3}) == Approx(std::hypot(1, 2)));
-  CHECK((end_at({1, 1}, {2, 1}, {0, 1}).direction() - Vec2(0, -1)).norm() < 1e-15);
+  CHECK((end_at({1, 1}, {2, 1}, {0, 1}).direction - Vec2(0, -1)).norm() < 1e-15);
 }
 
 TEST_CASE("an end leaves its face by the first edge on its way") {
@@ -61,6 +61,31 @@ TEST_CASE("the rotation around an edge takes the edge to the edge and keeps leng
   CHECK((rotate({1, 2}) - Vec2(0, 0)).norm() < 1e-14);
   CHECK((rotate({4, 6}) - Vec2(5, 0)).norm() < 1e-14);
   CHECK((rotate(Vec2(1, 2) + turned_left({0.6, 0.8})) - Vec2(0, 1)).norm() < 1e-14);
+}
+
+TEST_CASE("over an edge a direction keeps its parts along the edge and across it: equations (7) to (10)") {
+  const Mesh mesh = test::make_bumpy_sphere(1, 3);
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    const int i = Mesh::corner(h), j = Mesh::corner(twin);
+    const FaceLayout old_face(mesh, Mesh::face(h)), new_face(mesh, Mesh::face(twin));
+    const EdgeRotation rotate(old_face.corner[i], old_face.corner[(i + 1) % 3], new_face.corner[(j + 1) % 3],
+                              new_face.corner[j]);
+    // The layout of a face has its first side as its first axis, and its normal points to the reader.
+    const auto in_space = [&](FaceId f, const Vec2& d) {
+      const auto& [a, b, c] = mesh.vertices(f);
+      const Vec3 u = (mesh.position(b) - mesh.position(a)).normalized();
+      const Vec3 n = u.cross(mesh.position(c) - mesh.position(a)).normalized();
+      return std::pair(Vec3(d.x() * u + d.y() * n.cross(u)), n);
+    };
+    for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-2, 3)}) {
+      const auto [pq, n1] = in_space(Mesh::face(h), d);
+      const auto [turned, n2] = in_space(Mesh::face(twin), rotate.turn(d));
+      const Vec3 along = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).normalized();
+      const Vec3 expected = pq.dot(along) * along + pq.dot(n1.cross(along)) * n2.cross(along);
+      REQUIRE((turned - expected).norm() < 1e-12);
+    }
+  }
 }
 
 TEST_CASE("an end on an edge that runs along it does not leave by it") {

@@ -1,8 +1,15 @@
 // The paper's steps: distances of midpoints (section 4.1), rough segments and their refinement (section 4.2, inset
 // figure and figure 6), and complete diagrams.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
+#include "base/plane.hpp"
 #include "diagram/growth/trace_paper.hpp"
+#include "geodesic/marching/unfold.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
@@ -10,6 +17,7 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 #include "support/stages.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_trace_paper {
 
@@ -32,14 +40,6 @@ TEST_CASE("the paper's steps give complete diagrams on all families, with both f
   CHECK(gaps > 500);
   CHECK(2 * grown > gaps);
   CHECK(grown < gaps);
-}
-
-TEST_CASE("the paper's steps work with exact distances too, as every solver with every tracer") {
-  const Mesh mesh = test::make_torus(24, 12);
-  DiagramOptions options;
-  options.method = {Solver::windows, Tracer::paper};
-  const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 10, 1), options);
-  CHECK(check_diagram(mesh, diagram).ok());
 }
 
 constexpr int kSquares = 12;
@@ -99,6 +99,136 @@ TEST_CASE("refined segments come near to the bisector of two generators in the p
   weld_crossings(estimates, crossings);
   CHECK(rough > 0.15);
   CHECK(mean_error() < 0.25 * rough);
+}
+
+/// The paper's steps on a flat grid, up to the grown gaps.
+struct FlatGrowth {
+  Mesh mesh;
+  test::Stages stages;
+  Crossings crossings;
+  std::vector<ClosedGap> closed;
+
+  explicit FlatGrowth(unsigned seed)
+      : mesh(test::make_jittered_grid(kSquares, kSquares, 0.2, seed)),
+        stages(mesh, test::random_generators(mesh, 8, seed), Front::planar),
+        crossings(find_rough_segments(stages.mesh(), stages.labels)) {
+    weld_crossings(refine_segments(stages.mesh(), stages.table(), crossings), crossings);
+    IdVector<FaceId, char> is_branching(stages.mesh().face_count());
+    for (const FaceId f : stages.mesh().faces()) is_branching[f] = corners_of(f).size() == 3;
+    closed =
+        close_gaps(stages.input(), crossings, connect_gaps(stages.mesh(), is_branching), {{kPaperRules}, 10, {}}, {});
+  }
+
+  std::vector<BoundaryCrossing> corners_of(FaceId f) const { return boundary_crossings(stages.mesh(), crossings, f); }
+
+  Vec2 position_of(const Crossing& c) const {
+    return position(stages.mesh(), edge_point(stages.mesh().halfedge(c.edge), c.t)).head<2>();
+  }
+  Vec2 position_of(const GapNode& node) const {
+    if (node.kind == GapNode::Kind::branch) return position(stages.mesh(), {node.face, node.bary}).head<2>();
+    return position_of(node.kind == GapNode::Kind::rim ? crossings[node.rim] : node.crossing);
+  }
+  /// The face outside a gap at a crossing of its rim.
+  FaceId outside(const Gap& gap, const GapNode& rim) const {
+    const HalfedgeId h = stages.mesh().halfedge(crossings[rim.rim].edge);
+    return Mesh::face(gap.contains(Mesh::face(h)) ? stages.mesh().twin(h) : h);
+  }
+  /// The start of the segment that ends at a crossing of the rim.
+  Vec2 start_of_segment(const Gap& gap, const GapNode& rim) const {
+    const auto ends = corners_of(outside(gap, rim));
+    REQUIRE(ends.size() == 2);
+    return position_of(crossings[ends[0].id == rim.rim ? ends[1].id : ends[0].id]);
+  }
+  /// The image of a generator, as unfolded into the plane of a face.
+  Vec2 image(FaceId f, GeneratorId g) const {
+    std::array<Vec2, 3> corner;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = stages.mesh().position(stages.mesh().vertices(f)[i]).head<2>();
+    return unfold_generator(corner, corner_distances(stages.input(), f, g));
+  }
+};
+
+/// The arc of a grown gap that ends at a node, or null.
+const GapArc* arc_to(const GrownGap& grown, int node) {
+  const auto found = std::ranges::find(grown.arcs, node, &GapArc::end);
+  return found == grown.arcs.end() ? nullptr : &*found;
+}
+
+/// The first arc of the end that grew to this one, from the rim or from a branch point.
+const GapArc& first_arc(const GrownGap& grown, const GapArc& arc) {
+  const GapArc* before = grown.nodes[arc.begin].kind == GapNode::Kind::crossing ? arc_to(grown, arc.begin) : nullptr;
+  return before == nullptr ? arc : first_arc(grown, *before);
+}
+
+/// The arcs of the ends that start at the rim and that no joining turned aside: to a new crossing or a branch point.
+std::vector<GapArc> stretched_arcs(const GrownGap& grown) {
+  std::vector<GapArc> arcs;
+  std::map<int, int> ended;  // arcs up to now that end at a node
+  for (const GapArc& arc : grown.arcs) {
+    const GapNode::Kind kind = grown.nodes[arc.end].kind;
+    const int own = kind == GapNode::Kind::branch ? 2 : kind == GapNode::Kind::crossing ? 1 : 0;
+    const bool joined = ended[arc.end]++ >= own;
+    if (!joined && grown.nodes[first_arc(grown, arc).begin].kind == GapNode::Kind::rim) arcs.push_back(arc);
+  }
+  return arcs;
+}
+
+TEST_CASE("the traced segments are stretched: on a flat mesh each goes on straight") {
+  int stretched = 0, through_faces = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const FlatGrowth x(seed);
+    for (const auto& [gap, grown, merged] : x.closed) {
+      for (const GapArc& arc : stretched_arcs(grown)) {
+        const GapNode& start = grown.nodes[first_arc(grown, arc).begin];
+        const Vec2 before = x.start_of_segment(gap, start), from = x.position_of(start);
+        const Vec2 to = x.position_of(grown.nodes[arc.end]);
+        REQUIRE(std::abs(cross((from - before).normalized(), (to - from).normalized())) < 1e-5);
+        ++stretched;
+        through_faces += arc.begin != first_arc(grown, arc).begin ? 1 : 0;
+      }
+    }
+  }
+  CHECK(stretched > 100);
+  CHECK(through_faces > 20);
+}
+
+TEST_CASE("images are kept over each edge: a branch point has the distances to the images of the starts") {
+  int branches = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const FlatGrowth x(seed);
+    for (const auto& [gap, grown, merged] : x.closed) {
+      for (int n = 0; n < std::ssize(grown.nodes); ++n) {
+        if (grown.nodes[n].kind != GapNode::Kind::branch) continue;
+        std::vector<GapArc> arcs = stretched_arcs(grown);
+        std::erase_if(arcs, [&](const GapArc& arc) { return arc.end != n; });
+        if (arcs.size() != 2) continue;
+        if (arcs[0].right != arcs[1].left) std::swap(arcs[0], arcs[1]);
+        const auto distance = [&](const GapArc& arc, GeneratorId g) {
+          const GapNode& start = grown.nodes[first_arc(grown, arc).begin];
+          return (x.image(x.outside(gap, start), g) - x.position_of(grown.nodes[n])).norm();
+        };
+        const auto& [first, second] = std::pair(arcs[0], arcs[1]);
+        const double between = 0.5 * (distance(first, first.right) + distance(second, second.left));
+        const double mean = (distance(first, first.left) + between + distance(second, second.right)) / 3;
+        REQUIRE(grown.nodes[n].distance == Approx(mean).epsilon(1e-6));
+        ++branches;
+      }
+    }
+  }
+  CHECK(branches > 30);
+}
+
+TEST_CASE("a face of three labels outside the gap has no segment to stretch: the gap has to take it") {
+  const FlatGrowth x(1);
+  int branching = 0;
+  for (const FaceId f : x.stages.mesh().faces()) {
+    const HalfedgeId twin = x.stages.mesh().twin(Mesh::halfedge(f, 0));
+    if (x.corners_of(f).size() != 3 || !twin.valid() || x.corners_of(Mesh::face(twin)).size() != 2) continue;
+    const GrowthOutcome outcome = grow_bisectors(x.stages.input(), x.crossings, {{Mesh::face(twin)}}, kPaperRules);
+    CHECK_FALSE(outcome.grown);
+    CHECK(outcome.entered == f);
+    ++branching;
+  }
+  CHECK(branching > 2);
 }
 
 TEST_CASE("the distance at an edge midpoint is the mean of those at the edge's ends, for every entry of the tables") {

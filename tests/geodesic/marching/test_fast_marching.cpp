@@ -1,14 +1,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "geodesic/marching/fast_marching.hpp"
+#include "geodesic/marching/local_update.hpp"
 #include "gvd/error.hpp"
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/models.hpp"
+#include "support/simple_obj.hpp"
 #include "support/stages.hpp"
 #include "support/tiny_meshes.hpp"
 
@@ -121,23 +125,130 @@ TEST_CASE("nearest distances at the vertices agree with the reference distances"
   }
 }
 
-TEST_CASE("the domination test leaves few generators per face") {
-  const auto found = test::find_reference("spot.m30");
-  if (!found) return;
-  const test::Reference& spot = *found;
-  std::vector<SurfacePoint> generators;
-  for (const VertexId v : spot.generators) generators.push_back(vertex_point(spot.mesh, v));
-  for (const Front front : kFronts) {
-    const test::Stages stages(spot.mesh, generators, front);
-    int kept = 0;
-    for (int f = 0; f < spot.mesh.face_count(); ++f) {
-      stages.table().for_each(FaceId(f), [&](const TableEntry& entry) { kept += entry.dominated ? 0 : 1; });
+/// Calls visit(winner, loser) for each two entries of a face of which the first defeats the second by equation (3), and
+/// is not dominated.
+template <class Visit>
+void for_each_defeat(const GeneratorTable& table, FaceId f, Visit visit) {
+  table.for_each(f, [&](const TableEntry& winner) {
+    if (winner.dominated) return;
+    const auto w = table.corner_distances(winner);
+    table.for_each(f, [&](const TableEntry& loser) {
+      const auto l = table.corner_distances(loser);
+      if (w[0] < l[0] && w[1] < l[1] && w[2] < l[2]) visit(winner, loser);
+    });
+  });
+}
+
+TEST_CASE("a defeated generator stops: the tables stay small") {
+  const Mesh figure = test::read_simple_obj(std::string(GVD_SOURCE_DIR) + "/data/figure.obj");
+  for (const auto& marcher : {march, march_in_order}) {
+    for (const Front front : kFronts) {
+      const WorkingMesh working(figure, test::random_generators(figure, 30, 1));
+      const FastMarchingResult marched = marcher(working, front, {});
+      int kept = 0;
+      for (const FaceId f : working.mesh().faces()) {
+        marched.table.for_each(f, [&](const TableEntry& entry) { kept += entry.dominated ? 0 : 1; });
+      }
+      const double faces = working.mesh().face_count();
+      INFO(kept / faces << ", " << double(marched.table.entry_count()) / faces);
+      CHECK(kept > 1.15 * faces);
+      CHECK(kept < 1.3 * faces);
+      CHECK(double(marched.table.entry_count()) < 1.75 * faces);
     }
-    const double share = double(kept) / spot.mesh.face_count();
-    CHECK(share > 1.15);
-    CHECK(share < 1.3);
-    CHECK(double(stages.table().entry_count()) / spot.mesh.face_count() < 1.75);
   }
+}
+
+TEST_CASE("a defeated generator stops: it goes a few edges beyond its cell") {
+  const Mesh mesh = test::make_grid(40, 3);
+  for (const auto& marcher : {march, march_in_order}) {
+    for (const Front front : kFronts) {
+      const WorkingMesh working(mesh, test::at_vertices(mesh, {41, 41 + 40}));  // at x = 0 and x = 40
+      const FastMarchingResult marched = marcher(working, front, {});
+      double farthest = 0;
+      for (const VertexId v : mesh.vertices()) {
+        if (marched.table.find(v, GeneratorId(0)) >= 0) farthest = std::max(farthest, mesh.position(v).x());
+      }
+      INFO(farthest);
+      CHECK(farthest >= 20);
+      CHECK(farthest <= 24);
+    }
+  }
+}
+
+TEST_CASE("equation (3) is about the corners alone, and what it defeats is not nearer at a midpoint") {
+  int defeats = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const Front front : kFronts) {
+      INFO(name << ", " << test::name(front));
+      const test::Stages stages(mesh, test::random_generators(mesh, 20, 5), front);
+      const GeneratorTable& table = stages.table();
+      for (const FaceId f : stages.mesh().faces()) {
+        for_each_defeat(table, f, [&](const TableEntry& winner, const TableEntry& loser) {
+          for (std::size_t side = 0; side < 3; ++side) {
+            const MedianHalves halves = make_median_halves(stages.mesh().shape(f), side);
+            REQUIRE(auxiliary_distance(halves, table.corner_distances(winner), side, front) <=
+                    auxiliary_distance(halves, table.corner_distances(loser), side, front) + 1e-12);
+          }
+          ++defeats;
+        });
+      }
+    }
+  }
+  CHECK(defeats > 1000);
+}
+
+/// How many of a table's entries were added before another one whose event has a smaller key, by more than rounding.
+/// Those entries are compared that were added to a face with an entry: they lie in the order of their events. The event
+/// of such an entry is that of a neighbour with the same generator, the nearest one.
+double share_out_of_order(const Mesh& mesh, const GeneratorTable& table) {
+  double latest = 0;
+  int entries = 0, early = 0;
+  for (auto i = static_cast<std::int32_t>(mesh.face_count()); i < static_cast<std::int32_t>(table.entry_count()); ++i) {
+    double key = std::numeric_limits<double>::infinity();
+    for (const HalfedgeId h : Mesh::halfedges(table.entry(i).face)) {
+      const HalfedgeId twin = mesh.twin(h);
+      const std::int32_t n = twin.valid() ? table.find(Mesh::face(twin), table.entry(i).generator) : -1;
+      if (n < 0 || table.entry(n).dominated) continue;
+      const auto d = table.corner_distances(table.entry(n));
+      key = std::min(key, d[0] + d[1] + d[2]);
+    }
+    if (key == std::numeric_limits<double>::infinity()) continue;  // around the generator itself
+    ++entries;
+    early += key < latest - 1e-9 ? 1 : 0;
+    latest = std::max(latest, key);
+  }
+  return double(early) / entries;
+}
+
+TEST_CASE("the paper's queue handles triangles by the sum of their three distances: equation (5)") {
+  // Circles on a flat mesh have exact distances, which no later event improves.
+  const Mesh mesh = test::make_jittered_grid(30, 30, 0.2, 1);
+  std::vector<int> vertices;
+  for (int i = 0; i < 40; ++i) vertices.push_back((i * 397 + 11) % mesh.vertex_count());
+  const WorkingMesh working(mesh, test::at_vertices(mesh, vertices));
+  const double in_order = share_out_of_order(mesh, march_in_order(working, Front::circle, {}).table);
+  const double in_buckets = share_out_of_order(mesh, march(working, Front::circle, {}).table);
+  INFO(in_order << ", in buckets " << in_buckets);
+  CHECK(in_order < 0.05);
+  CHECK(in_buckets > 0.5);
+}
+
+TEST_CASE("both queues give nearly the same nearest distances, but not the same tables") {
+  std::size_t different = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const WorkingMesh working(mesh, test::random_generators(mesh, 20, 5));
+    const FastMarchingResult buckets = march(working, Front::planar, {});
+    const FastMarchingResult ordered = march_in_order(working, Front::planar, {});
+    const NearestLabels by_buckets = compute_nearest_labels(working, buckets.table);
+    const NearestLabels by_order = compute_nearest_labels(working, ordered.table);
+    for (const VertexId v : working.mesh().vertices()) {
+      if (!std::isfinite(by_order.distance[v])) continue;
+      REQUIRE(by_buckets.distance[v] == Approx(by_order.distance[v]).epsilon(0.02));
+    }
+    different += buckets.table.entry_count() != ordered.table.entry_count() ? 1 : 0;
+  }
+  CHECK(different > 0);
 }
 
 TEST_CASE("the indices of the tables are consistent on every family") {

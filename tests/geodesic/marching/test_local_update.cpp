@@ -64,6 +64,23 @@ TEST_CASE("(1) both updates are symmetric in A and B") {
   }
 }
 
+TEST_CASE("(4) no update decreases when a distance grows") {
+  test::Random random(7);
+  int across = 0;
+  for (int i = 0; i < kRounds; ++i) {
+    const Sample s = random_sample(random);
+    const UpdateTriangle t = triangle_of(s.base, s.d);
+    const double a = random.real(0, 4), b = std::max(random.real(0, 4), s.base - a + 1e-9);
+    const double more_a = a + random.real(0, 1), more_b = b + random.real(0, 1);
+    for (const Front front : {Front::circle, Front::planar}) {
+      const double before = update_by(front, t, a, b), after = update_by(front, t, more_a, more_b);
+      REQUIRE(after >= before - 1e-12);
+      across += before < update_along_edges(t, a, b) ? 1 : 0;
+    }
+  }
+  CHECK(across > kRounds / 5);
+}
+
 TEST_CASE(
     "(2) the circle is exact for a planar point source that sees D through A B, and falls back to the edges (3)") {
   test::Random random(2);

@@ -2,7 +2,8 @@
 //
 // Every crossing on the rim starts an end. A queue holds what may happen next: two ends of one bisector join, two ends
 // intersect at a branch point, or an end leaves its face and enters the next one. Each event that still applies makes
-// nodes and arcs of the result, and new ends with their own events.
+// nodes and arcs of the result, and new ends with their own events. The paper has the second kind and the third. The
+// first is ours: a bisector that crosses a gap without a branch point has two ends there, which never intersect.
 // Invariant: nodes and arcs are only appended, so an event refers to ends by index. Nothing here is trusted: growth
 // ends with `check_growth`, and a result that does not pass counts as failed.
 #include "diagram/growth/grow_bisectors.hpp"
@@ -27,7 +28,7 @@ class EventLoop {
       : input_(input), mesh_(input.mesh()), crossings_(crossings), gap_(gap), rules_(rules), events_(rules.order) {}
 
   GrowthOutcome run() {
-    start_at_rim();
+    if (!start_at_rim()) return failed();
     std::size_t steps = kStepsPerFace * gap_.faces.size() + 4 * ends_.size();
     while (active_ > 0) {
       if (events_.empty()) return failed();
@@ -62,8 +63,8 @@ class EventLoop {
   }
 
   /// Every crossing on the rim starts an end. The images of its generators are unfolded in the face outside the gap,
-  /// where only two generators compete.
-  void start_at_rim() {
+  /// where only two generators compete. False if a segment is to be stretched, but that face has none.
+  bool start_at_rim() {
     for (const FaceId f : gap_.faces) {
       for (const BoundaryCrossing& c : boundary_crossings(mesh_, crossings_, f)) {
         const HalfedgeId h = Mesh::halfedge(f, c.corner), twin = mesh_.twin(h);
@@ -73,9 +74,26 @@ class EventLoop {
         const Vec2 left = unfold_generator(plane, corner_distances(input_, outside, c.previous));
         const Vec2 right = unfold_generator(plane, corner_distances(input_, outside, c.next));
         const int node = add_node({GapNode::Kind::rim, c.id, {}, FaceId(), {}, 0});
-        enter(twin, c.t, node, {outside, node, {}, c.previous, c.next, left, right});
+        GrowingEnd end{outside, node, {}, c.previous, c.next, left, right};
+        if (rules_.direction == GrowthRules::Direction::of_segment && !take_segment(c.id, end)) return false;
+        enter(twin, c.t, node, end);
       }
     }
+    return true;
+  }
+
+  /// Gives an end the direction of the segment in its face, towards crossing `to`. False in a face of three labels,
+  /// which has no segment: the gap has to take it.
+  bool take_segment(CrossingId to, GrowingEnd& end) {
+    const auto ends = boundary_crossings(mesh_, crossings_, end.face);
+    if (ends.size() != 2) {
+      entered_ = end.face;
+      return false;
+    }
+    const FaceLayout layout(mesh_, end.face);
+    const int first = ends[1].id == to ? 0 : 1;
+    end.direction = (layout.at(ends[1 - first].bary()) - layout.at(ends[first].bary())).normalized();
+    return true;
   }
 
   int add_node(GapNode node) {
@@ -102,7 +120,7 @@ class EventLoop {
     const GrowingEnd &a = ends_[first], &b = ends_[second];
     if (a.left != b.right || a.right != b.left) return;
     const Vec2 way = b.start - a.start;
-    if (!(way.dot(a.direction()) > 0 && way.dot(b.direction()) < 0)) return;  // also without a direction
+    if (!(way.dot(a.direction) > 0 && way.dot(b.direction) < 0)) return;  // also without a direction
     events_.push({GrowthEvent::Kind::joining, way.norm(), first, second});
   }
 
@@ -125,9 +143,11 @@ class EventLoop {
     const Vec2 &a = new_plane[j], &b = new_plane[(j + 1) % 3];
     const EdgeRotation rotate(old_plane[(i + 1) % 3], old_plane[i], a, b);
     const FaceId f = Mesh::face(twin);
-    add_end({f, node, a + t * (b - a), end.left, end.right, image_in(f, new_plane, end.left, rotate(end.left_image)),
-             image_in(f, new_plane, end.right, rotate(end.right_image))},
-            new_plane);
+    const Vec2 left = image_in(f, new_plane, end.left, rotate(end.left_image));
+    const Vec2 right = image_in(f, new_plane, end.right, rotate(end.right_image));
+    GrowingEnd next{f, node, a + t * (b - a), end.left, end.right, left, right};
+    if (rules_.direction == GrowthRules::Direction::of_segment) next.direction = rotate.turn(end.direction);
+    add_end(std::move(next), new_plane);
   }
 
   Vec2 image_in(FaceId f, const std::array<Vec2, 3>& plane, GeneratorId g, const Vec2& rotated) const {

@@ -19,7 +19,14 @@ struct GrowthRules {
     rotated,   ///< from the face before, around the edge
     unfolded,  ///< from the distances at the face's corners; rotated where the tables have none
   };
+  /// The origin of an end's direction when it starts at the rim and when it enters a face. After an intersection the
+  /// images always give the direction.
+  enum class Direction {
+    of_images,   ///< along the bisector of the two images
+    of_segment,  ///< along the traced segment in the face before the rim, carried over each edge by (7) to (10)
+  };
   Images images = Images::rotated;
+  Direction direction = Direction::of_images;
   EventOrder order = EventOrder::by_kind;
   /// Whether an intersection has to be equally far from its three generators, and farther from all others (section 3).
   bool require_equidistance = false;
@@ -38,9 +45,10 @@ struct GrowthOutcome {
 /// of least predicted distance comes first, where an end's predicted distance is the mean of those to its images.
 ///
 /// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event; the
-/// result is checked as a whole (`check_growth`), and no end is ever drawn back; with the default rules intersections
-/// come before exits, since distance is not monotone along a bisector, and images are rotated from face to face.
-/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than kMaxGapFaces.
+/// result is checked as a whole (`check_growth`), and no end is ever drawn back. With the default rules intersections
+/// come before exits, since distance is not monotone along a bisector, and ends follow the bisector of their images.
+/// Fails if an end stays unresolved or wants to leave the gap, if a segment is to be stretched and the face outside has
+/// three labels and so none, if the check fails, and for more than kMaxGapFaces.
 /// Cost: O(k^2) for k ends, those of later faces included; k is bounded by the faces of the gap.
 GrowthOutcome grow_bisectors(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
                              const GrowthRules& rules = {});

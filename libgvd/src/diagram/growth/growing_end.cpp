@@ -1,9 +1,9 @@
 // Growing ends (section 4.3): where the end of a bisector leaves its face, and where two ends intersect.
 //
-// Inside a face an end follows the perpendicular bisector of the two images that its generators have in the plane of
-// the face. So its exit and its intersections are those of straight lines, and the predicted distance of a point from
-// the generators is that from the images.
-// Invariant: the left image lies on the left of the end's direction, so that the cell between two ends is the right one
+// Inside a face an end is a ray: along the perpendicular bisector of the two images that its generators have in the
+// plane of the face, or along the traced segment that it stretches. So its exit and its intersections are those of
+// straight lines, and the predicted distance of a point from the generators is that from the images.
+// Invariant: the left cell lies on the left of the end's direction, so that the cell between two ends is the right one
 // of the first and the left one of the second.
 #include "diagram/growth/growing_end.hpp"
 
@@ -30,7 +30,7 @@ std::array<double, 3> distances_at(const GrowingEnd& first, const GrowingEnd& se
 }  // namespace
 
 std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner) {
-  const Vec2 direction = end.direction();
+  const Vec2 direction = end.direction;
   if (!direction.allFinite()) return std::nullopt;
   std::optional<Exit> first;
   double soonest = std::numeric_limits<double>::infinity();

@@ -31,11 +31,12 @@ struct GrowingEnd {
   Vec2 start;
   GeneratorId left, right;
   Vec2 left_image, right_image;
-  std::optional<Exit> exit{};  ///< its exit event, if it has one
+  Vec2 direction = bisector_direction();  ///< unit vector; not finite where the two images coincide
+  std::optional<Exit> exit{};             ///< its exit event, if it has one
   bool active = true;
 
   /// Unit vector along the bisector of the two images, with the left image on the left.
-  Vec2 direction() const { return turned_left(right_image - left_image).normalized(); }
+  Vec2 bisector_direction() const { return turned_left(right_image - left_image).normalized(); }
 
   /// Predicted distance of a point from the two generators: the mean of those to the images.
   double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
@@ -69,10 +70,10 @@ class EdgeRotation {
     cosine_ = u.dot(v);
     sine_ = cross(u, v);
   }
-  Vec2 operator()(const Vec2& p) const {
-    const Vec2 d = p - from_;
-    return to_ + Vec2(cosine_ * d.x() - sine_ * d.y(), sine_ * d.x() + cosine_ * d.y());
-  }
+  /// The new position of a point.
+  Vec2 operator()(const Vec2& p) const { return to_ + turn(p - from_); }
+  /// The new direction of a vector, which keeps its parts along the edge and across it: equations (9) and (10).
+  Vec2 turn(const Vec2& d) const { return {cosine_ * d.x() - sine_ * d.y(), sine_ * d.x() + cosine_ * d.y()}; }
 
  private:
   Vec2 from_, to_;

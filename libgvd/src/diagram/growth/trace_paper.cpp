@@ -1,10 +1,11 @@
 // Sections 4.1 to 4.3 as the paper has them (`--method paper`); docs/developer/paper-steps.md compares the results.
 //
 // A rough segment joins the midpoints of two edges in every face of two labels. Both generators are unfolded from their
-// distances at these midpoints (figure 6), which moves the segment to the bisector of the two images. Bisectors then
-// grow through the branching faces of section 3 with the paper's rules: one queue by distance, images unfolded in every
-// face, and branch points accepted by distance.
-// Deviation: the paper does not say what happens where growth fails. There the assembly completes the diagram.
+// distances at these midpoints (figure 6), which moves the segment to the bisector of the two images. The segments then
+// grow through the branching faces of section 3 with the paper's rules: a segment keeps its direction over each edge,
+// and its images; one queue by distance; branch points accepted by distance.
+// Deviations: two ends of one bisector that face each other are joined, a third kind of event. The paper does not say
+// what happens where growth fails: there a gap is enlarged, and the assembly completes the diagram in the end.
 #include "diagram/growth/trace_paper.hpp"
 
 #include <utility>
@@ -15,9 +16,6 @@
 
 namespace gvd {
 namespace {
-
-/// The rules of section 4.3, and the second principle of section 3.
-constexpr GrowthRules kPaperRules{GrowthRules::Images::unfolded, EventOrder::by_distance, true};
 
 void append_midpoint(const Mesh& mesh, EdgeId e, const NearestLabels& labels, std::vector<Crossing>& crossings) {
   const HalfedgeId h = mesh.halfedge(e);

@@ -9,6 +9,10 @@
 
 namespace gvd {
 
+/// The rules of section 4.3, and the second principle of section 3.
+inline constexpr GrowthRules kPaperRules{GrowthRules::Images::rotated, GrowthRules::Direction::of_segment,
+                                         EventOrder::by_distance, true};
+
 /// The auxiliary points of section 4.1: distances of generator g at the three edge midpoints of a face, mesh units;
 /// item i belongs to the edge from corner i to the next. The field of a generator is linear in a face, so that each is
 /// the mean of two corners'. Nothing where g does not reach f. Cost: O(entries of the face's table).

@@ -3,13 +3,15 @@
 //
 // All generators: an event is a triangle and a generator. It carries the generator's distances across the triangle's
 // edges to the corners opposite. A generator that another one dominates in a triangle does not propagate from there, so
-// that the work is O(n) for any number of generators.
+// that the work is O(n) for any number of generators. The order matters: a generator may cross a triangle before
+// another one arrives that would have stopped it. So the tables depend on the order, and with them the distances beyond
+// the cells. Each queue has one order, on any machine.
 // One point: a vertex that improves updates the two other corners of each of its faces, by the local update across the
-// side between. The queue is ordered by distance; a vertex may improve again, so the order changes no result.
+// side between. The queue is ordered by distance; a vertex may improve again.
 // Field: the distances of a generator at the two ends of a side determine its image beyond that side, if they come from
 // a point. So the table of each face becomes three images for each generator.
-// Source: section 4.1 of the paper, with its domination test by auxiliary distances. The local update is that of Kimmel
-// and Sethian (1998), or the one by a circle.
+// Source: section 4.1 of the paper, with the test of section 3 for a defeated generator. The local update is that of
+// Kimmel and Sethian (1998), or the one by a circle.
 // Invariant: a vertex has one distance for each generator, which all faces round it share. It only falls; in a march
 // from one point at most 44 times, and never below the smaller of the two distances that it was updated from. An image
 // has the two distances that it was unfolded from, and its paths enter through the side between.
@@ -17,7 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "base/bucket_queue.hpp"
 #include "geodesic/marching/local_update.hpp"
@@ -29,7 +35,8 @@
 namespace gvd {
 namespace {
 
-/// Bucket width in mean edge lengths; a triangle's key is the sum of three distances.
+/// Bucket width in mean edge lengths; a triangle's key is the sum of three distances. On spot with 30 generators one
+/// bucket for all, which is first in first out, makes 8 % more table entries.
 constexpr double kMarchBucketWidth = 1;
 
 /// Bound on the number of buckets. Larger keys share the last bucket, which costs repeated events, not exactness.
@@ -41,15 +48,38 @@ constexpr double kImprovement = 1e-13;
 /// The corners after and before corner i of a face.
 constexpr std::array<std::size_t, 3> kNext{1, 2, 0}, kPrevious{2, 0, 1};
 
+/// The paper's priority queue: the least key first, and of equal keys the least item.
+class PriorityQueue {
+ public:
+  bool empty() const { return heap_.empty(); }
+  void push(double key, std::int32_t item) { heap_.emplace(key, item); }
+  std::int32_t pop() {
+    const std::int32_t item = heap_.top().second;
+    heap_.pop();
+    return item;
+  }
+
+ private:
+  using Waiting = std::pair<double, std::int32_t>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> heap_;
+};
+
+BucketQueue<std::int32_t> make_buckets(const Mesh& mesh) {
+  const double width = kMarchBucketWidth * mesh.mean_edge_length();
+  // One event raises a key by at most three edges.
+  return {width, static_cast<std::size_t>(std::min(kMostMarchBuckets, 3 * longest_edge(mesh) / width + 3))};
+}
+
+template <class Queue>
 class Marcher {
  public:
-  Marcher(const WorkingMesh& working, Front front, const Progress& progress)
+  Marcher(const WorkingMesh& working, Front front, const Progress& progress, Queue queue)
       : working_(working),
         mesh_(working.mesh()),
         front_(front),
         progress_(progress),
         table_(mesh_.vertex_count(), mesh_.face_count()),
-        queue_(kMarchBucketWidth * mesh_.mean_edge_length(), bucket_count(mesh_)),
+        queue_(std::move(queue)),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), working.generator_vertices().size())) {
     place_generators();
   }
@@ -64,12 +94,6 @@ class Marcher {
 
  private:
   static constexpr std::int64_t kProgressStride = 1 << 15;
-
-  static std::size_t bucket_count(const Mesh& mesh) {
-    // One event raises a key by at most three edges.
-    return static_cast<std::size_t>(
-        std::min(kMostMarchBuckets, 3 * longest_edge(mesh) / (kMarchBucketWidth * mesh.mean_edge_length()) + 3));
-  }
 
   /// Gives every generator its distances on the faces round its vertex, along their edges.
   void place_generators() {
@@ -91,6 +115,7 @@ class Marcher {
     queue_.push(key(table_.entry(e)), e);
   }
 
+  /// Equation (5).
   double key(const TableEntry& e) const {
     const auto d = table_.corner_distances(e);
     return d[0] + d[1] + d[2];
@@ -114,7 +139,8 @@ class Marcher {
     }
   }
 
-  /// Whether another generator of the face is nearer at all corners and all edge midpoints (section 4.1).
+  /// Whether another generator of the face is nearer at all corners: equation (3). It is nearer at the midpoints of the
+  /// edges as well, because no update decreases when its distances grow (property (4) in local_update.hpp).
   bool is_dominated(const TableEntry& entry) const {
     const std::int32_t head = entry.face.value();
     if (table_.entry(head).next < 0) return false;
@@ -123,23 +149,9 @@ class Marcher {
       const TableEntry& other = table_.entry(i);
       if (other.generator == entry.generator || other.dominated) continue;
       const auto others = table_.corner_distances(other);
-      if (others[0] < own[0] && others[1] < own[1] && others[2] < own[2] && dominates_midpoints(other, entry))
-        return true;
+      if (others[0] < own[0] && others[1] < own[1] && others[2] < own[2]) return true;
     }
     return false;
-  }
-
-  bool dominates_midpoints(const TableEntry& other, const TableEntry& entry) const {
-    const auto own = table_.corner_distances(entry), others = table_.corner_distances(other);
-    const FaceShape& shape = mesh_.shape(entry.face);
-    for (std::size_t i = 0; i < 3; ++i) {
-      // From a corner to the midpoint a distance changes by at most half the edge length.
-      const std::size_t j = kNext[i];
-      if (std::min(others[i], others[j]) + shape.length[i] < std::max(own[i], own[j])) continue;
-      const MedianHalves halves = make_median_halves(shape, i);
-      if (!(auxiliary_distance(halves, others, i, front_) < auxiliary_distance(halves, own, i, front_))) return false;
-    }
-    return true;
   }
 
   /// Carries generator g across halfedge h, from A to B, into h's face, to the corner D opposite. `index_a`, `index_b`:
@@ -208,7 +220,7 @@ class Marcher {
   Front front_;
   const Progress& progress_;
   GeneratorTable table_;
-  BucketQueue<std::int32_t> queue_;
+  Queue queue_;
   SymbolicOffset offset_;
   std::int64_t pops_ = 0, events_ = 0;
 };
@@ -225,7 +237,12 @@ constexpr std::size_t kWatchStride = std::size_t{1} << 13;
 
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress) {
   report_progress(progress, steps::kDistances, 0);
-  return Marcher(working, front, progress).run();
+  return Marcher(working, front, progress, make_buckets(working.mesh())).run();
+}
+
+FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress) {
+  report_progress(progress, steps::kDistances, 0);
+  return Marcher(working, front, progress, PriorityQueue()).run();
 }
 
 void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper) {

@@ -22,14 +22,18 @@ struct FastMarchingResult {
 };
 
 /// Computes the distances from all generators at once. An event is a triangle and a generator; events are handled in
-/// ascending order of the sum of the three corner distances. Every triangle has a table of the generators that
+/// nearly ascending order of the sum of the three corner distances. Every triangle has a table of the generators that
 /// may be nearest in a part of it. A generator does not propagate from a triangle in which another one dominates it.
 ///
-/// Source: section 4.1 of the paper. Each distance is stored once per vertex and generator, so that neighbouring
-/// triangles can't disagree. An improved distance queues the triangles round its vertex again, so that the result does
-/// not depend on the order of the queue.
+/// Source: section 4.1 of the paper. Deviations: each distance is stored once per vertex and generator, so that
+/// neighbouring triangles can't disagree; an improved distance queues the triangles round its vertex again; a ring of
+/// buckets replaces the priority queue, so that an event may come before others that are nearer by a mean edge length.
 /// Throws: gvd::Error (interrupted) where `progress` cancels. Cost: O(n) events on average.
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress);
+
+/// The same with the paper's priority queue: the event with the least sum is always the next one. Which generators are
+/// stopped, and where, may differ. Cost: O(n log n).
+FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress);
 
 /// Distances from one point, propagated only as far as they are below a bound at each vertex.
 ///
@@ -43,7 +47,7 @@ class LocalMarch {
   /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[v] where `upper` is
   /// given. The ring of vertices round these gets distances too, because they improve those inside.
   ///
-  /// The march is label-correcting: the distances are a fixed point of the updates, whatever the order of the queue.
+  /// The march is label-correcting: the distances are a fixed point of the updates.
   /// If updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
   void run(const SurfacePoint& start, double limit, const IdVector<VertexId, double>* upper = nullptr);
 

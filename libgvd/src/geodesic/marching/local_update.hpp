@@ -46,7 +46,9 @@ inline double update_along_edges(const UpdateTriangle& t, double distance_a, dou
 ///   B. It may be less than both distances: a source close behind a long base is nearer to D than to A and B.
 /// Properties: (1) symmetric in A and B; (2) exact for a planar point source that sees D through A B; (3) equal to
 ///   update_along_edges where the distances break the triangle inequality, or where the source does not see D through
-///   A B (obtuse triangles): a ray from outside of A B is no path of the surface.
+///   A B (obtuse triangles): a ray from outside of A B is no path of the surface; (4) it does not decrease when a
+///   distance grows, if the height is not 0 and distance_a + distance_b > base: when distance_b grows, the source
+///   turns around A away from B, and its angle to D at A, which is at most pi, grows.
 /// Cost: O(1), two square roots.
 inline double update_circle(const UpdateTriangle& t, double distance_a, double distance_b) {
   const double source_x = apex_foot_by_inverse(t.base, t.inverse_base, distance_a, distance_b);
@@ -65,7 +67,8 @@ inline double update_circle(const UpdateTriangle& t, double distance_a, double d
 ///
 /// Source:  section 4.1 of the paper (fast marching of Kimmel and Sethian, 1998).
 /// Properties: (1) symmetric in A and B; (2) exact for a plane wave; (3) equal to update_along_edges where no
-///   characteristic reaches D through A B.
+///   characteristic reaches D through A B; (4) it does not decrease when a distance grows: its derivatives are the
+///   barycentric coordinates of the point where the characteristic crosses the base.
 /// Cost: O(1), one square root.
 inline double update_planar(const UpdateTriangle& t, double distance_a, double distance_b) {
   const double slope = (distance_b - distance_a) * t.inverse_base;  // the sine of the front's tilt

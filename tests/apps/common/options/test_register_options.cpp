@@ -67,7 +67,7 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.generators.seed == 18446744073709551615u);
   CHECK(options.compute.method == Method::gbgvd);
   CHECK(options.compute.front == Front::planar);
-  CHECK(make_diagram_options(options.compute).front == Front::planar);
+  CHECK(make_diagram_options(options.compute).chosen_front() == Front::planar);
   CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
