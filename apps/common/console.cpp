@@ -1,6 +1,7 @@
 // Standard error of a command: lines of messages, and a progress bar below them on a terminal.
 //
-// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second. Where
+// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second, or
+// fifty where steps change. Where
 // standard error is a file or a pipe, a long step has a line of progress each ten seconds instead. Every
 // message is one line: control characters become blanks, so that no file name can change a terminal's state. The time
 // left is that of the step's rest at the speed of its part that is done.
@@ -20,6 +21,9 @@
 
 namespace gvd::app {
 namespace {
+
+/// From a drawing to that of a new step.
+constexpr std::chrono::milliseconds kStepInterval{20};
 
 constexpr int kStepColumns = 24;
 constexpr int kPercentColumns = 7;  // "] 100 %"
@@ -130,7 +134,7 @@ void Console::detail(std::string_view message) {
 void Console::bar(std::string_view step, double fraction) {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
-  const bool is_new = style_.bars && step != drawn_step_;
+  const bool is_new = style_.bars && step != drawn_step_ && now > next_draw_ - style_.interval + kStepInterval;
   if (!is_new && now < next_draw_) return;
   next_draw_ = now + style_.interval;
   drawn_step_ = step;

@@ -69,7 +69,8 @@ ComputeOptions g_compute;
 Outcome out_of_memory() {
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_compute.method == Method::exact) advice += ", or a coarser --chord-tolerance";
+  if (g_compute.method == Method::exact)
+    advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
   std::string message = g_compute.max_memory
                             ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
                                           format_bytes(*g_compute.max_memory), advice)

@@ -12,17 +12,20 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 
 namespace gvd::app {
 namespace {
 
-std::vector<SurfacePoint> read_fixed(const CheckedMesh& input, const std::string& file) {
+std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const std::string& file) {
   if (file.empty()) return {};
   ResolveOptions options;
   options.input_vertices = &input.mesh_vertex;
-  return resolve_generators(input.mesh, read_generators(file), options).points;
+  ResolvedGenerators fixed = resolve_generators(input.mesh, read_generators(file), options);
+  note_far_entry(run, fixed, input.mesh.bbox_diagonal());
+  return std::move(fixed.points);
 }
 
 Density choose_density(const CheckedMesh& input, const ConstraintOptions& options, const std::string& path) {
@@ -41,7 +44,7 @@ Density choose_density(const CheckedMesh& input, const ConstraintOptions& option
 WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<SurfacePoint> points,
                                const ConstraintOptions& constraints) {
   Density density = choose_density(input, constraints, run.options().input.path);
-  const StartOptions options{run.options().generators.are_listed(), read_fixed(input, constraints.fixed),
+  const StartOptions options{run.options().generators.are_listed(), read_fixed(run, input, constraints.fixed),
                              constraints.features, constraints.keep_boundary, constraints.prefers_boundary};
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
   const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
@@ -62,7 +65,7 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   options.on_iteration = [&run, also = std::move(options.on_iteration)](std::int64_t iterations, double energy,
                                                                         const std::vector<SurfacePoint>& generators) {
     if (also) also(iterations, energy, generators);
-    run.console().set_status(fmt::format("{}, energy {:.6g}", iterations, energy));
+    run.console().set_status(fmt::format("iteration {}, energy {:.6g}", iterations, energy));
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");

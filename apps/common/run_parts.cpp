@@ -13,6 +13,8 @@
 #include <cmath>
 #include <filesystem>
 #include <ostream>
+#include <tuple>
+#include <utility>
 
 #include "common/options/options.hpp"
 #include "common/process.hpp"
@@ -56,18 +58,11 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   }
 }
 
-/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
-/// units. Digitised and rounded points are much nearer to their surface.
-constexpr double kFarSnap = 0.01;
-
-void note_changes(Console& console, const ResolvedGenerators& resolved, double diagonal) {
-  double largest = -1;
-  for (const auto& distance : resolved.snap_distance) largest = std::max(largest, distance.value_or(-1));
-  if (largest >= 0) console.note(fmt::format("generators: moved to the surface, by at most {:.4g}", largest));
-  if (largest > kFarSnap * diagonal) {
-    console.note(fmt::format(
-        "warning: {} is {:.4g} from the surface of a model of {:.4g}; check its units, or refuse it with --max-snap",
-        resolved.farthest, largest, diagonal));
+void note_changes(Run& run, const ResolvedGenerators& resolved, double diagonal) {
+  Console& console = run.console();
+  note_far_entry(run, resolved, diagonal);
+  if (resolved.longest_snap) {
+    console.note(fmt::format("generators: moved to the surface, by at most {:.4g}", *resolved.longest_snap));
   }
   if (resolved.merged == 0) return;
   console.note(fmt::format("generators: {}",
@@ -173,29 +168,48 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
 }
 
-/// Where coordinates are multiples of more than this fraction of a mean edge, written points are that far off: farther
-/// than the default chord tolerance lets bisectors be.
-constexpr double kCoarseGrid = 1e-4;
-
-/// Tells what the files of the run can't hold: a texture, and small lengths far from the origin.
-void note_losses(Run& run, const PolygonSoup& soup, const Mesh& mesh, bool carries_texture) {
+void note_texture(Run& run, const PolygonSoup& soup) {
   const std::vector<std::string> formats = written_formats(run.options().output);
-  const auto is_mesh = [](const std::string& format) { return parse_output_format(format).has_value(); };
-  const bool writes_mesh = std::any_of(formats.begin(), formats.end(), is_mesh);
-  if (soup.has_texture && writes_mesh && !carries_texture) {
-    note_on_input(run, "the texture is left out; gvd-remesh --carry keeps texture coordinates");
+  const auto is_mesh = [](const std::string& f) { return f != "json" && parse_output_format(f).has_value(); };
+  if (!soup.has_texture || std::none_of(formats.begin(), formats.end(), is_mesh)) return;
+  note_on_input(run, "the texture is left out; gvd-remesh --carry keeps texture coordinates in PLY and OBJ");
+}
+
+/// Where coordinates are multiples of more than this fraction of a face's mean edge, written points are that far off:
+/// farther than the default chord tolerance lets bisectors be. A smaller share of the area than the second is not told.
+constexpr double kCoarseGrid = 1e-4, kCoarseShare = 1e-3;
+
+/// Notes that doubles are too coarse for the faces, which lie far from the origin.
+void note_coarse_coordinates(Run& run, const Mesh& mesh) {
+  double area = 0, coarse_area = 0, grid = 0, edge = 0;
+  for (const FaceId f : mesh.faces()) {
+    double largest = 0;
+    for (const VertexId v : mesh.vertices(f)) largest = std::max(largest, mesh.position(v).cwiseAbs().maxCoeff());
+    const auto& length = mesh.shape(f).length;
+    const double mean = (length[0] + length[1] + length[2]) / 3, step = std::nextafter(largest, HUGE_VAL) - largest;
+    area += mesh.area(f);
+    if (!(step > kCoarseGrid * mean)) continue;
+    if (coarse_area == 0) std::tie(grid, edge) = std::pair(step, mean);
+    coarse_area += mesh.area(f);
   }
-  double largest = 0;
-  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  const double grid = std::nextafter(largest, HUGE_VAL) - largest;
-  if (grid > kCoarseGrid * mesh.mean_edge_length()) {
-    note_on_input(run, fmt::format("so far from the origin, coordinates are multiples of {:.2g}, and a mean edge is "
-                                   "{:.2g} long: results are that inexact; move the model to the origin",
-                                   grid, mesh.mean_edge_length()));
-  }
+  if (!(coarse_area > kCoarseShare * area)) return;
+  note_on_input(run,
+                fmt::format("coordinates are multiples of {:.2g} so far from the origin, and edges there are {:.2g} "
+                            "long: results are no more exact; move the model to the origin",
+                            grid, edge));
 }
 
 }  // namespace
+
+/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
+/// units. Digitised and rounded points are much nearer to their surface.
+constexpr double kFarSnap = 0.01;
+
+void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal) {
+  if (run.options().generators.max_snap || !(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
+  run.console().note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
+                                 resolved.farthest, *resolved.longest_snap, diagonal));
+}
 
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
@@ -207,7 +221,8 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
   CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, message);
-  note_losses(run, soup, checked.mesh, standard_input != nullptr);
+  if (standard_input == nullptr) note_texture(run, soup);
+  note_coarse_coordinates(run, checked.mesh);
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
   run.report().set_input(summary, checked.defects);
@@ -224,7 +239,7 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, st
   ResolvedGenerators found = run.timed("generators", [&] {
     ResolvedGenerators chosen = options.generators.are_listed() ? resolve(input, options.generators, run.progress())
                                                                 : sample(input.mesh, options, run.progress());
-    note_changes(run.console(), chosen, input.mesh.bbox_diagonal());
+    note_changes(run, chosen, input.mesh.bbox_diagonal());
     return chosen;
   });
   for (std::size_t i = 0; i < found.points.size(); ++i) {

@@ -78,6 +78,15 @@ TEST_CASE("commands: standard output carries data only, and standard input is re
   }
 }
 
+TEST_CASE("commands: a report goes to a pipe or a descriptor, whatever that is called") {
+  const ScratchFolder scratch;
+  const std::string run = data_file("torus.ply") + " -n 3 -q --report ";
+  CHECK_THAT(run_command("gvd-segment", run + "/dev/stdout | cat").out, StartsWith("{\"schema\":\"gvd-report/1\""));
+  CHECK(run_command("gvd-segment", run + "/dev/stdout > " + scratch / "out").exit_code == 0);
+  CHECK_THAT(read_text(scratch / "out"), StartsWith("{\"schema\":"));
+  CHECK_THAT(run_command("gvd-segment", run + "/dev/fd/3 3>&1 | cat").out, StartsWith("{\"schema\":"));
+}
+
 TEST_CASE("commands: a list of generators comes through a pipe, in any format") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("torus.ply"), made = mesh + " -n 12 -q --iterations 1 -o - ";
@@ -129,7 +138,7 @@ TEST_CASE("commands: the bar of a relaxation has iteration and energy, and no la
   setenv("TERM", "xterm", 1);
   const CommandResult result =
       run_on_terminal("gvd-lloyd", {data_file("figure.obj"), "-n", "40", "--iterations", "30", "--tolerance", "0"});
-  CHECK_THAT(result.err, Contains("relaxation ") && Contains(", energy ") && !Contains("/30"));
+  CHECK_THAT(result.err, Contains("relaxation iteration ") && Contains(", energy ") && !Contains("/30"));
 }
 
 TEST_CASE("commands: an interrupted run exits with 130 and leaves the old file") {

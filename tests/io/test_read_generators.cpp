@@ -159,7 +159,7 @@ TEST_CASE("a file of numbers that is not there is refused with its name") {
   const TemporaryFolder folder;
   std::ofstream(folder / "list.txt.gz") << "\x1f\x8b\x08";
   CHECK_THAT(refusal([&] { read_generators(folder / "list.txt.gz"); }, ErrorCode::unreadable_input),
-             Catch::Matchers::EndsWith("list.txt.gz: is compressed by gzip; unpack it first"));
+             Catch::Matchers::EndsWith("list.txt.gz: the file is compressed by gzip; unpack it first"));
   CHECK(refusal([] { read_numbers("/"); }, ErrorCode::unreadable_input) == "/: is a directory; name a list of numbers");
 }
 

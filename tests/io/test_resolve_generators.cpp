@@ -40,6 +40,13 @@ TEST_CASE("positions are snapped, and the largest distance is kept") {
   CHECK(*result.snap_distance[1] == Approx(std::sqrt(2.0)));
   CHECK(!result.snap_distance[2]);
   CHECK(result.farthest == "list:2");
+  CHECK(result.longest_snap == result.snap_distance[1]);
+  ResolveOptions merging;
+  merging.merge_coincident = true;
+  const auto merged = resolve_generators(mesh, parse("p 0 0 0\np -9 0 0\np 4 7 0\n"), merging);
+  CHECK(merged.points.size() == 2);
+  CHECK(merged.longest_snap == 9);
+  CHECK(merged.farthest == "list:2");
   CHECK(resolve_generators(mesh, parse("0 0.2 0.3 0.5\n"), options).farthest.empty());
   CHECK((position(mesh, result.points[0]) - Vec3(1.25, 1.5, 0)).norm() < 1e-12);
   CHECK(result.points[1].kind() == SurfacePoint::Kind::vertex);

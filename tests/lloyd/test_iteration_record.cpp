@@ -32,23 +32,11 @@ TEST_CASE("iteration record: an iteration has what its move has") {
   CHECK(record.iterations[1].is_sampled);
 }
 
-TEST_CASE("iteration record: the decline tells how near the falls are to their end, and never goes back") {
-  IterationRecord record = make_record();  // falls of 0.1, 0.056 and 0.012
-  CHECK(record.decline(0.001, 4) == 0);
-  CHECK(record.decline(0, 1) == 0);
-  CHECK(record.decline(0.001, 1) == Approx(std::log(8.5) / std::log(100)));
-  CHECK(record.decline(0.02, 1) == 1);
-  const double before = record.decline(0.001, 1);
-  record.falls.push_back(0.09);
-  CHECK(record.decline(0.001, 1) == before);
-}
-
-TEST_CASE("iteration record: the mean of the last falls counts") {
+TEST_CASE("iteration record: the sum of the last falls is known once there are as many") {
   const IterationRecord record = make_record();  // falls of 0.1, 0.056 and 0.012
-  CHECK(record.falls_by(0.05, 3));
-  CHECK_FALSE(record.falls_by(0.06, 3));
-  CHECK_FALSE(record.falls_by(0.02, 1));
-  CHECK(record.falls_by(0.5, 4));
+  CHECK(record.sum_falls(3) == Approx(0.1 + 0.5 / 9 + 0.1 / 8.5));
+  CHECK(record.sum_falls(1) == Approx(0.1 / 8.5));
+  CHECK(!record.sum_falls(4));
 }
 
 TEST_CASE("iteration record: energies fall after one is measured anew, too") {

@@ -35,7 +35,7 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
   std::error_code ignored;
   if (word.starts_with('-')) return "is not a file; options go before --";
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
-  if (word == "%") return "is not a file; write a number and % without a blank, as in --error 1%";
+  if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
     if (options.generators.vertices) return "is not a file; --vertices takes commas without blanks, as in 3,17,99";
     if (!options.generators.count) return fmt::format("is not a file; did you mean -n {}?", word);

@@ -94,9 +94,9 @@ void check_known(const CLI::App& app, const std::string& hint) {
   for (const std::string& word : app.remaining()) {
     if (word == "--") continue;
     const auto meant = suggest_name(word, names);
-    const char* const form = bare_name(word) == "faces"
-                                 ? "{} (-n sets the vertices; a closed mesh has twice as many faces)"
-                             : !meant                ? "{}"
+    const bool means_size = bare_name(word) == "faces" && app.get_option_no_throw("--target-edge") != nullptr;
+    const char* const form = means_size ? "{} (-n sets the vertices; a closed mesh has about twice as many faces)"
+                             : !meant   ? "{}"
                              : meant->front() == '-' ? "{} (did you mean {}?)"
                                                      : "{} ({} needs no option in front)";
     unknown.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));

@@ -192,6 +192,8 @@ bool is_given(const CLI::Option& option) {
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
   const std::string file = app_.get_config_ptr()->results().back(), content = read_to_end(input);
   if (input.bad()) refuse_file(file, "could not be read to its end");
+  const std::string_view program = find_compression(content);
+  if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));
   const toml::table table = parse_toml(content, file);
   std::vector<CLI::ConfigItem> kept;
   std::map<const CLI::Option*, std::string> keys;

@@ -132,7 +132,9 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
       ->allow_extra_args(false)
       ->delimiter(',')
       ->type_name(fmt::format("{}", fmt::join(formats, "|")))
-      ->check(CLI::IsMember(formats).description(""));
+      ->check([formats](const std::string& format) {
+        return contains(formats, format) ? "" : describe_unknown(format, formats);
+      });
   add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
   add_flag(app, "--ascii-ply", output.ascii_ply,
            "Write .ply as text instead of binary; meshio reads face labels only from text");

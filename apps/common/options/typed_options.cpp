@@ -74,8 +74,10 @@ CLI::Validator with_extension(const std::vector<std::string>& extensions) {
   const auto check = [extensions](const std::string& file) {
     std::error_code ignored;
     const auto status = std::filesystem::status(file, ignored);
-    const bool is_file = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-    if (!is_file || file == "-" || contains(extensions, file_extension(file))) return std::string();
+    const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    if (is_stream || file.starts_with("/dev/") || file.starts_with("/proc/") || file == "-" ||
+        contains(extensions, file_extension(file)))
+      return std::string();
     return fmt::format("'{}': the extension must be {}.{}", printable(file), extensions.size() > 1 ? "one of " : "",
                        fmt::join(extensions, ", ."));
   };

@@ -60,8 +60,9 @@ struct ResolveOptions {
 struct ResolvedGenerators {
   std::vector<SurfacePoint> points;                  ///< in the order of the list
   std::vector<std::optional<double>> snap_distance;  ///< from each point to its given position, mesh units
-  std::string farthest;     ///< name and line of the entry with the longest snap distance; empty without any
-  std::int32_t merged = 0;  ///< entries left out because an earlier one coincides with them
+  std::optional<double> longest_snap;                ///< of all entries, merged ones too; mesh units
+  std::string farthest;                              ///< name and line of the entry with that distance
+  std::int32_t merged = 0;                           ///< entries left out because an earlier one coincides with them
 };
 
 /// The entries as points of `mesh`.

@@ -60,9 +60,8 @@ std::optional<T> parse_number(std::string_view text) {
 /// for any other bytes.
 inline std::string_view find_compression(std::string_view bytes) {
   using Mark = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Mark, 5> kMarks{{{"\x1f\x8b", "gzip"},
+  constexpr std::array<Mark, 4> kMarks{{{"\x1f\x8b\x08", "gzip"},
                                         {"PK\x03\x04", "zip"},
-                                        {"BZh", "bzip2"},
                                         {"\xfd"
                                          "7zXZ",
                                          "xz"},
@@ -70,7 +69,7 @@ inline std::string_view find_compression(std::string_view bytes) {
   for (const auto& [mark, program] : kMarks) {
     if (bytes.starts_with(mark)) return program;
   }
-  return {};
+  return bytes.starts_with("BZh") && bytes.substr(4, 6) == "1AY&SY" ? "bzip2" : "";
 }
 
 /// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "generator_moves.hpp"
@@ -38,22 +38,10 @@ struct IterationRecord {
     falls.push_back((before - after) / before);
   }
 
-  /// Whether the last `window` iterations lower the energy by at least this fraction each, on the average, or there are
-  /// fewer.
-  bool falls_by(double fraction, int window) const {
-    if (std::ssize(falls) < window) return true;
-    return std::accumulate(falls.end() - window, falls.end(), 0.0) >= fraction * window;
-  }
-
-  /// How far the falls have come from the first one to `fraction`, in orders of magnitude: in [0, 1]. The least mean of
-  /// `window` falls counts, so that it never goes back.
-  double decline(double fraction, int window) const {
-    if (std::ssize(falls) < window || !(fraction > 0) || !(falls.front() > fraction)) return 0;
-    double least = falls.front();
-    for (auto first = falls.begin(); falls.end() - first >= window; ++first) {
-      least = std::min(least, std::accumulate(first, first + window, 0.0) / window);
-    }
-    return std::log(falls.front() / std::max(least, fraction)) / std::log(falls.front() / fraction);
+  /// Sum of the falls of the last `window` iterations; nothing while there are fewer.
+  std::optional<double> sum_falls(int window) const {
+    if (std::ssize(falls) < window) return std::nullopt;
+    return std::accumulate(falls.end() - window, falls.end(), 0.0);
   }
 
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is

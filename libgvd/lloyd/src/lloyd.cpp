@@ -80,6 +80,22 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
+/// How far a figure has come from its largest value to a tolerance, in orders of magnitude.
+class Decline {
+ public:
+  /// `ratio`: of the figure to its tolerance; not finite where that is 0, and then it counts for nothing.
+  void note(double ratio) {
+    if (!std::isfinite(ratio)) return;
+    largest_ = std::max(largest_, ratio);
+    least_ = std::min(least_, std::max(1.0, ratio));
+  }
+  /// In [0, 1]; 0 while nothing is known.
+  double share() const { return largest_ > 1 ? std::log(largest_ / least_) / std::log(largest_) : 0; }
+
+ private:
+  double largest_ = 1, least_ = std::numeric_limits<double>::max();
+};
+
 /// The rules of the iteration: what is tried, what is taken, and when to end.
 class Relaxer {
  public:
@@ -138,16 +154,16 @@ class Relaxer {
     if (relocate(state)) return std::nullopt;
     if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
     const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
-    if (record_.falls_by(least, stall_window())) return std::nullopt;
+    const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
+    const std::optional<double> fall = record_.sum_falls(window);
+    if (fall) energy_decline_.note(*fall / (window * energy_tolerance(options_)));
+    if (!fall || *fall >= least * window) return std::nullopt;
     return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
   }
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
-    if (limit > 0) {
-      largest_residual_ = std::max(largest_residual_, state.residual / limit);
-      least_residual_ = std::clamp(state.residual / limit, 1.0, least_residual_);
-    }
+    if (states_.is_last_level()) way_decline_.note(state.residual / limit);
     return state.residual <= limit;
   }
 
@@ -251,14 +267,9 @@ class Relaxer {
   void report(double share = 0) const {
     const double done = double(record_.iterations.size()) + std::min(share, 1.0);
     const double by_count = done / std::max(1.0, double(max_iterations(options_)));
-    const double by_decline = record_.decline(energy_tolerance(options_), stall_window());
-    const double by_ways =
-        largest_residual_ > 1 ? std::log(largest_residual_ / least_residual_) / std::log(largest_residual_) : 0;
-    report_progress(options_.progress, "relaxation", std::min(1.0, std::max({by_count, by_decline, by_ways})));
+    report_progress(options_.progress, "relaxation",
+                    std::min(1.0, std::max({by_count, energy_decline_.share(), way_decline_.share()})));
   }
-
-  /// Iterations over which the mean fall of the energy decides whether to end.
-  int stall_window() const { return options_.acceleration == Acceleration::none ? 1 : kStallWindow; }
 
   void report_iteration(const RelaxationState& state) const {
     if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), state.energy, state.generators);
@@ -272,8 +283,7 @@ class Relaxer {
   Accelerator accelerator_;
   IterationRecord record_;
   std::size_t next_relocation_ = 0;  // iterations before the next attempt
-  // The largest way to a centroid, as a multiple of the tolerance: the most so far, and the least, but at least 1.
-  double largest_residual_ = 1, least_residual_ = std::numeric_limits<double>::max();
+  Decline energy_decline_, way_decline_;
 };
 
 }  // namespace

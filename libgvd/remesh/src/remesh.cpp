@@ -286,7 +286,11 @@ class Remesher {
   void measure() {
     enter(RemeshStage::distance);
     const int threads = options_.diagram.threads;
-    const Progress& progress = options_.diagram.progress;
+    const auto half = [&](double begin) {
+      return Progress([&, begin](std::string_view step, double done) {
+        return !options_.diagram.progress || options_.diagram.progress(step, begin + 0.5 * done);
+      });
+    };
     result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, threads);
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
@@ -298,8 +302,8 @@ class Remesher {
     result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
-    result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, threads, progress);
-    result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, threads, progress);
+    result_.input_to_output = measure_surface_distance(mesh_, result_.mesh, threads, half(0));
+    result_.output_to_input = measure_surface_distance(result_.mesh, mesh_, threads, half(0.5));
   }
 
   const Mesh& mesh_;

@@ -38,6 +38,13 @@
 namespace gvd {
 namespace {
 
+void refuse_compressed(std::string_view content, const std::string& name) {
+  const std::string_view program = find_compression(content);
+  if (program.empty()) return;
+  throw Error(ErrorCode::unreadable_input,
+              fmt::format("{}: the file is compressed by {}; unpack it first", name, program));
+}
+
 /// The content of a file that holds a list. `what` names its elements for messages: "generators".
 std::string read_list_file(const std::filesystem::path& path, std::string_view what) {
   const auto refuse = [&](std::string_view message) {
@@ -50,8 +57,6 @@ std::string read_list_file(const std::filesystem::path& path, std::string_view w
   if (!file) refuse(fmt::format("{}; name a list of {}", std::strerror(errno), what));
   std::string content = read_to_end(file);
   if (file.bad()) refuse("could not be read to its end");
-  const std::string_view program = find_compression(content);
-  if (!program.empty()) refuse(fmt::format("is compressed by {}; unpack it first", program));
   return content;
 }
 
@@ -269,9 +274,10 @@ class Resolver {
                          closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
-    if (result_.farthest.empty() || closest.distance > longest_snap_)
+    if (closest.distance > result_.longest_snap.value_or(-1)) {
+      result_.longest_snap = closest.distance;
       result_.farthest = location(result_.points.size());
-    longest_snap_ = std::max(longest_snap_, closest.distance);
+    }
     return closest.point;
   }
 
@@ -279,6 +285,7 @@ class Resolver {
   void merge_coincident() {
     const std::vector<std::int32_t> first = find_coincident(mesh_, result_.points);
     ResolvedGenerators kept;
+    kept.longest_snap = result_.longest_snap;
     kept.farthest = result_.farthest;
     for (int i = 0; i < std::ssize(first); ++i) {
       const int twin = first[i];
@@ -299,7 +306,6 @@ class Resolver {
   const GeneratorList& list_;
   const ResolveOptions& options_;
   std::optional<ClosestPointTree> tree_;
-  double longest_snap_ = 0;
   ResolvedGenerators result_;
 };
 
@@ -314,6 +320,7 @@ GeneratorFormat detect_generator_format(std::string_view content) {
 }
 
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name) {
+  refuse_compressed(content, name);
   const auto parse = format == GeneratorFormat::json  ? detail::parse_json
                      : format == GeneratorFormat::csv ? detail::parse_csv
                                                       : detail::parse_text;
@@ -335,6 +342,7 @@ std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>&
 }
 
 std::vector<double> parse_numbers(std::string_view content, const std::string& name) {
+  refuse_compressed(content, name);
   std::vector<double> numbers;
   for (const auto& [text, line] : detail::split_lines(content)) {
     for (const std::string_view field : detail::split_fields(text, ',')) {

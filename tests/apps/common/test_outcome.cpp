@@ -78,7 +78,7 @@ TEST_CASE("a shortage is described with the limit and what helps") {
   ComputeOptions compute;
   CHECK_THAT(message(compute),
              StartsWith("out of memory: up to ") &&
-                 EndsWith("take a mesh of fewer or rounder triangles, or a coarser --chord-tolerance; "
+                 EndsWith("; take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles; "
                           "--max-memory ends such a run sooner"));
   compute.method = Method::gbgvd;
   CHECK_THAT(message(compute),

@@ -118,9 +118,10 @@ TEST_CASE("gvd-segment: --stats writes a row for each region, whatever the label
 
 TEST_CASE("gvd-segment: the target of --stats is checked before the work") {
   const ScratchFolder scratch;
-  const std::string mesh = data_file("figure.obj"), same = scratch / "a.json";
+  const std::string mesh = data_file("figure.obj"), same = scratch / "a.json", link = scratch / "a.csv";
+  std::filesystem::create_symlink(same, link);
   CHECK(run_command("gvd-segment", mesh + " -n 2 --stats " + scratch / "none/a.csv").exit_code == 6);
-  CHECK(run_command("gvd-segment", mesh + " -n 2 --report " + same + " --stats " + same).exit_code == 2);
+  require_error("gvd-segment", mesh + " -n 2 --report " + same + " --stats " + link, 2, "two outputs go there");
   CHECK(run_command("gvd-segment", mesh + " -n 2 --stats -").exit_code == 2);
   CHECK(run_command("gvd-lloyd", mesh + " -n 2 --stats a.csv").exit_code == 2);
 }

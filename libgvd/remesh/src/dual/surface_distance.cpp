@@ -41,7 +41,7 @@ struct Sample {
   FaceId nearest;
 };
 
-constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6}, kOfPieces{"distance", 0.6, 1};
+constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6};
 
 /// The vertices, each search from the face nearest to the vertex before.
 std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, const ParallelChunks& parallel) {
@@ -93,7 +93,8 @@ class DistanceMeasure {
     result.rms = area_ > 0 ? std::sqrt(all.square_sum / area_) : 0;
     for (int round = 0; round < kMaxHausdorffRounds; ++round) {
       if (all.pieces.empty() || all.pieces.size() > kMaxPieces) break;
-      all = collect(all.pieces.size(), kOfPieces,
+      constexpr double kStep = 0.4 / kMaxHausdorffRounds;
+      all = collect(all.pieces.size(), {"distance", 0.6 + kStep * round, 0.6 + kStep * (round + 1)},
                     [&](std::size_t i, Findings& found) { cut_in_four(all.pieces[i].corners, found); });
     }
     result.hausdorff = farthest_;

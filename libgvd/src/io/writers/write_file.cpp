@@ -100,8 +100,9 @@ void write_through(FileBuffer buffer, const std::function<void(std::ostream&)>& 
 fs::path follow_links(fs::path path) {
   std::error_code ignored;
   for (int i = 0; i < kMaxLinks && fs::is_symlink(path, ignored); ++i) {
-    const fs::path next = fs::read_symlink(path, ignored);
-    path = next.is_absolute() ? next : path.parent_path() / next;
+    const fs::path link = fs::read_symlink(path, ignored), next = link.is_absolute() ? link : path.parent_path() / link;
+    if (fs::exists(path, ignored) && !fs::exists(next, ignored)) break;  // a pipe's in /proc: it can only be opened
+    path = next;
   }
   return path;
 }
@@ -212,7 +213,7 @@ class AtomicFile {
         temporary_ = candidate;
         return;
       }
-      if (errno == ENOENT) fail(name_, "its folder takes no new files; choose another");  // such as /proc
+      if (errno == ENOENT) fail(name_, "no file can be made in its folder; choose another folder");  // such as /proc
       if (errno != EEXIST) fail(name_, reason_of(errno));
     }
     fail(name_, fmt::format("too many files named '{}.partial*' beside it; remove them", start));

@@ -57,9 +57,8 @@ class ObjParser {
       const std::string_view statement = text_.token();
       if (statement == "v") {
         add_vertex();
-      } else if (statement == "vt") {
-        soup_.has_texture = true;
-        if (texture_) add_texture_vertex();
+      } else if (statement == "vt" && texture_) {
+        add_texture_vertex();
       } else if (statement == "f") {
         add_face();
       } else if (statement == "l") {
@@ -96,6 +95,8 @@ class ObjParser {
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
       soup_.corners.push_back(vertex_index(token));
+      const std::size_t slash = token.find('/');
+      soup_.has_texture |= slash != token.npos && slash + 1 < token.size() && token[slash + 1] != '/';
       if (texture_) texture_numbers_.push_back(texture_number(token));
     }
     soup_.close_polygon();

@@ -117,6 +117,13 @@ class BinarySource {
 /// The texture coordinates of a face's corners, as MeshLab and VCGlib name them.
 constexpr const char* kTextureList = "texcoord";
 
+/// Whether vertices have texture coordinates, by the names of Blender, of MeshLab or of others.
+bool has_texture_pair(const PlyElement& element) {
+  constexpr std::array<std::array<const char*, 2>, 3> kPairs{{{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
+  return std::any_of(kPairs.begin(), kPairs.end(),
+                     [&](const auto& pair) { return element.find(pair[0]) >= 0 && element.find(pair[1]) >= 0; });
+}
+
 bool is_on_mesh(const PlyElement& element) { return element.name == "vertex" || element.name == "face"; }
 
 /// Whether property p of a vertex is a coordinate, or property p of a face the list of its corners.
@@ -164,9 +171,11 @@ class BodyParser {
     for (const PlyElement& element : header_.elements) {
       check_count(element);
       if (element.name == "vertex") {
+        soup_.has_texture |= has_texture_pair(element);
         read_vertices(element);
       } else if (element.name == "face") {
-        soup_.has_texture = element.find(kTextureList) >= 0;
+        const int list = element.find(kTextureList);
+        soup_.has_texture |= list >= 0 && element.properties[list].count_type;
         read_faces(element);
       } else if (element.name == "tristrips") {
         read_strips(element);

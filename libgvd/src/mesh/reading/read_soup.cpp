@@ -47,7 +47,7 @@ bool is_obj_statement(std::string_view word) {
 }
 
 void refuse_compressed(std::string_view bytes, std::string_view name) {
-  const std::string_view program = find_compression(bytes);
+  const std::string_view program = is_binary_stl(bytes) ? "" : find_compression(bytes);  // an STL begins with anything
   if (!program.empty()) refuse(name, fmt::format("the file is compressed by {}; unpack it first", program));
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
   CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is not a file; options go before --");
   CHECK(with(scratch / "x.ply") ==
         "unexpected: '" + scratch / "x.ply" + "' is not a file; did you mean -o " + scratch / "x.ply" + "?");
-  CHECK(with("%") == "unexpected: '%' is not a file; write a number and % without a blank, as in --error 1%");
+  CHECK(with("%") == "unexpected: '%' is not a file; a percentage has no blank before %");
   CHECK(with("cut") == "unexpected: 'cut' is not a file; options begin with a dash");
   CHECK_THAT(with(scratch / ""), Contains("is a directory; did you mean --output-dir "));
   CHECK(refusal({mesh, other, "-n", "3"}) ==
