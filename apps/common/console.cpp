@@ -111,7 +111,8 @@ Console::Console(std::string command, const ConsoleStyle& style, bool quiet, boo
       style_(style),
       quiet_(quiet),
       verbose_(verbose),
-      next_draw_(std::chrono::steady_clock::now() + style.interval) {}
+      next_draw_(style.bars ? std::chrono::steady_clock::time_point()
+                            : std::chrono::steady_clock::now() + style.interval) {}
 
 Console::~Console() { clear_bar(); }
 

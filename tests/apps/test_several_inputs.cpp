@@ -101,7 +101,8 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
     require_error(name, inputs.all + inputs.to_out + "/none/x", 6, "create it first");
     require_error(name, inputs.good + " -n 9 --output-format off --output-dir " + inputs.scratch / "", 2,
                   "the run reads this file");
-    require_error(name, inputs.good + inputs.to_out + " --output-format off,bmp", 2, "--output-format: bmp not in {");
+    require_error(name, inputs.good + inputs.to_out + " --output-format off,bmp", 2,
+                  "--output-format: 'bmp' is not one of ");
     require_error(name, inputs.good + " -n 9 -o - --output-format off,ply", 2, "-o - writes one format");
   }
   require_error("gvd-segment", inputs.all + inputs.to_out + " --stats a.csv", 2, " excludes ");

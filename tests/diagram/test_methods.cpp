@@ -75,7 +75,9 @@ TEST_CASE("the paper's method has the paper's priority queue, and the others hav
     const auto entries = [&](auto marcher, Front front) {
       return static_cast<std::int64_t>(marcher(working, front, {}).table.entry_count());
     };
-    const auto reported = [&](Method method) { return diagram_by(mesh, generators, method).report.table_entries; };
+    const auto reported = [&, &surface = mesh](Method method) {
+      return diagram_by(surface, generators, method).report.table_entries;
+    };
     const auto in_order = entries(march_in_order, Front::planar);
     CHECK(reported(Method::paper) == in_order);
     CHECK(reported(Method::gbgvd) == entries(march, Front::circle));

@@ -85,12 +85,15 @@ class Decline {
  public:
   /// `ratio`: of the figure to its tolerance; not finite where that is 0, and then it counts for nothing.
   void note(double ratio) {
-    if (!std::isfinite(ratio)) return;
-    largest_ = std::max(largest_, ratio);
-    least_ = std::min(least_, std::max(1.0, ratio));
+    begin(ratio);
+    if (std::isfinite(ratio)) least_ = std::min(least_, std::max(1.0, ratio));
+  }
+  /// Notes a figure with which nothing can end yet.
+  void begin(double ratio) {
+    if (std::isfinite(ratio)) largest_ = std::max(largest_, ratio);
   }
   /// In [0, 1]; 0 while nothing is known.
-  double share() const { return largest_ > 1 ? std::log(largest_ / least_) / std::log(largest_) : 0; }
+  double share() const { return least_ < largest_ ? std::log(largest_ / least_) / std::log(largest_) : 0; }
 
  private:
   double largest_ = 1, least_ = std::numeric_limits<double>::max();
@@ -163,7 +166,7 @@ class Relaxer {
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
-    if (states_.is_last_level()) way_decline_.note(state.residual / limit);
+    states_.is_last_level() ? way_decline_.note(state.residual / limit) : way_decline_.begin(state.residual / limit);
     return state.residual <= limit;
   }
 

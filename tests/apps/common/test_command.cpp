@@ -12,7 +12,7 @@ using gvd::test::kFormats;
 
 int run(
     std::vector<std::string> arguments, const std::function<void(Run&)>& body = [](Run&) {}) {
-  Command command({"gvd-test", "A test.", "  gvd-test a.obj -n 3", kFormats});
+  Command command({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}});
   arguments.insert(arguments.begin(), "gvd-test");
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());

@@ -202,9 +202,9 @@ TEST_CASE("images are kept over each edge: a branch point has the distances to t
         std::erase_if(arcs, [&](const GapArc& arc) { return arc.end != n; });
         if (arcs.size() != 2) continue;
         if (arcs[0].right != arcs[1].left) std::swap(arcs[0], arcs[1]);
-        const auto distance = [&](const GapArc& arc, GeneratorId g) {
-          const GapNode& start = grown.nodes[first_arc(grown, arc).begin];
-          return (x.image(x.outside(gap, start), g) - x.position_of(grown.nodes[n])).norm();
+        const auto distance = [&, &closed_gap = gap, &growth = grown](const GapArc& arc, GeneratorId g) {
+          const GapNode& start = growth.nodes[first_arc(growth, arc).begin];
+          return (x.image(x.outside(closed_gap, start), g) - x.position_of(growth.nodes[n])).norm();
         };
         const auto& [first, second] = std::pair(arcs[0], arcs[1]);
         const double between = 0.5 * (distance(first, first.right) + distance(second, second.left));
