@@ -112,6 +112,27 @@ TEST_CASE("map to a remesh: a generator at a vertex, and the vertex of the remes
   }
 }
 
+std::vector<SurfacePoint> all_vertices(const Mesh& mesh) {
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : mesh.vertices()) points.push_back(vertex_point(mesh, v));
+  return points;
+}
+
+/// The remesh whose vertices are all those of the surface.
+RemeshResult remesh_onto_itself(const Mesh& mesh) {
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  return remesh(mesh, all_vertices(mesh), options);
+}
+
+TEST_CASE("map to a remesh: no face of a cube is reversed, whichever side's face its corners' points name") {
+  const Mesh cube = test::make_plate(1, 1);
+  const RemeshResult result = remesh_onto_itself(cube);
+  const RemeshMap map = map_to_remesh(cube, result);
+  CHECK(map.largest_move == 0);
+  CHECK(map.kept_faces == cube.face_count());
+}
+
 TEST_CASE("map to a remesh: the same with any number of threads") {
   const Mesh mesh = test::make_bumpy_sphere(4, 3);
   const RemeshResult result = remesh(mesh, test::random_generators(mesh, 60, 3));
@@ -125,9 +146,7 @@ TEST_CASE("map to a remesh: the same with any number of threads") {
 
 TEST_CASE("map to a remesh: a mesh that was remeshed onto itself keeps every face") {
   const Mesh grid = test::make_grid(6, 6);
-  std::vector<SurfacePoint> generators;
-  for (std::int32_t v = 0; v < grid.vertex_count(); ++v) generators.push_back(vertex_point(grid, VertexId(v)));
-  const RemeshResult result = remesh(grid, generators);
+  const RemeshResult result = remesh(grid, all_vertices(grid));
   const RemeshMap map = map_to_remesh(grid, result);
   CHECK(map.kept_faces == grid.face_count());
   CHECK(map.largest_move < 1e-9);
