@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "gvd/error.hpp"
@@ -123,6 +124,26 @@ RemeshResult remesh_onto_itself(const Mesh& mesh) {
   RemeshOptions options;
   options.placement.method = Placement::generator;
   return remesh(mesh, all_vertices(mesh), options);
+}
+
+TEST_CASE("map to a remesh: a vertex that is an origin within rounding goes to the remesh's vertex, bit by bit") {
+  const Mesh cube = test::make_plate(1, 1);
+  RemeshResult result = remesh_onto_itself(cube);
+  // So near the corners that the nearest point is the corner in a face of the cube, but not yet in a face of its cell.
+  std::vector<Vec3> positions = result.mesh.positions();
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : positions) centre += p / double(positions.size());
+  for (Vec3& p : positions) p += 1.8 * kBarycentricSnap * (centre - p);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : result.mesh.faces()) faces.push_back(result.mesh.vertices(f));
+  result.mesh = Mesh(std::move(positions), std::move(faces));
+  const RemeshMap map = map_to_remesh(cube, result);
+  REQUIRE(map.one_to_one);
+  for (const VertexId v : cube.vertices()) {
+    INFO("vertex " << v.value());
+    CHECK(position(cube, map.origins[v]) == cube.position(v));
+    CHECK(position(result.mesh, map.points[v]) == result.mesh.position(v));
+  }
 }
 
 TEST_CASE("map to a remesh: no face of a cube is reversed, whichever side's face its corners' points name") {
