@@ -76,7 +76,7 @@ std::vector<std::size_t> find_colliding(const std::vector<Vec3>& positions, cons
 /// 3/4 D on the average to its centre.
 constexpr double kSplitGain = 0.34;
 
-/// A cell that is given up costs its neighbours about so many times its energy, before they have moved.
+/// Energies of a cell that giving it up costs its neighbours: twice the measured 2. At 1, plans promise too much.
 constexpr double kRemovalCost = 4;
 
 /// Largest size of adjacent cells that are given up, in mean sizes.

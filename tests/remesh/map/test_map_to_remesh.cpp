@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "gvd/error.hpp"
@@ -112,6 +113,47 @@ TEST_CASE("map to a remesh: a generator at a vertex, and the vertex of the remes
   }
 }
 
+std::vector<SurfacePoint> all_vertices(const Mesh& mesh) {
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : mesh.vertices()) points.push_back(vertex_point(mesh, v));
+  return points;
+}
+
+/// The remesh whose vertices are all those of the surface.
+RemeshResult remesh_onto_itself(const Mesh& mesh) {
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  return remesh(mesh, all_vertices(mesh), options);
+}
+
+TEST_CASE("map to a remesh: a vertex that is an origin within rounding goes to the remesh's vertex, bit by bit") {
+  const Mesh cube = test::make_plate(1, 1);
+  RemeshResult result = remesh_onto_itself(cube);
+  // So near the corners that the nearest point is the corner in a face of the cube, but not yet in a face of its cell.
+  std::vector<Vec3> positions = result.mesh.positions();
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : positions) centre += p / double(positions.size());
+  for (Vec3& p : positions) p += 1.8 * kBarycentricSnap * (centre - p);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : result.mesh.faces()) faces.push_back(result.mesh.vertices(f));
+  result.mesh = Mesh(std::move(positions), std::move(faces));
+  const RemeshMap map = map_to_remesh(cube, result);
+  REQUIRE(map.one_to_one);
+  for (const VertexId v : cube.vertices()) {
+    INFO("vertex " << v.value());
+    CHECK(position(cube, map.origins[v]) == cube.position(v));
+    CHECK(position(result.mesh, map.points[v]) == result.mesh.position(v));
+  }
+}
+
+TEST_CASE("map to a remesh: no face of a cube is reversed, whichever side's face its corners' points name") {
+  const Mesh cube = test::make_plate(1, 1);
+  const RemeshResult result = remesh_onto_itself(cube);
+  const RemeshMap map = map_to_remesh(cube, result);
+  CHECK(map.largest_move == 0);
+  CHECK(map.kept_faces == cube.face_count());
+}
+
 TEST_CASE("map to a remesh: the same with any number of threads") {
   const Mesh mesh = test::make_bumpy_sphere(4, 3);
   const RemeshResult result = remesh(mesh, test::random_generators(mesh, 60, 3));
@@ -125,9 +167,7 @@ TEST_CASE("map to a remesh: the same with any number of threads") {
 
 TEST_CASE("map to a remesh: a mesh that was remeshed onto itself keeps every face") {
   const Mesh grid = test::make_grid(6, 6);
-  std::vector<SurfacePoint> generators;
-  for (std::int32_t v = 0; v < grid.vertex_count(); ++v) generators.push_back(vertex_point(grid, VertexId(v)));
-  const RemeshResult result = remesh(grid, generators);
+  const RemeshResult result = remesh(grid, all_vertices(grid));
   const RemeshMap map = map_to_remesh(grid, result);
   CHECK(map.kept_faces == grid.face_count());
   CHECK(map.largest_move < 1e-9);

@@ -19,7 +19,7 @@ struct RemeshMap {
   bool one_to_one = false;                   ///< whether both are those of a map that was checked to be one-to-one
   std::string obstacle;                      ///< otherwise what is in the way, as part of a sentence
   std::int64_t kept_faces = 0;               ///< faces of the surface whose image is oriented as the remesh there is
-  std::int64_t reversed_faces = 0;           ///< those whose image is turned round
+  std::int64_t reversed_faces = 0;           ///< those whose image is turned round, as below
   std::int64_t collapsed_faces = 0;          ///< those whose image has no area
   double largest_move = 0;                   ///< distance of a vertex of the surface from its point, mesh units
   double mean_move = 0;                      ///< the mean of these distances, mesh units
@@ -39,8 +39,8 @@ struct RemeshMap {
 /// Triangles that are turned away from the surface there count only if there are no others. Several vertices may have
 /// one point. A vertex of the remesh comes from its generator.
 ///
-/// The image of a face is the triangle of its corners' points here. It may be turned round even if the map is
-/// one-to-one, because the map bends it: the counts say how often.
+/// The counts take the triangle of its corners' points as a face's image: turned round if 90 degrees or more from the
+/// sum of the remesh's normals there. A one-to-one map may bend a face so, but reverses no part of it.
 ///
 /// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
 /// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's

@@ -230,7 +230,7 @@ class NearestMapper {
 constexpr double kFlatImage = 1e-9;
 
 /// Measures how far the vertices move, and compares the image of each face with the normals of the remesh at its
-/// corners.
+/// corners. A vertex there has faces on all sides: the one that its point names would tell nothing.
 void measure_images(const Mesh& surface, const Mesh& remesh, RemeshMap& map) {
   const auto image = [&](VertexId v) { return position(remesh, map.points[v]); };
   double sum = 0;
@@ -246,7 +246,7 @@ void measure_images(const Mesh& surface, const Mesh& remesh, RemeshMap& map) {
     const Vec3 area = along.cross(across);
     const double square = std::max({along.squaredNorm(), across.squaredNorm(), (across - along).squaredNorm()});
     Vec3 normal = Vec3::Zero();
-    for (const VertexId v : {a, b, c}) normal += face_normal(remesh, map.points[v].face);
+    for (const VertexId v : {a, b, c}) normal += surface_normal(remesh, map.points[v]);
     if (!(area.norm() > kFlatImage * square)) {
       ++map.collapsed_faces;
     } else {
