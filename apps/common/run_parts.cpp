@@ -302,6 +302,7 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
   const std::string &path = run.options().output.view, &input = run.options().input.path;
   if (path.empty()) return;
   ViewOptions options;
+  options.progress = run.progress();
   options.up = run.options().output.up.value_or(options.up);
   options.title = input == "-" ? title : title + ": " + std::filesystem::path(input).filename().string();
   run.timed("write view", [&] {

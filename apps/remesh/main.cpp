@@ -236,7 +236,7 @@ RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool 
   const std::string& path = run.options().output.own.at(kMap);
   run.report().options()["map"] = path.empty() ? Json() : Json(path);
   if (path.empty() && !carry) return {};
-  return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads); });
+  return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads, run.progress()); });
 }
 
 /// Writes `--map`; the report and a note tell how good the map is.
@@ -288,7 +288,7 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Mesh unplaced;  // the scenes refer to it
   write_view_file(run, "gvd-remesh", [&] {
     unplaced = make_unplaced(mesh, result);
-    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads);
+    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads, run.progress());
   });
 }
 

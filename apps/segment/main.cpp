@@ -111,7 +111,7 @@ void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const
 }
 
 void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
-  const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram); });
+  const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram, run.progress()); });
   const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
   if (cut.uncut_faces > 0) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
@@ -123,7 +123,7 @@ void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
 }
 
 void segment(Run& run, const OwnOptions& own) {
-  const SegmentOptions options{own.labels.value_or(SegmentOptions().labels)};
+  const SegmentOptions options{own.labels.value_or(SegmentOptions().labels), run.progress()};
   report_options(run, own, options);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;

@@ -12,9 +12,12 @@
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/remesh_map.hpp"
+#include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"
 #include "remesh/dual_defects.hpp"
 #include "repair/repair_steps.hpp"
+#include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -421,6 +424,41 @@ TEST_CASE(
   for (std::size_t i = 0; i + 3 < stages.size(); ++i) {
     CHECK(stages[i] == (i % 2 == 0 ? RemeshStage::diagram : RemeshStage::dual));
   }
+}
+
+TEST_CASE("remesh: every step can be cancelled, those of the map and of the pictures, too") {
+  const Mesh mesh = test::make_torus(16, 8);
+  const auto generators = test::random_generators(mesh, 4, 1);
+  const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
+    RemeshOptions options;
+    options.diagram.threads = 1;
+    options.diagram.progress = progress;
+    const RemeshResult result = remesh(mesh, generators, options);
+    map_to_remesh(mesh, result, 1, progress);
+    make_remesh_scenes(mesh, result, make_unplaced(mesh, result), 1, progress);
+  });
+  for (const char* step : {"dual", "repair", "placement", "self-intersections", "distance", "cut", "map", "view"}) {
+    CAPTURE(step);
+    CHECK(calls.contains(step));
+  }
+}
+
+TEST_CASE("remesh: the repair of many loose parts tells of each of them") {
+  constexpr int kParts = 40;
+  std::vector<Vec3> corners;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 0; i < kParts; ++i) {
+    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
+    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
+  }
+  const Mesh mesh(std::move(corners), std::move(faces));
+  const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
+    RemeshOptions options;
+    options.diagram.threads = 1;
+    options.diagram.progress = progress;
+    remesh(mesh, {vertex_point(mesh, VertexId(0))}, options);
+  });
+  CHECK(calls.at("repair") >= kParts - 1);
 }
 
 }  // namespace gvd::test_remesh

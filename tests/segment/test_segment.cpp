@@ -6,6 +6,7 @@
 #include "gvd/segment.hpp"
 #include "region_topology.hpp"
 #include "segment/restricted_voronoi.hpp"
+#include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
@@ -291,6 +292,18 @@ TEST_CASE("cut: only edges inside coincident faces get a vertex at their midpoin
   for (int f = 0; f < 8; ++f) area[cut.label[FaceId(f)].index()] += cut.mesh.area(FaceId(f));
   CHECK(area[0] == Approx(8));
   CHECK(area[1] == Approx(8));
+}
+
+TEST_CASE("segmenting can be cancelled in every step, and tells of each generator that looks for a face") {
+  const Mesh mesh = make_square();
+  const Diagram diagram = compute_diagram(mesh, random_points(mesh, 40, 1));
+  const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
+    segment_faces(mesh, diagram, {FaceLabels::smooth, progress});
+    cut_faces(mesh, diagram, progress);
+  });
+  CHECK(calls.at("labels") >= 2 * (40 - 2));  // two faces have two labels
+  CHECK(calls.contains("borders"));
+  CHECK(calls.contains("cut"));
 }
 
 }  // namespace gvd::test_segment

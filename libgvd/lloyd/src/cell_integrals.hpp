@@ -120,7 +120,8 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
 
 /// The same for any diagram: the windows are propagated first. `threads` >= 1, or 0 for one a core.
 /// Cost: that of the windows, and O(windows).
-CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads);
+CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
+                              const Progress& progress = {});
 
 // measured_cells.cpp
 

@@ -108,7 +108,7 @@ CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, co
     state.diagram = compute_diagram_and_read(mesh, state.generators, options, read);
   } else {
     state.diagram = compute_diagram(mesh, state.generators, options);
-    integrals = integrate_cells(mesh, state.diagram, {integrand}, options.threads);
+    integrals = integrate_cells(mesh, state.diagram, {integrand}, options.threads, options.progress);
   }
   state.segments = bisector_segments(mesh, state.diagram, integrand.density);
   state.vertex_distance = state.diagram.vertex_distance;

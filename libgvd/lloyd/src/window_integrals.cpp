@@ -227,14 +227,15 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
   return CellSums::join(diagram.generators.size(), sums);
 }
 
-CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads) {
-  const Progress silent;
-  const WorkingMesh working(mesh, diagram.generators);
+CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
+                              const Progress& progress) {
+  const WorkingMesh working(mesh, diagram.generators, progress);
   PropagationOptions propagation;
   propagation.departures = true;
   propagation.threads = threads;
-  const WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, silent);
-  return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, silent));
+  const WindowField field =
+      propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress);
+  return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
 }
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,

@@ -119,9 +119,8 @@ class ResidualFinder {
   template <class Find>
   std::vector<Residual> collect(const std::vector<SurfaceSample>& samples, const ClosestPointTree& tree,
                                 const Find& residual) const {
-    const Progress none;
     const auto chunks = cut_into_chunks(samples.size(), kSamplesPerChunk);
-    return ParallelChunks(target_.threads, none).collect(chunks, {"fit"}, [&](const Chunk& chunk) {
+    return ParallelChunks(target_.threads, target_.progress).collect(chunks, {"fit"}, [&](const Chunk& chunk) {
       std::vector<Residual> residuals;
       FaceId nearest(0);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {

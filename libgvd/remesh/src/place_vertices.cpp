@@ -50,9 +50,10 @@ class AngleRaiser {
   }
 
   /// Passes over the vertices once. False if none has moved.
-  bool pass(const std::vector<char>& movable) {
+  bool pass(const std::vector<char>& movable, const Progress& progress) {
     bool has_moved = false;
     for (std::size_t v = 0; v < positions_.size(); ++v) {
+      report_progress(progress, "placement", double(v) / double(positions_.size()));
       if (movable[v] && smallest_angle(v) < least_angle_) has_moved |= improve(v);
     }
     return has_moved;
@@ -165,7 +166,7 @@ class Placer {
     positions = fit(std::move(positions), plan);
     const Mesh fitted = with_positions(remesh_, positions);
     const auto movable = list_vertices(plan, VertexRole::free);
-    return guard_.move(positions, raise_least_angles(fitted, movable, options_.least_angle));
+    return guard_.move(positions, raise_least_angles(fitted, movable, options_.least_angle, options_.progress));
   }
 
  private:
@@ -186,7 +187,8 @@ class Placer {
   std::vector<Vec3> fit(std::vector<Vec3> positions, const SpringPlan& plan) const {
     const ClosestPointTree tree(surface_);
     const double count = kSamplesPerVertex * remesh_.vertex_count();
-    const FitTarget target{&surface_, &tree, sample_surface(surface_, count), count, options_.threads};
+    const FitTarget target{&surface_,        &tree, sample_surface(surface_, count), count, options_.threads,
+                           options_.progress};
     for (int round = 0; round < kFitRounds; ++round) {
       report_progress(options_.progress, "placement", double(round) / kFitRounds);
       const Mesh current = with_positions(remesh_, positions);
@@ -224,16 +226,20 @@ Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions) {
   return {std::move(positions), mesh.face_vertices()};
 }
 
-std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle) {
+std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle,
+                                     const Progress& progress) {
   AngleRaiser raiser(mesh, least_angle);
-  for (int pass = 0; pass < kAnglePasses && raiser.pass(movable); ++pass) {
+  for (int pass = 0; pass < kAnglePasses && raiser.pass(movable, progress); ++pass) {
   }
   return raiser.positions();
 }
 
 MoveGuard::MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
                      const std::vector<SurfacePoint>& face_points, const PlacementOptions& options)
-    : remesh_(remesh), threads_(options.threads), crossed_before_(find_self_intersections(remesh, options.threads)) {
+    : remesh_(remesh),
+      threads_(options.threads),
+      progress_(options.progress),
+      crossed_before_(find_self_intersections(remesh, threads_, progress_)) {
   normal_ = IdVector<FaceId, Vec3>(normals_at_faces(surface, remesh, generators, face_points));
   for (const FaceId f : remesh.faces()) {
     const auto& [a, b, c] = PlacedFaces(remesh).corners(f);
@@ -265,7 +271,7 @@ std::vector<FaceId> MoveGuard::find_bad_faces(const std::vector<Vec3>& positions
 
 std::vector<FaceId> MoveGuard::find_crossed_faces(const std::vector<Vec3>& positions) const {
   std::vector<FaceId> crossed;
-  for (const FacePair& pair : find_self_intersections({remesh_, positions}, threads_)) {
+  for (const FacePair& pair : find_self_intersections({remesh_, positions}, threads_, progress_)) {
     if (std::binary_search(crossed_before_.begin(), crossed_before_.end(), pair)) continue;
     crossed.insert(crossed.end(), {pair.first, pair.second});
   }
@@ -276,6 +282,7 @@ std::vector<Vec3> MoveGuard::move(const std::vector<Vec3>& from, const std::vect
   std::vector<int> halvings(from.size(), 0);
   std::vector<Vec3> positions = to;
   while (true) {
+    report_progress(progress_, "placement", 1);
     std::vector<FaceId> wrong = find_bad_faces(positions);
     if (wrong.empty()) wrong = find_crossed_faces(positions);
     if (wrong.empty()) return positions;

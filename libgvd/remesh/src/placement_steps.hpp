@@ -130,6 +130,7 @@ struct FitTarget {
   std::vector<SurfaceSample> samples;      ///< of the surface
   double count = 0;                        ///< of samples of the mesh
   int threads = 0;
+  Progress progress = {};  ///< may be empty
 };
 
 /// The vertex positions with the least sum of three terms. Two are the square distances of samples of a surface from
@@ -156,7 +157,8 @@ inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
 /// `movable`: of each vertex, whether it may move. Vertices of triangles with an angle below `least_angle` (degrees)
 /// try eight directions with steps that get shorter, and keep the best place. A triangle may get thinner, but not below
 /// `least_angle`. Deterministic. Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex that moves.
-std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle);
+std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle,
+                                     const Progress& progress = {});
 
 /// Moves the vertices of a remesh as far as its triangles stay valid.
 class MoveGuard {
@@ -180,6 +182,7 @@ class MoveGuard {
 
   const Mesh& remesh_;
   int threads_;
+  Progress progress_;
   IdVector<FaceId, Vec3> normal_;         // of the surface at each face
   IdVector<FaceId, double> least_angle_;  // that each face may have, degrees
   std::vector<FacePair> crossed_before_;

@@ -78,10 +78,13 @@ class RoundMaker {
   /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
   RemeshRound build(const Diagram& diagram, std::int32_t number) const {
     RemeshRound round;
+    const Progress& progress = options_.diagram.progress;
     round.dual = build_dual(mesh_, diagram);
+    report_progress(progress, "dual", 0.5);
     round.defects = check_dual(mesh_, diagram, round.dual);
     const bool is_sound = round.defects.empty();
     if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
+    report_progress(progress, "dual", 1);
     if (round.defects.empty()) build_mesh(diagram, round);
     if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
     for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
@@ -144,10 +147,11 @@ class RoundMaker {
   /// vertices may have left the intersections that there were at the generators.
   std::vector<FacePair> find_intersections(const Mesh& placed) {
     if (options_.allow_intersections) return {};
-    const std::vector<FacePair> pairs = find_self_intersections(placed, options_.diagram.threads);
+    const std::vector<FacePair> pairs =
+        find_self_intersections(placed, options_.diagram.threads, options_.diagram.progress);
     if (pairs.empty()) return {};
-    if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads);
-    const std::vector<FacePair> inherited = find_inherited(mesh_, *of_input_, placed, pairs);
+    if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
+    const auto inherited = find_inherited(mesh_, *of_input_, placed, pairs, options_.diagram.progress);
     std::vector<FacePair> own;
     std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
     return own;
@@ -231,7 +235,8 @@ class Remesher {
                          counted(result_.added, "generator was", "generators were"),
                          counted(result_.rounds, "round", "rounds"), may_add <= 0 ? ", or raise max_added" : ""));
     }
-    const auto [points, narrow] = propose_generators(mesh_, result_.diagram, defects, may_add);
+    const auto [points, narrow] =
+        propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
     if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");

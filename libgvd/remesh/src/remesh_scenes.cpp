@@ -55,8 +55,8 @@ constexpr double kScaleEnd = 3;
 /// Makes the scenes that show distances.
 class DistanceScenes {
  public:
-  DistanceScenes(const Mesh& input, const RemeshResult& result, int threads)
-      : input_(input), result_(result), threads_(threads) {}
+  DistanceScenes(const Mesh& input, const RemeshResult& result, int threads, const Progress& progress)
+      : input_(input), result_(result), threads_(threads), progress_(progress) {}
 
   ViewScene make_remesh() const {
     ViewScene scene = make_coarse("Remesh", result_.mesh);
@@ -106,7 +106,7 @@ class DistanceScenes {
     const double largest = std::max(result_.input_to_output.hausdorff, result_.output_to_input.hausdorff);
     ViewSurfaceDistance& distance = scene.surface_distance.emplace();
     distance.other = name;
-    distance.samples = sample_surface_distance(*scene.mesh, other, threads_);
+    distance.samples = sample_surface_distance(*scene.mesh, other, threads_, progress_);
     distance.reference = diagonal();
     distance.scale_end = std::max(std::min(kScaleEnd * rms, largest), kLeastHausdorffTolerance * diagonal());
     scene.overlay = ViewOverlay{overlay, &other};
@@ -127,6 +127,7 @@ class DistanceScenes {
   const Mesh& input_;
   const RemeshResult& result_;
   int threads_;
+  const Progress& progress_;
 };
 
 ViewScene make_diagram_scene(const Mesh& input, const RemeshResult& result) {
@@ -144,8 +145,8 @@ Mesh make_unplaced(const Mesh& input, const RemeshResult& result) {
 }
 
 std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,
-                                          int threads) {
-  const DistanceScenes scenes(input, result, threads);
+                                          int threads, const Progress& progress) {
+  const DistanceScenes scenes(input, result, threads, progress);
   std::vector<ViewScene> list{scenes.make_remesh()};
   if (unplaced.positions() != result.mesh.positions()) list.push_back(scenes.make_unplaced(unplaced));
   list.push_back(scenes.make_input());

@@ -131,10 +131,13 @@ bool separate_corners(const CutTriangle& t, std::size_t first_added, const Vec3&
   return false;
 }
 
+/// Faces between two calls of the progress callback.
+constexpr std::int32_t kCutStride = 1 << 8;
+
 class Cutter {
  public:
-  Cutter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), shares_(diagram), tolerance_(position_tolerance(mesh)) {
+  Cutter(const Mesh& mesh, const Diagram& diagram, const Progress& progress)
+      : mesh_(mesh), diagram_(diagram), progress_(progress), shares_(diagram), tolerance_(position_tolerance(mesh)) {
     cut_.positions = mesh.positions();
   }
 
@@ -143,6 +146,7 @@ class Cutter {
     number_edge_points();
     auto piece = diagram_.pieces.begin();
     for (const FaceId f : mesh_.faces()) {
+      if (f.value() % kCutStride == 0) report(double(f.value()) / mesh_.face_count());
       const auto first = piece;
       while (piece != diagram_.pieces.end() && piece->face == f) ++piece;
       cut_face(f, {first, piece});
@@ -150,13 +154,17 @@ class Cutter {
     if (piece != diagram_.pieces.end()) {
       throw Error(ErrorCode::precondition, "the diagram's pieces are not sorted by face", piece->face.value());
     }
+    report(1);
     split_doubled_edges(cut_);
     separate_coincident_corners(cut_, mesh_.positions().size(), tolerance_);
+    report(1);
     build_mesh();
     return std::move(result_);
   }
 
  private:
+  void report(double fraction) const { report_progress(progress_, "cut", fraction); }
+
   /// A point of a piece on an edge, at `t` along the edge's own direction.
   struct EdgePoint {
     EdgeId edge;
@@ -298,6 +306,7 @@ class Cutter {
 
   const Mesh& mesh_;
   const Diagram& diagram_;
+  const Progress& progress_;
   FaceShares shares_;
   double tolerance_;
   std::vector<EdgePoint> edge_points_;  // sorted by edge and t
@@ -336,9 +345,9 @@ int separate_coincident_corners(CutTriangles& cut, std::size_t first_added, doub
   return kMaxSeparationRounds;
 }
 
-CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram) {
+CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress) {
   check_belongs(mesh, diagram);
-  return Cutter(mesh, diagram).run();
+  return Cutter(mesh, diagram, progress).run();
 }
 
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 #include "segment_steps.hpp"
 
@@ -40,8 +41,14 @@ namespace {
 /// Finds faces for the generators without one.
 class FaceAssigner {
  public:
-  FaceAssigner(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result)
-      : mesh_(mesh), diagram_(diagram), shares_(shares), result_(result), count_(diagram.generators.size(), 0) {
+  FaceAssigner(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
+               const Progress& progress)
+      : mesh_(mesh),
+        diagram_(diagram),
+        shares_(shares),
+        result_(result),
+        progress_(progress),
+        count_(diagram.generators.size(), 0) {
     for (const GeneratorId g : result.face_label) {
       if (g.valid()) ++count_[g];
     }
@@ -51,6 +58,7 @@ class FaceAssigner {
     const auto candidates = collect_candidates();
     for (const GeneratorId generator : count_.ids()) {
       if (count_[generator] > 0) continue;
+      report(0.5 + 0.5 * generator.value() / count_.count());
       const FaceId face = find_face(candidates[generator]);
       if (!face.valid()) {
         result_.without_face.push_back(generator);
@@ -68,22 +76,31 @@ class FaceAssigner {
 
   GeneratorId label(FaceId f) const { return result_.face_label[f]; }
 
+  void report(double fraction) const { report_progress(progress_, "labels", fraction); }
+
   Candidates collect_candidates() const {
     Candidates candidates(count_.size());
     for (const FaceShare& share : shares_.all()) {
       if (count_[share.generator] == 0) candidates[share.generator].push_back(share);
     }
     for (const GeneratorId g : count_.ids()) {
-      if (count_[g] == 0) sort_own_faces_first(diagram_.generators[g.index()], candidates[g]);
+      if (count_[g] > 0) continue;
+      report(0.5 * g.value() / count_.count());
+      sort_own_faces_first(diagram_.generators[g.index()], candidates[g]);
     }
     return candidates;
   }
 
   void sort_own_faces_first(const SurfacePoint& generator, std::vector<FaceShare>& candidates) const {
     const std::vector<FaceId> own = faces_around(mesh_, generator);
-    const auto is_own = [&](const FaceShare& s) { return std::find(own.begin(), own.end(), s.face) != own.end(); };
+    std::vector<FaceId> ascending = own;
+    std::sort(ascending.begin(), ascending.end());
+    const auto is_own = [&](const FaceShare& s) { return std::ranges::binary_search(ascending, s.face); };
+    // The shares of one cell ascend by face, and each face of `own` comes once.
+    const std::size_t given = candidates.size();
     for (const FaceId f : own) {
-      if (std::ranges::find(candidates, f, &FaceShare::face) == candidates.end()) candidates.push_back({f, {}, 0});
+      const std::span<const FaceShare> shares(candidates.data(), given);
+      if (!std::ranges::binary_search(shares, f, {}, &FaceShare::face)) candidates.push_back({f, {}, 0});
     }
     std::stable_sort(candidates.begin(), candidates.end(), [&](const FaceShare& a, const FaceShare& b) {
       return is_own(a) != is_own(b) ? is_own(a) : a.fraction > b.fraction;
@@ -134,6 +151,7 @@ class FaceAssigner {
   const Diagram& diagram_;
   const FaceShares& shares_;
   Segmentation& result_;
+  const Progress& progress_;
   IdVector<GeneratorId, std::int32_t> count_;  // faces of each label
   IdVector<FaceId, std::int32_t> visited_;     // the last search that visited each face
   std::int32_t searches_ = 0;
@@ -235,16 +253,18 @@ class FaceLabeller {
 
 }  // namespace
 
-void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result) {
-  FaceAssigner(mesh, diagram, shares, result).run();
+void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
+                          const Progress& progress) {
+  FaceAssigner(mesh, diagram, shares, result, progress).run();
 }
 
 Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   check_belongs(mesh, diagram);
+  report_progress(options.progress, "labels", 0);
   const FaceShares shares(diagram);
   Segmentation result = FaceLabeller(mesh, diagram, shares).run();
-  assign_missing_faces(mesh, diagram, shares, result);
-  if (options.labels == FaceLabels::smooth) smooth_borders(mesh, diagram, shares, result);
+  assign_missing_faces(mesh, diagram, shares, result, options.progress);
+  if (options.labels == FaceLabels::smooth) smooth_borders(mesh, diagram, shares, result, options.progress);
   return result;
 }
 

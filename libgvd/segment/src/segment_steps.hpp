@@ -42,7 +42,8 @@ LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, G
 /// in descending order of the share. The first candidate is taken whose label keeps another face and stays connected
 /// without this one. Counts `given_faces`, and lists in `without_face` the generators without such a candidate.
 /// Cost: O(n), and for each such generator a search through the region that may lose a face.
-void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result);
+void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
+                          const Progress& progress = {});
 
 // smooth_borders.cpp
 
@@ -58,7 +59,8 @@ bool keeps_topology(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label
 ///
 /// Properties: (1) the border does not become longer; (2) the regions keep their topology (see keeps_topology).
 /// Counts `smoothed_faces`. Cost: O(n + k) for k shares.
-void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result);
+void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
+                    const Progress& progress = {});
 
 using FreeFaceId = Id<struct FreeFaceTag>;
 

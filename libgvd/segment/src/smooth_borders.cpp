@@ -82,13 +82,14 @@ class BorderSmoother {
         target_(free.count()),
         least_gain_(kLeastGain * mesh.mean_edge_length()) {}
 
-  void run() {
+  void run(const Progress& progress) {
     for (std::int64_t i = 0; i < kForests; ++i) {  // 64 bits: the product may be large
+      report_progress(progress, "borders", double(i) / kForests);
       target_ = forest_.choose(FreeFaceId(i * free_.count() / kForests));
       apply_targets();
     }
-    for (int sweep = 0; sweep < kSingleSweeps && relabel_single_faces(); ++sweep) {
-    }
+    for (int sweep = 0; sweep < kSingleSweeps && relabel_single_faces(); ++sweep)
+      report_progress(progress, "borders", 1);
   }
 
  private:
@@ -336,10 +337,11 @@ bool keeps_topology(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label
   return !mesh.is_boundary(v) && all_faces_round(mesh, v, [&](FaceId g) { return g == f || label[g] == to; });
 }
 
-void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result) {
+void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
+                    const Progress& progress) {
   const FreeFaces free(mesh, diagram, shares, result.face_label);
   const IdVector<FaceId, GeneratorId> before = result.face_label;
-  BorderSmoother(mesh, free, diagram.generators.size(), result.face_label).run();
+  BorderSmoother(mesh, free, diagram.generators.size(), result.face_label).run(progress);
   for (const FreeFaceId i : free.ids()) {
     const FaceId f = free.face(i);
     result.smoothed_faces += before[f] != result.face_label[f];

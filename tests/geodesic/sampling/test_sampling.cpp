@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
@@ -175,6 +176,23 @@ TEST_CASE("progress moves within the first insertions, which take longest on lar
     CHECK(std::is_sorted(told.begin(), told.end()));
     told.erase(std::unique(told.begin(), told.end()), told.end());
     CHECK(told.size() > 6);  // without those within insertions there were one for each generator
+  }
+}
+
+TEST_CASE("every sampling can be cancelled, and tells of its work often enough") {
+  const Mesh mesh = test::make_sphere(1);
+  for (const Sampling kind : {Sampling::farthest, Sampling::random, Sampling::poisson}) {
+    CAPTURE(int(kind));
+    constexpr int kCount = 1280;
+    const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
+      SamplingOptions options;
+      options.kind = kind;
+      options.count = kCount;
+      options.progress = progress;
+      sample_generators(mesh, options);
+    });
+    CHECK(calls.at("sampling") >= kCount / 64);
+    if (kind == Sampling::farthest) CHECK(calls.at("splitting edges") >= (kCount - mesh.vertex_count()) / 64);
   }
 }
 

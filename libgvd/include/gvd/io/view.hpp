@@ -10,6 +10,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {
@@ -66,6 +67,7 @@ const char* to_text(UpAxis axis);
 struct ViewOptions {
   std::string title = "Geodesic Voronoi diagram";  ///< UTF-8; invalid bytes are replaced
   UpAxis up = UpAxis::y;
+  Progress progress = {};  ///< may be empty
 };
 
 /// The scene of a diagram, with its figures: size, topology, length of the bisectors, and the Euler count, which
@@ -91,9 +93,9 @@ bool has_viewer();
 /// once; (5) a large mesh takes less than 40 bytes a face, beside 650 kB for the page itself; (6) regions with a common
 /// border differ by at least 20 in CIEDE2000, for the colour-blind too, on surfaces of genus 3 and less;
 /// (7) from one iteration of the slider to the next, regions keep their colours as far as that allows.
-/// Throws Error{invalid_option} where the library was built without the viewer.
-/// Throws Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value is out of
-/// its range.
+/// Throws Error{invalid_option} where the library was built without the viewer; Error{interrupted} if the progress
+/// callback cancels; Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value
+/// is out of its range.
 /// Cost: O(n) time and memory.
 std::string make_view_page(const std::vector<ViewScene>& scenes, const ViewOptions& options = {});
 

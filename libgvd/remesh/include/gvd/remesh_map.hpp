@@ -46,8 +46,10 @@ struct RemeshMap {
 /// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's
 /// vertex that is at its generator, and a vertex of the surface, and the generator are each other's points; (5)
 /// deterministic, for every number of `threads` (0: one a core).
-/// Throws Error{precondition} if `result` is no remesh of `surface`. Cost: O(n log n), and a sparse system for each cell.
-RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0);
+/// Throws Error{precondition} if `result` is no remesh of `surface`, Error{interrupted} if `progress` cancels.
+/// Cost: O(n log n), and a sparse system for each cell.
+RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0,
+                        const Progress& progress = {});
 
 /// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
 /// it has the point of the output, null where the vertex was dropped. docs/guide/formats.md describes it. The stream is

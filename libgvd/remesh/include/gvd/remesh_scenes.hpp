@@ -4,6 +4,7 @@
 
 #include "gvd/io/view.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/remesh.hpp"
 
 namespace gvd {
@@ -15,8 +16,8 @@ Mesh make_unplaced(const Mesh& input, const RemeshResult& result);
 /// vertices were placed away from their generators, the remesh before that (`unplaced`, of make_unplaced) is a further
 /// one. Remeshes have their distances from the input, the input those from the remesh, all with one scale. Added
 /// generators are marked. The scenes refer to the meshes, which must outlive them. `threads` >= 1, or 0 for one a core.
-/// Cost: O(n log n).
+/// Throws Error{interrupted} if `progress` cancels. Cost: O(n log n).
 std::vector<ViewScene> make_remesh_scenes(const Mesh& input, const RemeshResult& result, const Mesh& unplaced,
-                                          int threads);
+                                          int threads, const Progress& progress = {});
 
 }  // namespace gvd

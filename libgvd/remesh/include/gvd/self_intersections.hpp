@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -18,8 +19,9 @@ struct FacePair {
 /// Faces that only touch intersect, too.
 /// Properties: (1) exact, unless products of three coordinates underflow; (2) empty exactly where the mesh is embedded,
 /// if no face is degenerate; (3) independent of `threads` (0: one a core).
+/// Throws Error{interrupted} if `progress` cancels.
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
-std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0);
+std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
 /// The pairs of faces of a remesh that intersect where the surface intersects itself, ascending.
 ///
@@ -27,8 +29,8 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0)
 /// common part of the boxes of the remesh's two faces, grown on all sides by half the longer diagonal of the two boxes.
 /// The pairs are near each other if it overlaps the boxes of both faces of the surface's pair. `pairs` are
 /// those of find_self_intersections. Cost: that of find_self_intersections of the surface, and O(p log q) as a rule
-/// for p and q pairs of the two; none without pairs.
+/// for p and q pairs of the two; none without pairs. Throws Error{interrupted} if `progress` cancels.
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
-                                     int threads = 0);
+                                     int threads = 0, const Progress& progress = {});
 
 }  // namespace gvd

@@ -44,6 +44,7 @@ inline constexpr double kSampledTriangles = 1 << 16;
 /// Properties: (1) a surface with many faces has no lattice, and no other one more than 1.5 * kSampledTriangles points;
 /// (2) independent of `threads` (0: one a core).
 /// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n samples and m faces.
-DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads = 0);
+DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
+                                        const Progress& progress = {});
 
 }  // namespace gvd

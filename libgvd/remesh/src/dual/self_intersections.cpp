@@ -242,12 +242,11 @@ bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {
          segment_meets_triangle(of_second[0], of_second[1], first);
 }
 
-std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads) {
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress) {
   constexpr std::size_t kFacesPerChunk = 256;
   const FaceBoxes boxes(faces, faces.mesh.faces());
-  const Progress none;
   const auto chunks = cut_into_chunks(faces.mesh.face_count(), kFacesPerChunk);
-  auto pairs = ParallelChunks(threads, none).collect(chunks, {"self-intersections"}, [&](const Chunk& chunk) {
+  auto pairs = ParallelChunks(threads, progress).collect(chunks, {"self-intersections"}, [&](const Chunk& chunk) {
     std::vector<FacePair> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const FaceId f(i);
@@ -262,12 +261,12 @@ std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int thre
   return pairs;
 }
 
-std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads) {
-  return find_self_intersections(PlacedFaces(mesh), threads);
+std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads, const Progress& progress) {
+  return find_self_intersections(PlacedFaces(mesh), threads, progress);
 }
 
 std::vector<FacePair> find_inherited(const Mesh& surface, const std::vector<FacePair>& given, const Mesh& remesh,
-                                     const std::vector<FacePair>& pairs) {
+                                     const std::vector<FacePair>& pairs, const Progress& progress) {
   const FaceBoxes firsts(surface, first_faces(given));
   const auto overlaps_partner = [&](FaceId first, const Box3& box) {
     const auto is_before = [](const FacePair& pair, FaceId f) { return pair.first < f; };
@@ -279,6 +278,7 @@ std::vector<FacePair> find_inherited(const Mesh& surface, const std::vector<Face
   };
   std::vector<FacePair> inherited;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(inherited), [&](const FacePair& pair) {
+    report_progress(progress, "self-intersections", double(&pair - pairs.data()) / double(pairs.size()));
     const Box3 box = common_box(remesh, pair);
     return firsts.any_of(box, [&](FaceId first) { return overlaps_partner(first, box); });
   });
@@ -286,9 +286,9 @@ std::vector<FacePair> find_inherited(const Mesh& surface, const std::vector<Face
 }
 
 std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
-                                     int threads) {
+                                     int threads, const Progress& progress) {
   if (pairs.empty()) return {};
-  return find_inherited(surface, find_self_intersections(surface, threads), remesh, pairs);
+  return find_inherited(surface, find_self_intersections(surface, threads, progress), remesh, pairs, progress);
 }
 
 }  // namespace gvd

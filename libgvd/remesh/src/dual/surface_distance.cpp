@@ -259,15 +259,15 @@ SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int t
   return DistanceMeasure(from, to, threads, progress).run();
 }
 
-DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads) {
+DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads, const Progress& progress) {
   check_faces(from, to);
   const ClosestPointTree tree(to);
-  const Progress none;
-  const ParallelChunks parallel(threads, none);
+  const ParallelChunks parallel(threads, progress);
   DistanceSamples result;
   result.steps = choose_steps(from);
   for (const Sample& sample : sample_vertices(from, tree, parallel)) result.at_vertex.push_back(sample.distance);
-  result.lattice = parallel.collect(cut_into_chunks(from.face_count(), kFacesPerChunk), {}, [&](const Chunk& chunk) {
+  const auto chunks = cut_into_chunks(from.face_count(), kFacesPerChunk);
+  result.lattice = parallel.collect(chunks, {"view"}, [&](const Chunk& chunk) {
     std::vector<double> distances;
     FaceId near(0);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {

@@ -161,8 +161,9 @@ struct EdgeCut {
 
 class CellCutter {
  public:
-  CellCutter(const Mesh& surface, const RemeshResult& result) : surface_(surface), generators_(result.generators) {
-    cells_.cut = cut_faces(surface, result.diagram);
+  CellCutter(const Mesh& surface, const RemeshResult& result, const Progress& progress)
+      : surface_(surface), generators_(result.generators) {
+    cells_.cut = cut_faces(surface, result.diagram, progress);
   }
 
   CellSurface run() {
@@ -292,8 +293,8 @@ IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdV
   return BorderTracer(mesh, label, cells).run();
 }
 
-CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result) {
-  return CellCutter(surface, result).run();
+CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress) {
+  return CellCutter(surface, result, progress).run();
 }
 
 }  // namespace gvd

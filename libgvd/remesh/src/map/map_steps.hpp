@@ -57,7 +57,7 @@ struct CellSurface {
 
 /// Cuts along the bisectors, and splits edges for properties (2) to (4).
 /// Throws Error{no_valid_result} where the cells are no discs, and what cut_faces throws. Cost: O(n log n).
-CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result);
+CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress = {});
 
 // map_to_remesh.cpp
 
@@ -221,6 +221,7 @@ SurfacePoint find_nearest_facing(const Mesh& mesh, const std::vector<FaceId>& fa
 /// The nearest point of the remesh for each vertex of the surface, on the triangles at its cell's vertex and that one's
 /// neighbours. `map_to_remesh` says more. Several vertices may have the same point.
 /// Throws Error{precondition} where a vertex is in no cell. Cost: O(n) for vertices of bounded valence.
-IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads);
+IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads,
+                                                const Progress& progress = {});
 
 }  // namespace gvd

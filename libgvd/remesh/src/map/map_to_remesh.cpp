@@ -87,8 +87,8 @@ struct CellPoints {
 /// that fails. Deterministic, for every number of threads.
 class OneToOneMapper {
  public:
-  OneToOneMapper(const Mesh& surface, const RemeshResult& result)
-      : cells_(cut_into_cells(surface, result)),
+  OneToOneMapper(const Mesh& surface, const RemeshResult& result, const Progress& progress)
+      : cells_(cut_into_cells(surface, result, progress)),
         polygons_(cells_.cut.mesh, cells_.cut.label, result.mesh),
         input_{surface, result, cells_, polygons_},
         faces_(result.generators.size()) {
@@ -97,12 +97,11 @@ class OneToOneMapper {
   }
 
   /// The map without the measurements of its images.
-  RemeshMap run(int threads) const {
-    const Progress none;
-    const ParallelChunks parallel(threads, none);
+  RemeshMap run(int threads, const Progress& progress) const {
+    const ParallelChunks parallel(threads, progress);
     const auto chunks =
         cut_by_work(faces_.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces_.raw()[i].size(); });
-    const std::vector<CellPoints> cells = parallel.collect(chunks, {}, [&](const Chunk& chunk) {
+    const std::vector<CellPoints> cells = parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
       std::vector<CellPoints> found;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) found.push_back(map_cell(GeneratorId(i)));
       return found;
@@ -178,11 +177,10 @@ class NearestMapper {
     }
   }
 
-  IdVector<VertexId, SurfacePoint> run(int threads) const {
-    const Progress none;
-    const ParallelChunks parallel(threads, none);
+  IdVector<VertexId, SurfacePoint> run(int threads, const Progress& progress) const {
+    const ParallelChunks parallel(threads, progress);
     const auto chunks = cut_into_chunks(result_.diagram.vertex_label.size(), kVerticesPerChunk);
-    return IdVector<VertexId, SurfacePoint>(parallel.collect(chunks, {}, [&](const Chunk& chunk) {
+    return IdVector<VertexId, SurfacePoint>(parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
       std::vector<SurfacePoint> points;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(map_vertex(VertexId(i)));
       return points;
@@ -324,22 +322,23 @@ HalfedgeId DualPolygons::find_halfedge(GeneratorId from, GeneratorId to, VertexI
   return found;
 }
 
-IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads) {
-  return NearestMapper(surface, result).run(threads);
+IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads,
+                                                const Progress& progress) {
+  return NearestMapper(surface, result).run(threads, progress);
 }
 
-RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads) {
+RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads, const Progress& progress) {
   if (result.diagram.vertex_label.count() != surface.vertex_count() ||
       std::ssize(result.generators) != result.mesh.vertex_count()) {
     throw Error(ErrorCode::precondition, "the remesh is not one of this surface");
   }
   RemeshMap map;
   try {
-    map = OneToOneMapper(surface, result).run(threads);
+    map = OneToOneMapper(surface, result, progress).run(threads, progress);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::no_valid_result) throw;
     map.obstacle = error.what();
-    map.points = nearest_points(surface, result, threads);
+    map.points = nearest_points(surface, result, threads, progress);
     map.origins = IdVector<VertexId, SurfacePoint>(result.generators);
   }
   measure_images(surface, result.mesh, map);

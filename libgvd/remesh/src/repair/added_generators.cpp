@@ -43,17 +43,16 @@ AddedGenerators::AddedGenerators(const Mesh& mesh, const std::vector<SurfacePoin
     : mesh_(mesh),
       spacing_(kMinAddedSpacing * mesh.bbox_diagonal()),
       max_count_(max_count),
-      component_(compute_face_components(mesh)) {
+      component_(compute_face_components(mesh)),
+      of_component_(mesh.face_count()) {
   for (const SurfacePoint& g : existing) insert(g);
 }
 
 double AddedGenerators::clearance(const SurfacePoint& point) const {
   const Vec3 at = position(mesh_, point);
-  const std::int32_t component = component_[point.face];
   double least = kInfinity;
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    if (component_[all_[i].face] != component) continue;
-    const double squared = (positions_[GeneratorId(i)] - at).squaredNorm();
+  for (const GeneratorId i : of_component_[component_[point.face]]) {
+    const double squared = (positions_[i] - at).squaredNorm();
     if (squared >= least) continue;
     if (squared > spacing_ * spacing_ || are_near(mesh_, point, all_[i], spacing_)) least = squared;
   }

@@ -235,11 +235,12 @@ std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diag
 
 /// The points of one round on the part, in the whole mesh; none where nothing is left to repair or the part can't tell.
 std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const std::vector<SurfacePoint>& added,
-                                          std::size_t max_count) {
+                                          std::size_t max_count, const Progress& progress) {
   const auto result = local.compute(added);
   if (!result || result->defects.empty()) return {};
   if (result->defects.front().property == DualProperty::not_flipped) return {};
-  ProposedGenerators proposed = propose_generators(local.part().mesh(), result->diagram, result->defects, max_count);
+  ProposedGenerators proposed =
+      propose_generators(local.part().mesh(), result->diagram, result->defects, max_count, progress);
   if (proposed.narrow) return {};
   for (SurfacePoint& point : proposed.points) point = local.part().to_whole(point);
   return std::move(proposed.points);
@@ -248,12 +249,13 @@ std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const std::vec
 }  // namespace
 
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
-                                      std::size_t max_count) {
+                                      std::size_t max_count, const Progress& progress) {
   ProposedGenerators proposed;
   AddedGenerators added(mesh, diagram.generators, max_count);
   DefectRepair repair(mesh, diagram, added);
   CellFlags repaired(diagram.generators.size(), 0);
   for (const DualDefect& defect : defects) {
+    report_progress(progress, "repair", double(&defect - defects.data()) / double(defects.size()));
     if (added.is_full()) break;
     if (is_repaired(repaired, diagram, defect)) continue;
     const std::size_t before = added.size();
@@ -274,7 +276,7 @@ std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagra
   if (kFacesPerPartFace * local.part().size() > std::size_t(mesh.face_count())) return {};
   std::vector<SurfacePoint> all = added;
   for (int round = 0; round < kMostRounds && all.size() < added.size() + max_count; ++round) {
-    const auto more = propose_in_part(local, all, added.size() + max_count - all.size());
+    const auto more = propose_in_part(local, all, added.size() + max_count - all.size(), options.progress);
     if (more.empty()) break;
     all.insert(all.end(), more.begin(), more.end());
   }

@@ -42,7 +42,7 @@ class AddedGenerators {
   bool is_full() const { return points_.size() == max_count_; }
   std::vector<SurfacePoint> take() { return std::move(points_); }
 
-  /// Adds the point unless the list is full or a generator is too close (kMinAddedSpacing). Cost: O(generators).
+  /// Adds the point unless the list is full or a generator is too close (kMinAddedSpacing). Cost: that of `clearance`.
   bool add(const SurfacePoint& point) {
     if (is_full() || !(clearance(point) > spacing_)) return false;
     insert(point);
@@ -61,7 +61,8 @@ class AddedGenerators {
 
   /// Euclidean distance from the nearest generator of the point's component, those added included; mesh units.
   /// Generators of other components don't count. Nor do those that coincide with the point in space and are not near it
-  /// along the surface, as on the two banks of a slit. Infinite where no generator counts. Cost: O(generators).
+  /// along the surface, as on the two banks of a slit. Infinite where no generator counts. Cost: O(k) for the k
+  /// generators of the component.
   double clearance(const SurfacePoint& point) const;
 
   /// Position of a generator of the diagram.
@@ -72,7 +73,7 @@ class AddedGenerators {
 
  private:
   void insert(const SurfacePoint& point) {
-    all_.push_back(point);
+    of_component_[component_[point.face]].push_back(all_.push_back(point));
     positions_.push_back(position(mesh_, point));
   }
 
@@ -80,7 +81,8 @@ class AddedGenerators {
   double spacing_;  // kMinAddedSpacing in mesh units
   std::size_t max_count_;
   IdVector<FaceId, std::int32_t> component_;
-  std::vector<SurfacePoint> all_;  // the diagram's generators, then the added ones
+  std::vector<std::vector<GeneratorId>> of_component_;  // indices of all_, ascending; as many lists as faces
+  IdVector<GeneratorId, SurfacePoint> all_;             // the diagram's generators, then the added ones
   IdVector<GeneratorId, Vec3> positions_;
   std::vector<SurfacePoint> points_;
 };
@@ -206,9 +208,10 @@ struct ProposedGenerators {
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
 /// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
 /// Returns at most `max_count` points; none where every candidate is too close.
+/// Throws Error{interrupted} if `progress`, which hears of each defect, cancels.
 /// Cost: O(n log n + k (n + m)) for k defects and m generators, at most.
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
-                                      std::size_t max_count);
+                                      std::size_t max_count, const Progress& progress = {});
 
 /// Repairs what generators that are about to be added to a diagram leave wrong near them, or make wrong. Rounds of
 /// `propose_generators` on a part of the mesh save rounds on all of it.

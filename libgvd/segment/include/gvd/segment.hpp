@@ -8,6 +8,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -19,6 +20,7 @@ enum class FaceLabels {
 
 struct SegmentOptions {
   FaceLabels labels = FaceLabels::smooth;
+  Progress progress = {};  ///< may be empty
 };
 
 /// A label for every face.
@@ -44,7 +46,8 @@ struct Segmentation {
 /// Properties: (1) the faces of each label are connected through edges; (2) each generator owns a face or is listed in
 /// `without_face`; (3) a face has no label exactly where no generator reaches it; (4) smooth borders are not longer
 /// than nearest ones, and a region has the topology that it has with nearest labels: discs stay discs.
-/// Throws Error{precondition} if the diagram was not made of this mesh. Cost: O(n log n).
+/// Throws Error{precondition} if the diagram was not made of this mesh, Error{interrupted} if the progress callback
+/// cancels. Cost: O(n log n).
 Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options = {});
 
 /// Length of the edges between faces with different labels, in mesh units. Cost: O(n).
@@ -67,8 +70,8 @@ struct CutMesh {
 /// Properties: (1) the surface is the same set of points, within rounding; (2) the faces on both sides of an edge share
 /// the vertices on it, so the result has the topology of the input; (3) faces that no bisector touches do not change.
 /// Throws Error{precondition} if the diagram was not made of this mesh, Error{no_valid_result} if the result is not a
-/// manifold. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
-CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram);
+/// manifold, Error{interrupted} if `progress` cancels. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
+CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress = {});
 
 /// What the vertices of a cut mesh carry.
 struct CutVertices {

@@ -77,7 +77,8 @@ std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, doub
   return too_close;
 }
 
-constexpr std::int64_t kSamplingStride = 1 << 14;
+/// A split takes time in proportion to the faces round its ends, which may be all.
+constexpr std::int64_t kSamplingStride = 1 << 6;
 
 struct LongEdge {
   double length;
@@ -199,13 +200,14 @@ std::vector<char> eliminate(const std::vector<std::vector<Neighbour>>& neighbour
 
 /// `count` points inside faces, uniform by area, no two closer than kMinSampleSpacing.
 /// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
-std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
+std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options) {
   require_area(mesh);
   const AreaSampler sampler(mesh, list_faces(mesh));
-  SeededRandom random(seed);
+  SeededRandom random(options.seed);
   std::vector<SurfacePoint> points(count);
   std::vector<Vec3> positions(count);
   const auto draw = [&](std::size_t i) {
+    if (i % kSamplingStride == 0) report_progress(options.progress, "sampling", 0);
     points[i] = sampler.draw_point(random);
     positions[i] = position(mesh, points[i]);
   };
@@ -242,7 +244,7 @@ std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions
   }
   const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
   const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);
-  const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options.seed);
+  const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options);
   const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options), options.count, options.progress);
   std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -260,7 +262,7 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
     case Sampling::farthest:
       return sample_farthest(mesh, options);
     case Sampling::random:
-      return sample_random(mesh, options.count, options.seed);
+      return sample_random(mesh, options.count, options);
     case Sampling::vertices:
       return sample_vertices(mesh, options.count, options.seed);
     case Sampling::poisson:

@@ -128,7 +128,7 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
 }
 
 CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel)
-    : mesh_(&mesh), corner_(mesh.halfedge_count()) {
+    : corner_(mesh.halfedge_count()), side_(mesh.halfedge_count()) {
   const auto faces = cut_into_chunks(mesh.face_count(), kScanChunk);
   parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
     for (std::size_t i = faces[chunk].begin; i < faces[chunk].end; ++i) {
@@ -138,14 +138,16 @@ CornerAngles::CornerAngles(const Mesh& mesh, const FaceFrames& frames, const Par
       }
     }
   });
-}
-
-Departure CornerAngles::side(HalfedgeId h) const {
-  double sum = 0;
-  for (HalfedgeId before = mesh_->halfedge(mesh_->from(h)); before != h; before = next_outgoing(*mesh_, before)) {
-    sum += corner_[before].turned();
-  }
-  return Departure::of_side(sum);
+  const auto vertices = cut_into_chunks(mesh.vertex_count(), kScanChunk);
+  parallel.run(vertices.size(), {steps::kDistances}, [&](std::size_t chunk) {
+    for (std::size_t i = vertices[chunk].begin; i < vertices[chunk].end; ++i) {
+      double sum = 0;
+      for_each_outgoing(mesh, VertexId(i), [&](HalfedgeId h) {
+        side_[h] = Departure::of_side(sum);
+        sum += corner_[h].turned();
+      });
+    }
+  });
 }
 
 }  // namespace gvd

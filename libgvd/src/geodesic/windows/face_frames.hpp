@@ -74,19 +74,18 @@ struct FaceFrames {
 class CornerAngles {
  public:
   CornerAngles() = default;
-  /// The mesh has to outlive this. Cost: O(n).
+  /// Cost: O(n).
   CornerAngles(const Mesh& mesh, const FaceFrames& frames, const ParallelChunks& parallel);
 
   bool empty() const { return corner_.empty(); }
   /// The angle of the corner that a halfedge leaves.
   Departure corner(HalfedgeId h) const { return corner_[h]; }
   /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex.
-  /// For generators. Cost: O(degree of the vertex).
-  Departure side(HalfedgeId h) const;
+  /// For generators.
+  Departure side(HalfedgeId h) const { return side_[h]; }
 
  private:
-  const Mesh* mesh_ = nullptr;
-  IdVector<HalfedgeId, Departure> corner_;
+  IdVector<HalfedgeId, Departure> corner_, side_;
 };
 
 }  // namespace gvd

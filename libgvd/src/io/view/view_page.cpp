@@ -231,10 +231,13 @@ std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& o
                 {"scale", frame.scale},
                 {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
                 {"scenes", json::array()}};
+  report_progress(options.progress, "view", 0);
   const std::vector<std::vector<Rgb>> colors = choose_scene_colors(scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
+    report_progress(options.progress, "view", double(i) / double(scenes.size()));
     manifest["scenes"].push_back(make_scene_entry(scenes[i], colors[i], frame, blobs));
   }
+  report_progress(options.progress, "view", 1);
   return "<script type=\"application/json\" id=\"manifest\">" + dump_for_html(manifest) + "</script>\n" + blobs.html();
 }
 
