@@ -85,12 +85,9 @@ class Decline {
  public:
   /// `ratio`: of the figure to its tolerance; not finite where that is 0, and then it counts for nothing.
   void note(double ratio) {
-    begin(ratio);
-    if (std::isfinite(ratio)) least_ = std::min(least_, std::max(1.0, ratio));
-  }
-  /// Notes a figure with which nothing can end yet.
-  void begin(double ratio) {
-    if (std::isfinite(ratio)) largest_ = std::max(largest_, ratio);
+    if (!std::isfinite(ratio)) return;
+    largest_ = std::max(largest_, ratio);
+    least_ = std::min(least_, std::max(1.0, ratio));
   }
   /// In [0, 1]; 0 while nothing is known.
   double share() const { return least_ < largest_ ? std::log(largest_ / least_) / std::log(largest_) : 0; }
@@ -166,7 +163,8 @@ class Relaxer {
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
-    states_.is_last_level() ? way_decline_.note(state.residual / limit) : way_decline_.begin(state.residual / limit);
+    // Early levels end nothing: there the way to the centroids counts as twice the tolerance at least.
+    way_decline_.note(std::max(state.residual / limit, states_.is_last_level() ? 1.0 : 2.0));
     return state.residual <= limit;
   }
 
