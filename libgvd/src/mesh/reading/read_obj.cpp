@@ -95,8 +95,6 @@ class ObjParser {
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
       soup_.corners.push_back(vertex_index(token));
-      const std::size_t slash = token.find('/');
-      soup_.has_texture |= slash != token.npos && slash + 1 < token.size() && token[slash + 1] != '/';
       if (texture_) texture_numbers_.push_back(texture_number(token));
     }
     soup_.close_polygon();
@@ -105,6 +103,7 @@ class ObjParser {
   /// The 0-based vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
   std::int32_t vertex_index(std::string_view token) {
     const std::size_t slash = token.find('/');
+    if (slash != token.npos) soup_.has_texture |= slash + 1 < token.size() && token[slash + 1] != '/';
     const std::int64_t polygon = soup_.polygon_count();
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
