@@ -69,7 +69,8 @@ inline std::string_view find_compression(std::string_view bytes) {
   for (const auto& [mark, program] : kMarks) {
     if (bytes.starts_with(mark)) return program;
   }
-  return bytes.starts_with("BZh") && bytes.substr(4, 6) == "1AY&SY" ? "bzip2" : "";
+  const bool is_bzip2 = bytes.starts_with("BZh") && bytes.substr(3).find("1AY&SY") == 1;  // after a digit
+  return is_bzip2 ? "bzip2" : "";
 }
 
 /// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.

@@ -6,6 +6,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
@@ -101,6 +102,13 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   require_file_refused(TemporaryFile("a.off", "hello\n").path(), "should be OFF, and is 'hello'");
   require_file_refused(file.folder(), "directory");
   require_file_refused(file.folder() / "missing.off", "there is no such file");
+}
+
+TEST_CASE("compressed bytes are told by their mark, however few there are") {
+  CHECK(find_compression("\x1f\x8b\x08 more") == "gzip");
+  CHECK(find_compression("BZh91AY&SY") == "bzip2");
+  for (const char* bytes : {"", "B", "BZh", "BZh9", "BZh91AY&S", "PK", "v 0 0 0"})
+    CHECK(find_compression(bytes).empty());
 }
 
 TEST_CASE("numbers are the same in any locale") {
