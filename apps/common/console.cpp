@@ -1,10 +1,9 @@
 // Standard error of a command: lines of messages, and a progress bar below them on a terminal.
 //
-// A message clears the bar, which the next call of the progress callback draws again, at most ten times a second, or
-// fifty where steps change. Where
-// standard error is a file or a pipe, a long step has a line of progress each ten seconds instead. Every
-// message is one line: control characters become blanks, so that no file name can change a terminal's state. The time
-// left is that of the step's rest at the speed of its part that is done.
+// A message clears the bar, which the next call of the progress callback draws again: at most ten times a second, or
+// fifty where steps change. Where no bar is drawn, a line of progress comes each ten seconds instead.
+// Every message is one line: control characters become blanks, so that no file name can change a terminal's state. The
+// time left is that of the step's rest at the speed of its part that is done.
 
 #include "common/console.hpp"
 
@@ -22,7 +21,7 @@
 namespace gvd::app {
 namespace {
 
-/// From a drawing to that of a new step.
+/// Least time from a drawing to that of a new step, which is not made to wait: it may then be silent for long.
 constexpr std::chrono::milliseconds kStepInterval{20};
 
 constexpr int kStepColumns = 24;

@@ -61,8 +61,8 @@ class Console {
   void detail(std::string_view message);  ///< printed only where verbose
   /// Sets the text that bars show behind the name of their step, from now on.
   void set_status(std::string status) { status_ = std::move(status); }
-  /// Redraws the bar, or prints a line of progress where there are no bars, once in each `interval` of the style; the
-  /// bar of a new step at once. Nothing where the console is quiet.
+  /// Redraws the bar, or prints a line of progress where there are no bars, once in each `interval` of the style. The
+  /// bar of a new step comes sooner. Nothing where the console is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();
   /// Clears the terminal's line, where another console may have drawn a bar.

@@ -60,7 +60,7 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
 
 void note_changes(Run& run, const ResolvedGenerators& resolved, double diagonal) {
   Console& console = run.console();
-  note_far_entry(run, resolved, diagonal);
+  if (!run.options().generators.max_snap) note_far_entry(run, resolved, diagonal);
   if (resolved.longest_snap) {
     console.note(fmt::format("generators: moved to the surface, by at most {:.4g}", *resolved.longest_snap));
   }
@@ -168,6 +168,7 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
 }
 
+/// Notes a texture that the input has and no file of this run will hold.
 void note_texture(Run& run, const PolygonSoup& soup) {
   const std::vector<std::string> formats = written_formats(run.options().output);
   const auto is_mesh = [](const std::string& f) { return f != "json" && parse_output_format(f).has_value(); };
@@ -206,7 +207,7 @@ void note_coarse_coordinates(Run& run, const Mesh& mesh) {
 constexpr double kFarSnap = 0.01;
 
 void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal) {
-  if (run.options().generators.max_snap || !(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
+  if (!(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
   run.console().note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
                                  resolved.farthest, *resolved.longest_snap, diagonal));
 }

@@ -22,8 +22,8 @@ namespace gvd::app {
 /// Notes something about the input, behind its name. With --output-dir the console's lines have that name already.
 void note_on_input(Run& run, const std::string& message);
 
-/// Notes which entry of a list lies farthest from the surface, if that is far in view of the model's diagonal and no
-/// `--max-snap` says how far is too far.
+/// Notes which entry of a list lies farthest from the surface, if that is far in view of the model's `diagonal`, in
+/// mesh units.
 void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal);
 
 /// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.

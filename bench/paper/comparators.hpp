@@ -74,8 +74,8 @@ struct DiffusionOptions {
 ///
 /// Source: P. Herholz, F. Haase, M. Alexa, Diffusion diagrams: Voronoi cells and centroids from diffusion, 2017: [8] in
 ///   the paper, section 5.4.
-/// Unlike in the account of section 5.4, heat is compared and not distance, and a face is split until its corners and
-/// midpoints have two labels, not until anything is linear.
+/// Two things differ from the account of section 5.4. Heat is compared, not distance. A face is split until its corners
+/// and midpoints have two labels, not until anything is linear.
 /// `field_ms`: matrix, factorisation, and a solution for each generator; `diagram_ms`: labels and envelopes. Faults:
 /// faces in which the cap ended the split, and vertices that no heat reaches (HeatField says when). Generators may lie
 /// anywhere: they become vertices first. Throws Error{invalid_option} if an option is out of its range.

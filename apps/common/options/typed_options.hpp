@@ -59,7 +59,7 @@ CLI::Option* add_flag(CLI::App& app, const std::string& names, bool& target, con
 /// Refuses an empty name. `kind`: what is to be named, for messages.
 CLI::Validator not_empty(const std::string& kind);
 
-/// Refuses a name without one of these extensions, which have no dots. Pipes, devices and "-" may have any name.
+/// Refuses names without one of these extensions, given without dots. Pipes, "-", /dev and /proc may have any name.
 CLI::Validator with_extension(const std::vector<std::string>& extensions);
 
 /// Adds an option that names a file. `type`: "FILE", or with an extension.

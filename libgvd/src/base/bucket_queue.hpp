@@ -10,9 +10,8 @@ namespace gvd {
 ///
 /// For label-correcting propagation, which mends later what came too early. What else depends on the order has to bear
 /// a difference of one bucket. Items of one bucket are returned in the order in which they were pushed, so runs repeat
-/// exactly. An item with a key before the current bucket goes into the
-/// current one, an item with a key beyond the ring into the last one. Cost: O(1) for each item, and for each bucket
-/// that is passed.
+/// exactly. An item with a key before the current bucket goes into the current one, an item with a key beyond the ring
+/// into the last one. Cost: O(1) for each item, and for each bucket that is passed.
 template <class Item>
 class BucketQueue {
  public:

@@ -47,8 +47,8 @@ struct GrowthOutcome {
 /// Source: section 4.3. Deviations: two ends of one bisector that face each other are joined before any event; the
 /// result is checked as a whole (`check_growth`), and no end is ever drawn back. With the default rules intersections
 /// come before exits, since distance is not monotone along a bisector, and ends follow the bisector of their images.
-/// Fails if an end stays unresolved or wants to leave the gap, if a segment is to be stretched and the face outside has
-/// three labels and so none, if the check fails, and for more than kMaxGapFaces.
+/// Fails if an end stays unresolved or wants to leave the gap, if the check fails, and for more than kMaxGapFaces.
+/// Fails if a segment is to be stretched, too, and the face outside has none, because it has three labels.
 /// Cost: O(k^2) for k ends, those of later faces included; k is bounded by the faces of the gap.
 GrowthOutcome grow_bisectors(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
                              const GrowthRules& rules = {});
