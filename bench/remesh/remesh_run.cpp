@@ -1,11 +1,9 @@
-// Runs of the command gvd-remesh, the figures of its results, and those of other programs.
+// Runs of the command gvd-remesh, and the figures of its results.
 //
 // Figures come from the command's own report (docs/schema) where it has them, and from the written mesh otherwise: so
 // they are what a user gets. The command reports wall-clock times of its steps, in whose proportions its processor time
 // is divided. A crease of the input is kept where one of the result runs beside it, within 0.5 % of the diagonal and 20
 // degrees; with shorter distances a crease that is approximated by longer edges would count as lost.
-// Figures of other programs were measured once, on nine meshes with 100, 500 and 2000 vertices; beside other meshes
-// they mean nothing.
 #include "remesh_run.hpp"
 
 #include <fmt/format.h>
@@ -139,7 +137,11 @@ void read_report(const nlohmann::json& report, RemeshFigures& figures) {
   };
   figures.hausdorff = percent("hausdorff");
   figures.rms = percent("rms");
-  figures.q = results.at("quality").at("output").at("q_average").get<double>();
+  const nlohmann::json& quality = results.at("quality").at("output");
+  figures.q = quality.at("q_average").get<double>();
+  figures.least_angle = quality.at("angle_min").get<double>();
+  figures.below_30 = quality.at("percent_below_30").get<double>();
+  figures.intersections = results.at("certificate").at("self_intersections").get<double>();
   figures.rounds = results.at("rounds").get<double>();
   divide_time(report.at("timings_ms"), figures);
 }
@@ -176,50 +178,8 @@ std::optional<RemeshFigures> run_remesh(const Mesh& input, const RemeshRequest& 
   figures.right_topology = same_topology(input, mesh);
   figures.inflation = double(mesh.vertex_count()) / request.vertices;
   figures.angle = median_smallest_angle(mesh);
-  figures.kept = percent_of_creases_kept(input, mesh);
+  figures.creases_kept = percent_of_creases_kept(input, mesh);
   return figures;
-}
-
-namespace {
-
-/// Differences below this fraction of the best figure are none.
-constexpr double kLevel = 1e-6;
-
-}  // namespace
-
-std::vector<PeerRow> peer_figures(int vertices) {
-  switch (vertices) {
-    case 100:
-      return {{"topology right, of 9", false, {8, 8, 4}},   {"worst vertices / n", true, {2.26, 2.00, 1.59}},
-              {"mean Hausdorff, %", true, {4.9, 4.2, 9.8}}, {"mean RMS, %", true, {1.03, .82, 1.68}},
-              {"mean Q", false, {.844, .832, .882}},        {"CPU, s", true, {}},
-              {"creases kept, %", false, {4, 45, 10}}};
-    case 500:
-      return {{"topology right, of 9", false, {8, 8, 7}},   {"worst vertices / n", true, {1.16, 1.08, 1.82}},
-              {"mean Hausdorff, %", true, {2.2, 1.8, 2.7}}, {"mean RMS, %", true, {.32, .24, .26}},
-              {"mean Q", false, {.846, .824, .904}},        {"CPU, s", true, {std::nullopt, 6.2, std::nullopt}},
-              {"creases kept, %", false, {10, 2, 54}}};
-    case 2000:
-      return {{"topology right, of 9", false, {8, 8, 8}},    {"worst vertices / n", true, {1, 1, 1.82}},
-              {"mean Hausdorff, %", true, {.90, .69, 1.07}}, {"mean RMS, %", true, {.109, .070, .079}},
-              {"mean Q", false, {.846, .819, .914}},         {"CPU, s", true, {std::nullopt, 13.1, std::nullopt}},
-              {"creases kept, %", false, {66, 100, 95}}};
-    default:
-      return {};
-  }
-}
-
-std::string compare_with_best(double ours, const PeerRow& peers) {
-  std::optional<std::size_t> best;
-  const auto is_better = [&](double a, double b) { return peers.smaller_is_better ? a < b : a > b; };
-  for (std::size_t i = 0; i < kPeers.size(); ++i) {
-    if (peers.values[i] && (!best || is_better(*peers.values[i], *peers.values[*best]))) best = i;
-  }
-  if (!best) return {};
-  const double value = *peers.values[*best], difference = std::abs(ours - value);
-  if (difference <= kLevel * std::abs(value)) return "level";
-  if (is_better(ours, value)) return fmt::format("ahead by {:.3g}", difference);
-  return fmt::format("behind {} by {:.3g}", kPeers[*best], difference);
 }
 
 }  // namespace gvd::bench

@@ -19,6 +19,9 @@ TEST_CASE("a run of the command has figures of its mesh and its costs") {
   CHECK(figures->q > 0.5);
   CHECK(figures->angle > 20);
   CHECK(figures->angle <= 60);
+  CHECK(figures->least_angle < figures->angle);
+  CHECK(figures->below_30 < 50);
+  CHECK(figures->intersections == 0);
   CHECK(figures->rounds >= 1);
   CHECK(figures->made_seconds > 0);
   CHECK(figures->made_seconds < figures->seconds);
@@ -31,8 +34,8 @@ TEST_CASE("with --features the creases are kept, and without they are not") {
   const auto followed = run_remesh(plate, {kPlate, 100, 40.0}), free = run_remesh(plate, {kPlate, 100, std::nullopt});
   REQUIRE(followed);
   REQUIRE(free);
-  CHECK(followed->kept > 90);
-  CHECK(free->kept < followed->kept);
+  CHECK(followed->creases_kept > 90);
+  CHECK(free->creases_kept < followed->creases_kept);
 }
 
 TEST_CASE("a run that fails has no figures") {
@@ -70,33 +73,6 @@ TEST_CASE("a mesh without creases keeps them all, and one without is none of ano
   CHECK(percent_of_creases_kept(make_cube(), make_cube(), blunt) == 100);
   const Mesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   CHECK(percent_of_creases_kept(make_cube(), triangle) == 0);
-}
-
-TEST_CASE("a figure is compared with the best of the peers") {
-  const PeerRow distance{"distance", true, {3, 2, std::nullopt}}, quality{"quality", false, {0.5, 0.25, 0.75}};
-  CHECK(compare_with_best(1.5, distance) == "ahead by 0.5");
-  CHECK(compare_with_best(2, distance) == "level");
-  CHECK(compare_with_best(2.5, distance) == "behind ACVDQ by 0.5");
-  CHECK(compare_with_best(0.875, quality) == "ahead by 0.125");
-  CHECK(compare_with_best(0.5, quality) == "behind Geogram by 0.25");
-}
-
-TEST_CASE("without a peer there is nothing to compare with") {
-  CHECK(compare_with_best(1, PeerRow{"time", true, {}}).empty());
-  CHECK(peer_figures(300).empty());
-}
-
-TEST_CASE("the figures of the peers have the same rows for each number of vertices") {
-  const auto rows = peer_figures(500);
-  CHECK(rows.size() == 7);
-  for (const int n : {100, 2000}) {
-    const auto others = peer_figures(n);
-    REQUIRE(others.size() == rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      CHECK(std::string(others[i].figure) == rows[i].figure);
-      CHECK(others[i].smaller_is_better == rows[i].smaller_is_better);
-    }
-  }
 }
 
 }  // namespace gvd::test_remesh_run
