@@ -28,14 +28,12 @@ std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const s
   return std::move(fixed.points);
 }
 
-/// `count`: number of generators.
 Density choose_density(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints, std::int64_t count) {
   const std::string& name = constraints.density;
   if (name.empty()) return {};
-  CurvatureDensityOptions options;
-  options.gradation = constraints.gradation;
-  options.progress = run.progress();
-  if (name == "curvature") return make_curvature_density(input.mesh, count, options);
+  if (name == "curvature") {
+    return make_curvature_density(input.mesh, count, {.gradation = constraints.gradation, .progress = run.progress()});
+  }
   const std::string& path = run.options().input.path;
   const bool piped = path == "-";
   if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
