@@ -28,10 +28,13 @@ std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const s
   return std::move(fixed.points);
 }
 
-Density choose_density(const CheckedMesh& input, const ConstraintOptions& options, const std::string& path) {
-  const std::string& name = options.density;
+Density choose_density(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints, std::int64_t count) {
+  const std::string& name = constraints.density;
   if (name.empty()) return {};
-  if (name == "curvature") return make_curvature_density(input.mesh, {options.gradation});
+  if (name == "curvature") {
+    return make_curvature_density(input.mesh, count, {.gradation = constraints.gradation, .progress = run.progress()});
+  }
+  const std::string& path = run.options().input.path;
   const bool piped = path == "-";
   if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
   throw Error(ErrorCode::unreadable_input,
@@ -43,7 +46,7 @@ Density choose_density(const CheckedMesh& input, const ConstraintOptions& option
 
 WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<SurfacePoint> points,
                                const ConstraintOptions& constraints) {
-  Density density = choose_density(input, constraints, run.options().input.path);
+  Density density = choose_density(run, input, constraints, std::ssize(points));
   const StartOptions options{run.options().generators.are_listed(), read_fixed(run, input, constraints.fixed),
                              constraints.features, constraints.keep_boundary, constraints.prefers_boundary};
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};

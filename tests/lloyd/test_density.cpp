@@ -4,7 +4,6 @@
 #include "gvd/density.hpp"
 #include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
-#include "mesh/vertex_ring.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -64,40 +63,6 @@ TEST_CASE("density: cells are smaller where it is large") {
   // In the limit the numbers go with the root of the density: 4 to 1.
   CHECK(above >= 29);
   CHECK(above <= 35);
-}
-
-TEST_CASE("curvature density: in its range, with its gradation, uniform on a plane, and free of units") {
-  for (const test::NamedMesh& named : test::small_family()) {
-    INFO(named.name);
-    const Mesh& mesh = named.mesh;
-    const CurvatureDensityOptions options{0.5, 4};
-    const Density density = make_curvature_density(mesh, options);
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-      for (const double value : density.corners[FaceId(f)]) {
-        CHECK(value <= 1 + 1e-12);
-        CHECK(value >= std::pow(options.range, -4.0) - 1e-12);
-      }
-    }
-  }
-  const Mesh grid = test::make_grid(4, 4);
-  for (const auto& corners : make_curvature_density(grid).corners) CHECK(corners == std::array{1.0, 1.0, 1.0});
-  const Mesh mesh = test::make_bumpy_sphere(2, 3);
-  std::vector<Vec3> scaled;
-  for (const Vec3& p : mesh.positions()) scaled.push_back(1000 * p);
-  std::vector<std::array<VertexId, 3>> faces;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) faces.push_back(mesh.vertices(FaceId(f)));
-  const Density here = make_curvature_density(mesh), there = make_curvature_density(Mesh(scaled, faces));
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(there.corners[FaceId(f)][i] == Approx(here.corners[FaceId(f)][i]).epsilon(1e-6));
-    }
-  }
-  // Sizes that may hardly grow are all as small as the smallest.
-  for (const auto& corners : make_curvature_density(mesh, {1e-9, 4}).corners) {
-    CHECK(*std::min_element(corners.begin(), corners.end()) > 1 - 1e-6);
-  }
-  CHECK_THROWS_AS(make_curvature_density(mesh, {0, 4}), Error);
-  CHECK_THROWS_AS(make_curvature_density(mesh, {1, 0.5}), Error);
 }
 
 }  // namespace gvd::test_density

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/soup.hpp"
 
 namespace gvd {
@@ -45,18 +47,20 @@ std::optional<Density> read_density(const CheckedMesh& input, const std::string&
 void check_density(const Mesh& mesh, const Density& density);
 
 struct CurvatureDensityOptions {
-  double gradation = 0.3;  ///< largest change of the size per length along edges, > 0
-  double range = 5;        ///< ratio of the largest to the smallest size, >= 1
+  double gradation = 0.3;  ///< largest change of the size of cells per length along edges, > 0
+  double range = 5;        ///< largest ratio of the sizes of two cells, >= 1
+  Progress progress;       ///< may be empty
 };
 
-/// The density for cells whose size follows the radius of curvature.
+/// The density for which a remesh with `count` vertices has a small mean square distance from the surface.
 ///
-/// The curvature of an edge is |(n_j - n_i) . (p_j - p_i)| / |p_j - p_i|^2, with the vertex normals n and the positions
-/// p (G. Taubin, Estimating the tensor of curvature of a surface from a polyhedral approximation, 1995). Of a vertex it
-/// is the mean over the ring of the largest one at each vertex. Sizes are its inverse, limited to a `range` above their
-/// fifth percentile; then no size exceeds that of any other vertex plus `gradation` times their distance along edges.
-/// The density is size^-4. It does not depend on the mesh's units.
-/// Throws Error{invalid_option} for an option out of its range. Cost: O(n log n).
-Density make_curvature_density(const Mesh& mesh, const CurvatureDensityOptions& options = {});
+/// Sizes of cells go with q^(-1/3), where the mean square distance of a disc of radius R from its best plane is
+/// q^2 R^4 / 64. Discs are as large as the cells of `count` evenly spread generators, so the density depends on their
+/// number. No size exceeds the smallest one times `range`, nor that of another vertex plus `gradation` times their
+/// distance along edges. The density is (size / even spacing)^-4, so it does not depend on the mesh's units. A flat
+/// surface has the density 1 everywhere, within rounding; so has one without area.
+/// Throws Error{invalid_option} for a count below 1 or an option out of its range; Error{interrupted} if the progress
+/// callback cancels. Cost: O(n log n). Source: docs/developer/lloyd.md, section 9.
+Density make_curvature_density(const Mesh& mesh, std::int64_t count, const CurvatureDensityOptions& options = {});
 
 }  // namespace gvd
