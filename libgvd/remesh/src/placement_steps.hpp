@@ -60,6 +60,7 @@ inline constexpr std::int64_t kLeastCreaseCells = 12;
 /// The wishes of the sharp edges and of the boundary for the vertex of a cell.
 struct CreaseCell {
   bool is_creased = false;        ///< its triangles should meet a crease, or the boundary while the generator is off it
+  bool is_met = false;            ///< the generator is on a crease: its vertex leaves it for no angle
   Vec3 direction = Vec3::Zero();  ///< unit, along the crease; zero where there is none, or where several meet
 };
 
@@ -184,7 +185,8 @@ inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
 /// triangles is smaller.
 ///
 /// A vertex tries eight directions along the surface with steps that get shorter, and keeps the best place. At each it
-/// rises or falls to where the square distances are least. The price of a triangle grows with the square of the angle
+/// rises or falls to where the square distances are least. A vertex whose generator is on a crease goes along it alone:
+/// creases that generators follow (`--features`) stay. The price of a triangle grows with the square of the angle
 /// that it lacks. An angle that the guard forbids costs more. Deterministic.
 /// Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex with thin triangles, a pass.
 std::vector<Vec3> raise_angles(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions);

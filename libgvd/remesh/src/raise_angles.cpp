@@ -62,7 +62,7 @@ class AngleRaiser {
 
     double at(const Vec3& move) const { return move.dot(matrix * move) - 2 * right.dot(move); }
 
-    /// How far to go along a unit direction for the least value; nothing where it does not matter.
+    /// How often to go along a direction for the least value; not at all where it does not matter.
     double rise(const Vec3& move, const Vec3& direction) const {
       const double stiffness = direction.dot(matrix * direction);
       return stiffness > 0 ? direction.dot(right - matrix * move) / stiffness : 0;
@@ -119,7 +119,8 @@ class AngleRaiser {
     return form.at(move(v)) + price_.weight * area * area * price_of_faces(v);
   }
 
-  /// Two directions along the surface at a vertex, and across it, with the length of its faces' mean edge.
+  /// Two directions along the surface at a vertex, and across it, with the length of its faces' mean edge. On a crease:
+  /// the one along it, and nothing.
   std::array<Vec3, 3> axes(std::size_t v) const {
     Vec3 normal(0, 0, 0);
     double length = 0;
@@ -129,6 +130,8 @@ class AngleRaiser {
       length += ((b - a).norm() + (c - b).norm() + (a - c).norm()) / 3;
     }
     length /= double(faces_of_[v].size());
+    const CreaseCell& crease = search_.plan->creases[GeneratorId(v)];
+    if (crease.is_met) return {length * crease.direction, Vec3::Zero(), Vec3::Zero()};
     const Vec3 first = normal.unitOrthogonal();
     return {length * first, length * normal.normalized().cross(first), length * normal.normalized()};
   }
@@ -147,8 +150,7 @@ class AngleRaiser {
       for (int k = 0; k < kDirections; ++k) {
         const double turn = 2 * std::numbers::pi * k / kDirections;
         positions_[v] = from + step * (std::cos(turn) * x + std::sin(turn) * y);
-        const double rise = form.rise(move(v), z.normalized()) / z.norm();
-        positions_[v] += std::clamp(rise, -step, step) * z;
+        positions_[v] += std::clamp(form.rise(move(v), z), -step, step) * z;
         const double now = cost(v, form);
         if (!(now < least - gain)) continue;
         best = positions_[v];
