@@ -106,9 +106,9 @@ void check_relaxation(const Settings& settings, const GeneratorOptions& generato
 /// Refuses a shape where no vertex is fitted.
 void check_shape(const Settings& settings, const GeneratorOptions& generators) {
   if (!settings.shape || placement_method(settings, generators) == Placement::fit) return;
-  throw Error(ErrorCode::invalid_option, fmt::format("--shape: no vertex is fitted; {}",
-                                                     settings.place ? "leave it out, or take --place fit"
-                                                                    : "ask for it with --place fit"));
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("--shape: no vertex is fitted; {}",
+                          settings.place ? "leave it out, or take --place fit" : "ask for it with --place fit"));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct Copy {
         guard(mesh, mesh, generators, list_centroids(mesh), {}),
         systems(mesh.face_count()),
         plan{&mesh, IdVector<GeneratorId, CreaseCell>(generators.size()),
-             std::vector<VertexRole>(generators.size(), VertexRole::free), std::vector<double>(generators.size(), 0.01)} {}
+             std::vector<VertexRole>(generators.size(), VertexRole::free),
+             std::vector<double>(generators.size(), 0.01)} {}
 
   static std::vector<SurfacePoint> list_generators(const Mesh& mesh) {
     std::vector<SurfacePoint> points;

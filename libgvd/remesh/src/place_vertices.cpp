@@ -75,8 +75,8 @@ class Placer {
       guard_.loosen(std::vector<char>(is_held_.size(), 1), kLeastPlacedAngle);
       return guard_.move(remesh_.positions(), find_optima([](std::size_t) { return true; }));
     }
-    SpringPlan plan{&remesh_, find_crease_cells(surface_, diagram, remesh_), {}, find_areas(),
-                    shape_factor(options_.shape)};
+    SpringPlan plan{
+        &remesh_, find_crease_cells(surface_, diagram, remesh_), {}, find_areas(), shape_factor(options_.shape)};
     plan.roles = find_vertex_roles(remesh_, plan.creases, is_held_);
     guard_.loosen(list_vertices(plan, VertexRole::at_crease), with_bounds(options_).least_crease_angle);
     // Creases first: the samples of a round see only the triangles that are nearest to them.

@@ -31,7 +31,8 @@ constexpr double kFirstStep = 0.2;
 constexpr double kLeastGain = 1e-9;
 
 /// The price of an angle that the guard forbids, in lacks of an angle to thin triangles' bound: .1 for any, and its
-/// own lack. The guard would halve the steps of all three corners. Without it, a third more angles are below 30 degrees.
+/// own lack. The guard would halve the steps of all three corners. Without it, a third more angles are below 30
+/// degrees.
 constexpr double kForbidden = 0.1;
 
 class AngleRaiser {
