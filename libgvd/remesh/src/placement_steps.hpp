@@ -60,8 +60,8 @@ inline constexpr std::int64_t kLeastCreaseCells = 12;
 /// The wishes of the sharp edges and of the boundary for the vertex of a cell.
 struct CreaseCell {
   bool is_creased = false;        ///< its triangles should meet a crease, or the boundary while the generator is off it
-  bool is_met = false;            ///< the generator is on a crease: its vertex leaves it for no angle
   Vec3 direction = Vec3::Zero();  ///< unit, along the crease; zero where there is none, or where several meet
+  bool is_met = false;            ///< the generator is on a crease: its vertex leaves it for no angle
 };
 
 /// The crease cells among all cells. `remesh`: has its vertices at the generators. Cost: O(n log n).
