@@ -100,8 +100,8 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& sett
 RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& start, const Settings& settings) {
   RemeshOptions options = settings.remesh;
   options.creases = trace_creases(mesh, start.creases, start.corner_distance);
-  if (run.options().generators.are_listed()) options.placement.method = Placement::generator;  // as the user wants
-  if (settings.place) options.placement.method = *settings.place;
+  options.placement.method = placement_method(settings, run.options().generators);
+  if (settings.shape) options.placement.shape = *settings.shape;
   for (std::size_t i = 0; i < start.freedom.size(); ++i) {
     if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
   }
@@ -111,6 +111,7 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   options.diagram.progress = run.progress();
   Json& reported = run.report().options();
   reported["place"] = name_in(kPlacements, options.placement.method);
+  reported["shape"] = options.placement.method == Placement::fit ? Json(options.placement.shape) : nullptr;
   reported["max_added"] = *options.max_added;
   reported["allow_intersections"] = options.allow_intersections;
   reported["no_refine"] = !options.refine;

@@ -20,6 +20,7 @@ namespace {
 constexpr std::int32_t kDefaultRelaxation = 15;
 
 constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000 or 'none'"};
+constexpr Range<double> kShapes{0, 1, "a number from 0 to 1"};
 constexpr Range<std::int64_t> kMaxAdded{0, 1000000000, "a whole number from 0 to 1000000000"};
 
 /// A number above 0, or percents of the diagonal.
@@ -80,6 +81,9 @@ void register_remesh(CLI::App& line, Settings& settings) {
   add_choice(line, "--place", settings.place, kPlacements,
              "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
              "the surface (default: fit; generator with --generators and --vertices)");
+  add_number(line, "--shape", settings.shape, kShapes,
+             fmt::format("With --place fit: from 0, the nearest to the surface, to 1, the best triangles (default: {})",
+                         PlacementOptions().shape));
   add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
            "Accept triangles that intersect each other instead of adding generators there");
   add_flag(line, "--carry", settings.carry,
@@ -99,6 +103,14 @@ void check_relaxation(const Settings& settings, const GeneratorOptions& generato
                                                                          : "ask for it with --relax N"));
 }
 
+/// Refuses a shape where no vertex is fitted.
+void check_shape(const Settings& settings, const GeneratorOptions& generators) {
+  if (!settings.shape || placement_method(settings, generators) == Placement::fit) return;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("--shape: no vertex is fitted; {}",
+                          settings.place ? "leave it out, or take --place fit" : "ask for it with --place fit"));
+}
+
 }  // namespace
 
 void register_settings(Command& command, Settings& settings) {
@@ -111,6 +123,10 @@ std::int32_t relax_iterations(const Settings& settings, const GeneratorOptions& 
   return settings.relaxation.value_or(generators.are_listed() ? 0 : kDefaultRelaxation);
 }
 
+Placement placement_method(const Settings& settings, const GeneratorOptions& generators) {
+  return settings.place.value_or(generators.are_listed() ? Placement::generator : Placement::fit);
+}
+
 void check_settings(const Options& options, const Settings& settings) {
   if (options.output.no_curves) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
@@ -121,6 +137,7 @@ void check_settings(const Options& options, const Settings& settings) {
                 "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
   }
   check_relaxation(settings, options.generators);
+  check_shape(settings, options.generators);
 }
 
 }  // namespace gvd::app

@@ -13,7 +13,7 @@ std::vector<Vec3> fit(const Mesh& remesh, const Mesh& surface, double spring) {
   const FitTarget target{&surface, &tree, sample_surface(surface, 4000), 4000, 1};
   std::vector<VertexAnchor> anchors;
   for (const Vec3& p : remesh.positions()) anchors.push_back({p, spring * Eigen::Matrix3d::Identity()});
-  return fit_vertices(remesh, target, anchors);
+  return fit_vertices(remesh, find_face_systems(remesh, target), anchors);
 }
 
 TEST_CASE("a mesh on the surface stays there, one beside it is moved to it") {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crease_meshes.hpp"
+#include "dual/dual_steps.hpp"
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/placement.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/sampling.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -52,6 +55,55 @@ TEST_CASE("the fit brings the mesh nearer and its triangles do not get worse") {
   CHECK(is.angle_min >= 0.999 * std::min(was.angle_min, PlacementOptions().least_angle));
 }
 
+RemeshResult fit_samples(const Mesh& mesh, int count, unsigned seed, double shape) {
+  SamplingOptions sampling;
+  sampling.kind = Sampling::poisson;  // inside faces, so that no generator is on a crease
+  sampling.count = count;
+  sampling.seed = seed;
+  RemeshOptions options;
+  options.placement.shape = shape;
+  return remesh(mesh, sample_generators(mesh, sampling), options);
+}
+
+TEST_CASE("triangles at creases stay good: no angle falls below 20 degrees, and hardly one below 30") {
+  double faces = 0, thinned = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    for (const Mesh& mesh : {test::make_plate(12, 0.2), test::make_can(48, 1.5)}) {
+      const RemeshResult result = fit_samples(mesh, 200, seed, PlacementOptions().shape);
+      const PlacedFaces fitted(result.mesh);
+      std::vector<Vec3> start;
+      for (const SurfacePoint& p : result.generators) start.push_back(position(mesh, p));
+      for (const FaceId f : result.mesh.faces()) {
+        const auto [a, b, c] = fitted.corners(f);
+        const auto [p, q, r] = PlacedFaces(result.mesh, start).corners(f);
+        const double was = compute_min_angle(p, q, r), is = compute_min_angle(a, b, c);
+        CHECK(is >= std::min(20.0, 0.999 * was));
+        ++faces;
+        thinned += is < 30 && was >= 30;
+      }
+      CHECK(result.certificate.flipped_faces == 0);
+      CHECK(find_self_intersections(result.mesh).empty());
+    }
+  }
+  CHECK(thinned / faces <= 0.005);
+}
+
+TEST_CASE("the shape leads from small distances to good triangles") {
+  for (const Mesh& mesh : {test::make_plate(12, 0.2), test::make_bumpy_sphere(4, 1)}) {
+    double rms = 0, quality = 0;
+    for (const double shape : {0.0, 0.5, 1.0}) {
+      CAPTURE(shape);
+      const RemeshResult result = fit_samples(mesh, 150, 1, shape);
+      CHECK(std::max(result.input_to_output.rms, result.output_to_input.rms) > rms);
+      CHECK(result.output_quality.q_average > quality);
+      rms = std::max(result.input_to_output.rms, result.output_to_input.rms);
+      quality = result.output_quality.q_average;
+      CHECK(result.certificate.flipped_faces == 0);
+      CHECK(find_self_intersections(result.mesh).empty());
+    }
+  }
+}
+
 TEST_CASE("fixed vertices stay at their generators") {
   const Mesh mesh = test::make_bumpy_sphere(3, 1);
   const RemeshResult before = remesh_at_generators(mesh, 40);
@@ -82,7 +134,7 @@ TEST_CASE("a remesh of another diagram is refused") {
   CHECK_THROWS_AS(place_vertices(mesh, a.diagram, b.mesh, b.face_points), Error);
 }
 
-TEST_CASE("angles out of range and fixed generators that there are not are refused") {
+TEST_CASE("shapes and angles out of range, and fixed generators that there are not are refused") {
   const Mesh mesh = test::make_sphere(2);
   const RemeshResult result = remesh_at_generators(mesh, 12);
   const auto is_refused = [&](const PlacementOptions& options) {
@@ -99,6 +151,11 @@ TEST_CASE("angles out of range and fixed generators that there are not are refus
     smooth.least_angle = crease.least_crease_angle = angle;
     CHECK(is_refused(smooth));
     CHECK(is_refused(crease));
+  }
+  for (const double shape : {-0.1, 1.1, std::nan("")}) {
+    PlacementOptions options;
+    options.shape = shape;
+    CHECK(is_refused(options));
   }
   for (const GeneratorId g : {GeneratorId(), GeneratorId(std::ssize(result.generators))}) {
     PlacementOptions options;

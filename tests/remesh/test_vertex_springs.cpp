@@ -34,7 +34,7 @@ TEST_CASE("half a step to there makes triangles better") {
 /// A grid in the plane z = 0 with one creased vertex in its middle, and its corner held.
 SpringPlan make_plan(const Mesh& grid, VertexId middle) {
   SpringPlan plan{&grid, IdVector<GeneratorId, CreaseCell>(grid.positions().size()), {}, {}};
-  plan.creases[GeneratorId(middle.value())] = {true, Vec3(1, 0, 0)};
+  plan.creases[GeneratorId(middle.value())] = {true, Vec3(1, 0, 0), false};
   std::vector<char> held(grid.positions().size(), 0);
   held[0] = 1;
   plan.roles = find_vertex_roles(grid, plan.creases, held);

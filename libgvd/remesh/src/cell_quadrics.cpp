@@ -97,6 +97,17 @@ Vec3 find_direction(const EdgeSum& sum) {
   return solver.eigenvalues()[2] >= kLeastAlignment * sum.length ? Vec3(solver.eigenvectors().col(2)) : Vec3(0, 0, 0);
 }
 
+/// Whether a point of an edge or a vertex has faces that make a sharp edge.
+bool is_on_crease(const Mesh& mesh, const SurfacePoint& point) {
+  const std::vector<FaceId> faces = faces_around(mesh, point);
+  for (const FaceId f : faces) {
+    for (const FaceId g : faces) {
+      if (angle_between(face_normal(mesh, f), face_normal(mesh, g)) > kSharpAngle * std::numbers::pi / 180) return true;
+    }
+  }
+  return false;
+}
+
 /// Takes small groups of neighbouring cells out.
 void keep_large_groups(const Mesh& remesh, IdVector<GeneratorId, char>& chosen) {
   UnionFind groups(chosen.size());
@@ -132,6 +143,7 @@ IdVector<GeneratorId, CreaseCell> find_crease_cells(const Mesh& surface, const D
   for (const GeneratorId g : sums.ids()) {
     const bool is_inset = sums[g].has_boundary && !is_on_boundary(surface, diagram.generators[g.index()]);
     cells[g].is_creased = has_crease[g] || is_inset;
+    cells[g].is_met = cells[g].is_creased && is_on_crease(surface, diagram.generators[g.index()]);
     if (cells[g].is_creased) cells[g].direction = find_direction(sums[g]);
   }
   return cells;

@@ -83,15 +83,6 @@ struct Residual {
   double area = 0;
 };
 
-using Block = Eigen::Matrix<double, 9, 9>;
-using Column = Eigen::Matrix<double, 9, 1>;
-
-/// The normal equations of the samples of one face, over the moves of its three corners.
-struct FaceSystem {
-  Block matrix = Block::Zero();
-  Column right = Column::Zero();
-};
-
 class ResidualFinder {
  public:
   ResidualFinder(const Mesh& remesh, const FitTarget& target) : remesh_(remesh), target_(target), tree_(remesh) {}
@@ -145,10 +136,10 @@ class ResidualFinder {
   ClosestPointTree tree_;
 };
 
-void add_up(const std::vector<Residual>& residuals, IdVector<FaceId, FaceSystem>& systems) {
+void add_up(const std::vector<Residual>& residuals, FaceSystems& systems) {
   for (const Residual& r : residuals) {
     if (!r.face.valid()) continue;
-    Column row;
+    FaceSystem::Column row;
     for (int k = 0; k < 3; ++k) row.segment<3>(3 * k) = r.bary[k] * r.direction;
     systems[r.face].matrix += r.area * row * row.transpose();
     systems[r.face].right += r.area * r.distance * row;
@@ -165,11 +156,7 @@ struct VertexSystem {
   }
 };
 
-void add_samples(const Mesh& remesh, const FitTarget& target, VertexSystem& all) {
-  IdVector<FaceId, FaceSystem> systems(remesh.face_count());
-  const ResidualFinder finder(remesh, target);
-  add_up(finder.find_there(), systems);
-  add_up(finder.find_back(), systems);
+void add_samples(const Mesh& remesh, const FaceSystems& systems, VertexSystem& all) {
   for (const FaceId f : remesh.faces()) {
     const auto& corners = remesh.vertices(f);
     const FaceSystem& system = systems[f];
@@ -240,14 +227,15 @@ std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& pl
     };
     switch (plan.roles[v]) {
       case VertexRole::free:
-        add(tangent * better, kSmoothSpring * tangent + kNormalSpring * across);
+        add(tangent * better, plan.stiffness * kSmoothSpring * tangent + kNormalSpring * across);
         break;
       case VertexRole::near_crease:
-        add(tangent * better, kCreaseSpring * tangent + kNormalSpring * across);
+        add(tangent * better, plan.stiffness * kCreaseSpring * tangent + kNormalSpring * across);
         break;
       case VertexRole::at_crease:
         add(along * better + beside * tangent * back,
-            kAlongCreaseSpring * along + kCreaseSpring * beside * tangent * beside + kNormalSpring * identity);
+            plan.stiffness * (kAlongCreaseSpring * along + kCreaseSpring * beside * tangent * beside) +
+                kNormalSpring * identity);
         break;
       case VertexRole::held:
         add(Vec3(0, 0, 0), kRigidSpring * identity);
@@ -280,9 +268,18 @@ std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count) {
   return samples;
 }
 
-std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors) {
+FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target) {
+  FaceSystems systems(remesh.face_count());
+  const ResidualFinder finder(remesh, target);
+  add_up(finder.find_there(), systems);
+  add_up(finder.find_back(), systems);
+  return systems;
+}
+
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
+                               const std::vector<VertexAnchor>& anchors) {
   VertexSystem system{{}, Eigen::VectorXd::Zero(3 * remesh.vertex_count())};
-  add_samples(remesh, target, system);
+  add_samples(remesh, systems, system);
   add_springs(remesh, anchors, system);
   const Eigen::VectorXd solution = solve(system);
   std::vector<Vec3> positions = remesh.positions();

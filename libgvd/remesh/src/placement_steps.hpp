@@ -61,6 +61,7 @@ inline constexpr std::int64_t kLeastCreaseCells = 12;
 struct CreaseCell {
   bool is_creased = false;        ///< its triangles should meet a crease, or the boundary while the generator is off it
   Vec3 direction = Vec3::Zero();  ///< unit, along the crease; zero where there is none, or where several meet
+  bool is_met = false;            ///< the generator is on a crease: its vertex leaves it for no angle
 };
 
 /// The crease cells among all cells. `remesh`: has its vertices at the generators. Cost: O(n log n).
@@ -96,6 +97,7 @@ struct SpringPlan {
   IdVector<GeneratorId, CreaseCell> creases;
   std::vector<VertexRole> roles;
   std::vector<double> areas;  ///< of the cells, > 0, square mesh units
+  double stiffness = 1;       ///< factor of the springs along the surface, > 0
 };
 
 /// The roles of the vertices: `held` ones, those at creases, their neighbours, and the rest. Cost: O(n).
@@ -133,32 +135,66 @@ struct FitTarget {
   Progress progress = {};  ///< may be empty
 };
 
-/// The vertex positions with the least sum of three terms. Two are the square distances of samples of a surface from
-/// a mesh, and of samples of the mesh from the surface. The third is the stretch of the springs.
+/// The square distances of the samples at one face of a mesh, as a function of the moves x of its three corners:
+/// x' matrix x - 2 right' x, and a constant.
+struct FaceSystem {
+  using Block = Eigen::Matrix<double, 9, 9>;
+  using Column = Eigen::Matrix<double, 9, 1>;
+  Block matrix = Block::Zero();
+  Column right = Column::Zero();
+};
+using FaceSystems = IdVector<FaceId, FaceSystem>;
+
+/// The square distances of samples of a surface from a mesh, and of samples of the mesh from the surface.
 ///
 /// A pair of a sample and its closest point counts by a plane through one of them, normal to the direction to the
 /// other. It is the plane of a triangle, or one that touches an edge or a vertex. The pairs are those of the mesh
-/// before. Pairs of faces that look in opposite directions do not count: they belong to different sheets. `anchors`:
+/// before the moves. Pairs of faces that look in opposite directions do not count: they belong to different sheets.
+/// Cost: O(n log n).
+FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target);
+
+/// The vertex positions with the least sum of the square distances `systems` and the stretch of the springs. `anchors`:
 /// one for each vertex. Gives the positions before where the system can't be solved.
-/// Cost: O(n log n), and a sparse Cholesky factorisation.
-std::vector<Vec3> fit_vertices(const Mesh& remesh, const FitTarget& target, const std::vector<VertexAnchor>& anchors);
+/// Cost: a sparse Cholesky factorisation.
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
+                               const std::vector<VertexAnchor>& anchors);
+
+// raise_angles.cpp
+
+class MoveGuard;
+
+/// The search of raise_angles, beside the positions that it starts with. All of it must outlive the search.
+struct AngleSearch {
+  const Mesh* mesh = nullptr;  ///< with the positions that the systems belong to
+  const FaceSystems* systems = nullptr;
+  const MoveGuard* guard = nullptr;
+  const SpringPlan* plan = nullptr;  ///< its held vertices stay
+  Progress progress = {};            ///< may be empty
+};
+
+/// The price of thin triangles.
+struct AnglePrice {
+  double angle = 0;   ///< triangles with a smaller one are thin; degrees, > 0
+  double weight = 0;  ///< against square distances, each in units of a cell's: 1 is the square of its area
+};
+
+/// Passes of raise_angles over the vertices, and places that a vertex tries in one.
+inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
+
+/// Moves vertices of thin triangles, one after the other, to where the sum of square distances and the price of thin
+/// triangles is smaller.
+///
+/// A vertex tries eight directions along the surface with steps that get shorter, and keeps the best place. At each it
+/// rises or falls to where the square distances are least. A vertex whose generator is on a crease goes along it alone:
+/// creases that generators follow (`--features`) stay. The price of a triangle grows with the square of the angle
+/// that it lacks. An angle that the guard forbids costs more. Deterministic.
+/// Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex with thin triangles, a pass.
+std::vector<Vec3> raise_angles(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions);
 
 // place_vertices.cpp
 
 /// The faces of a mesh with other vertex positions. Throws Error{precondition} where an edge has no length.
 Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions);
-
-/// Passes of raise_least_angles over the vertices, and places that a vertex tries in one.
-inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
-
-/// Moves vertices of thin triangles along the surface, one after the other, so that the smallest angle around each
-/// grows.
-///
-/// `movable`: of each vertex, whether it may move. Vertices of triangles with an angle below `least_angle` (degrees)
-/// try eight directions with steps that get shorter, and keep the best place. A triangle may get thinner, but not below
-/// `least_angle`. Deterministic. Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex that moves.
-std::vector<Vec3> raise_least_angles(const Mesh& mesh, const std::vector<char>& movable, double least_angle,
-                                     const Progress& progress = {});
 
 /// Moves the vertices of a remesh as far as its triangles stay valid.
 class MoveGuard {
@@ -174,6 +210,12 @@ class MoveGuard {
   /// The steps from one valid list of positions to another, each halved until all triangles are valid, or left out.
   /// Deterministic: all triangles are tested, then all steps are changed. Cost: O(n log n) a test.
   std::vector<Vec3> move(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const;
+
+  /// The least angle that each triangle may have, degrees.
+  const IdVector<FaceId, double>& least_angles() const { return least_angle_; }
+
+  /// The normal of the surface at each triangle, of any length.
+  const IdVector<FaceId, Vec3>& normals() const { return normal_; }
 
  private:
   bool is_bad(FaceId f, const std::vector<Vec3>& positions) const;

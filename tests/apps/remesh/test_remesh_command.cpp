@@ -222,6 +222,31 @@ TEST_CASE("gvd-remesh: sampled generators are placed by a fit, listed ones stay,
   CHECK_THAT(wrong.err, Contains("--place: 'nowhere' is not one of generator|quadric|fit"));
 }
 
+TEST_CASE("gvd-remesh --shape: from near the surface to good triangles, and refused where no vertex is fitted") {
+  const std::string run = data_file("figure.obj") + " -n 100";
+  const auto near = report_of(run + " --shape 0"), plain = report_of(run), good = report_of(run + " --shape 1");
+  const auto rms = [](const auto& report) { return double(report["results"]["distance"]["input_to_output"]["rms"]); };
+  const auto quality = [](const auto& report) { return double(report["results"]["quality"]["output"]["q_average"]); };
+  CHECK(plain["options"]["shape"] == 0.5);
+  CHECK(near["options"]["shape"] == 0);
+  CHECK(report_of(run + " --place quadric")["options"]["shape"].is_null());
+  CHECK(rms(near) < rms(good));
+  CHECK(quality(near) < quality(good));
+  const auto refusal = [&](const std::string& options) {
+    const CommandResult result = run_command("gvd-remesh", data_file("figure.obj") + options);
+    CHECK(result.exit_code == 2);
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+    return result.err;
+  };
+  for (const char* wrong : {"-0.1", "1.1", "nan", "much"}) {
+    CHECK_THAT(refusal(std::string(" -n 100 --shape ") + wrong), Contains("is not a number from 0 to 1"));
+  }
+  CHECK_THAT(refusal(" -n 100 --place quadric --shape 0.2"),
+             Contains("--shape: no vertex is fitted; leave it out, or take --place fit"));
+  CHECK_THAT(refusal(" --vertices 1,9,30,70 --shape 0.2"),
+             Contains("--shape: no vertex is fitted; ask for it with --place fit"));
+}
+
 TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothing is written") {
   const ScratchFolder scratch;
   const std::string path = scratch / "coarse.ply";

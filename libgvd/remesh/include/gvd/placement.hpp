@@ -20,16 +20,22 @@ enum class Placement {
 struct PlacementOptions {
   Placement method = Placement::fit;
   std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
+  /// The weight of good triangles against the distance with Placement::fit, in [0, 1]. 0: the distance counts most.
+  /// 1: the triangles do. Below 1/2 the two bounds on angles below approach kLeastPlacedAngle, which they reach at 0.
+  double shape = 0.5;
   /// No move takes an angle of a triangle below this; degrees, in [0, 60]. Smaller ones do not shrink.
   double least_angle = 33;
-  /// The least angle of triangles at creases, and of all triangles with Placement::quadric; degrees, in [0, 60].
-  double least_crease_angle = 10;
+  /// The least angle of triangles at creases with Placement::fit; degrees, in [0, 60].
+  double least_crease_angle = 20;
   int threads = 0;    ///< 0: one a core; the result does not depend on it
   Progress progress;  ///< of the step "placement"
 };
 
-/// Throws Error{invalid_option} for an angle out of its range, or a fixed generator that is none of so many `generators`.
-/// Cost: O(k) for k fixed ones.
+/// The least angle of all triangles with Placement::quadric, and with Placement::fit where `shape` is 0; degrees.
+inline constexpr double kLeastPlacedAngle = 10;
+
+/// Throws Error{invalid_option} for a shape or an angle out of its range, or a fixed generator that is none of so many
+/// `generators`. Cost: O(k) for k fixed ones.
 void check_placement(const PlacementOptions& options, std::size_t generators);
 
 /// Positions for the vertices of a remesh, mesh units, near the surface by the chosen method.
@@ -47,7 +53,8 @@ void check_placement(const PlacementOptions& options, std::size_t generators);
 /// Fit: vertices at creases and on the boundary go to their quadric's minimum first. Then, kFitRounds times, a sum of
 /// square distances is minimised over all vertices at once. It has the distances of samples of the surface from the
 /// planes of their nearest triangles. It also has those of samples of the remesh from the surface. Springs pull the
-/// vertices along the surface to positions of better triangles. At last the smallest angles are raised.
+/// vertices along the surface to positions of better triangles. After each round, vertices of thin triangles move to
+/// where their triangles are better and the distances hardly larger.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws what check_placement throws, and Error{precondition} if the arguments do not belong together.

@@ -1,0 +1,179 @@
+// Thin triangles of a fit: their vertices go to where the angles are larger and the distances hardly worse.
+//
+// A fit that takes vertices to creases makes triangles thin whose three corners come to lie near one line. The guard
+// would halve the steps of all three, and lose the crease. Here one vertex at a time moves, and pays for it: the
+// distances are the quadratic forms of the fit, with the other vertices fixed, and thin triangles have a price. So
+// vertices first slide along creases and flat parts, which costs no distance, and leave a crease where nothing else
+// helps.
+//
+// Source: optimisation-based smoothing (L. Freitag and C. Ollivier-Gooch, Tetrahedral mesh improvement using swapping
+// and smoothing, 1997), with a search in place of the linear programs, and the distance beside the angle.
+// docs/notes/remesh-placement.md has the measurements behind the constants.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "dual/dual_steps.hpp"
+#include "gvd/quality.hpp"
+#include "placement_steps.hpp"
+
+namespace gvd {
+namespace {
+
+/// Directions in which a vertex tries to move.
+constexpr int kDirections = 8;
+
+/// Length of the first steps, relative to the mean edge of the vertex; the next ones are half as long.
+constexpr double kFirstStep = 0.2;
+
+/// Gains of less than this part of the cost are none: a million times the rounding.
+constexpr double kLeastGain = 1e-9;
+
+/// The price of an angle that the guard forbids, in lacks of an angle to thin triangles' bound: .1 for any, and its
+/// own lack. The guard would halve the steps of all three corners. Without it, a third more angles are below 30
+/// degrees.
+constexpr double kForbidden = 0.1;
+
+class AngleRaiser {
+ public:
+  AngleRaiser(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions)
+      : search_(search),
+        price_(price),
+        positions_(std::move(positions)),
+        placed_(*search.mesh, positions_),
+        faces_of_(positions_.size()) {
+    for (const FaceId f : search.mesh->faces()) {
+      for (const VertexId v : search.mesh->vertices(f)) faces_of_[v.index()].push_back(f);
+    }
+  }
+
+  std::vector<Vec3> run() && {
+    for (int pass = 0; pass < kAnglePasses; ++pass) {
+      if (!move_all()) break;
+    }
+    return std::move(positions_);
+  }
+
+ private:
+  /// The square distances around a vertex as a function of its move: x' matrix x - 2 right' x, and a constant.
+  struct Form {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Vec3 right = Vec3::Zero();
+
+    double at(const Vec3& move) const { return move.dot(matrix * move) - 2 * right.dot(move); }
+
+    /// How often to go along a direction for the least value; not at all where it does not matter.
+    double rise(const Vec3& move, const Vec3& direction) const {
+      const double stiffness = direction.dot(matrix * direction);
+      return stiffness > 0 ? direction.dot(right - matrix * move) / stiffness : 0;
+    }
+  };
+
+  /// Passes over the vertices once. False if none has moved.
+  bool move_all() {
+    bool has_moved = false;
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+      report_progress(search_.progress, "placement", double(v) / double(positions_.size()));
+      if (search_.plan->roles[v] != VertexRole::held && price_of_faces(v) > 0) has_moved |= improve(v);
+    }
+    return has_moved;
+  }
+
+  /// The smallest angle of a triangle; below 0 if it is flipped.
+  double angle(FaceId f) const {
+    const Triangle triangle = placed_.corners(f);
+    const double least = compute_min_angle(triangle[0], triangle[1], triangle[2]);
+    return is_flipped(triangle, search_.guard->normals()[f]) ? -least : least;
+  }
+
+  double price_of_faces(std::size_t v) const {
+    double sum = 0;
+    for (const FaceId f : faces_of_[v]) {
+      const double is = angle(f), lack = (price_.angle - is) / price_.angle;
+      const double forbidden = (search_.guard->least_angles()[f] - is) / price_.angle;
+      if (lack > 0) sum += lack * lack;
+      if (forbidden > 0) sum += kForbidden + forbidden;
+    }
+    return sum;
+  }
+
+  Form find_form(std::size_t v) const {
+    Form form;
+    for (const FaceId f : faces_of_[v]) {
+      const FaceSystem& system = (*search_.systems)[f];
+      const auto& corners = search_.mesh->vertices(f);
+      const int k = corners[0].index() == v ? 0 : corners[1].index() == v ? 1 : 2;
+      form.matrix += system.matrix.block<3, 3>(3 * k, 3 * k);
+      form.right += system.right.segment<3>(3 * k);
+      for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
+        form.right -= system.matrix.block<3, 3>(3 * k, 3 * other) * move(corners[other].index());
+      }
+    }
+    return form;
+  }
+
+  Vec3 move(std::size_t v) const { return positions_[v] - search_.mesh->positions()[v]; }
+
+  double cost(std::size_t v, const Form& form) const {
+    const double area = search_.plan->areas[v];
+    return form.at(move(v)) + price_.weight * area * area * price_of_faces(v);
+  }
+
+  /// Two directions along the surface at a vertex, and across it, with the length of its faces' mean edge. On a crease:
+  /// the one along it, and nothing.
+  std::array<Vec3, 3> axes(std::size_t v) const {
+    Vec3 normal(0, 0, 0);
+    double length = 0;
+    for (const FaceId f : faces_of_[v]) {
+      const auto [a, b, c] = placed_.corners(f);
+      normal += (b - a).cross(c - a);
+      length += ((b - a).norm() + (c - b).norm() + (a - c).norm()) / 3;
+    }
+    length /= double(faces_of_[v].size());
+    const CreaseCell& crease = search_.plan->creases[GeneratorId(v)];
+    if (crease.is_met) return {length * crease.direction, Vec3::Zero(), Vec3::Zero()};
+    const Vec3 first = normal.unitOrthogonal();
+    return {length * first, length * normal.normalized().cross(first), length * normal.normalized()};
+  }
+
+  /// Tries places round the vertex, with steps that get shorter, and keeps the best. False if the vertex stays.
+  bool improve(std::size_t v) {
+    const auto [x, y, z] = axes(v);
+    const Form form = find_form(v);
+    Vec3 best = positions_[v];
+    double least = cost(v, form);
+    const double gain = kLeastGain * std::abs(least);
+    bool has_moved = false;
+    double step = kFirstStep;
+    for (int trial = 0; trial < kAngleTrials; trial += kDirections, step /= 2) {
+      const Vec3 from = best;
+      for (int k = 0; k < kDirections; ++k) {
+        const double turn = 2 * std::numbers::pi * k / kDirections;
+        positions_[v] = from + step * (std::cos(turn) * x + std::sin(turn) * y);
+        positions_[v] += std::clamp(form.rise(move(v), z), -step, step) * z;
+        const double now = cost(v, form);
+        if (!(now < least - gain)) continue;
+        best = positions_[v];
+        least = now;
+        has_moved = true;
+      }
+    }
+    positions_[v] = best;
+    return has_moved;
+  }
+
+  const AngleSearch& search_;
+  const AnglePrice& price_;
+  std::vector<Vec3> positions_;
+  PlacedFaces placed_;
+  std::vector<std::vector<FaceId>> faces_of_;
+};
+
+}  // namespace
+
+std::vector<Vec3> raise_angles(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions) {
+  return AngleRaiser(search, price, std::move(positions)).run();
+}
+
+}  // namespace gvd
