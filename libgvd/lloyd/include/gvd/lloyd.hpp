@@ -121,7 +121,8 @@ struct LloydResult {
 /// the farthest one of its cell and stays there, if that is half the cell's radius away or more. If there is one, up to
 /// five iterations with the others follow. The energy may rise between these iterations and those before. Where they
 /// leave many more cells that are no discs or have fewer than three neighbours, these iterations do not count.
-/// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in its component;
+/// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
+/// its component;
 /// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
 /// of the options.
 /// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.
