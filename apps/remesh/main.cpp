@@ -61,15 +61,19 @@ struct RelaxedStart {
 void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
   LloydOptions options;
   options.max_iterations = iterations;
+  options.keeps_extremities = true;
   LloydResult result = run_relaxation(run, mesh, start.constrained, std::move(options));
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
                                    counted(std::ssize(result.iterations), "iteration", "iterations"),
                                    result.initial_energy, result.final_energy));
-  run.report().results()["relaxation"] = {{"iterations", result.iterations.size()},
-                                          {"stop", name_of(result.stop)},
-                                          {"initial_energy", result.initial_energy},
-                                          {"final_energy", result.final_energy},
-                                          {"diagrams", result.diagrams}};
+  run.report().results()["relaxation"] = {
+      {"iterations", result.iterations.size()},   {"stop", name_of(result.stop)},
+      {"initial_energy", result.initial_energy},  {"final_energy", result.final_energy},
+      {"extremities", result.extremities.size()}, {"diagrams", result.diagrams}};
+  // A fit would pull the vertex at the end of a thin limb back, or push it too far out.
+  std::vector<Freedom>& freedom = start.constrained.freedom;
+  if (!result.extremities.empty()) freedom.resize(result.generators.size(), Freedom::free);
+  for (const GeneratorId g : result.extremities) freedom[g.index()] = Freedom::fixed;
   start.constrained.points = std::move(result.generators);
   start.diagram = std::move(result.diagram);
 }

@@ -4,13 +4,19 @@
 // Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
 // energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
 // sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
+//
+// The centroid of a cell round the end of a limb lies beside the end, so a relaxation pulls generators off limbs.
+// keep_extremities puts them back: the end is the one place inside a cell where the distance from the generator has a
+// maximum. In cells of flat or hollow surfaces, distances are largest on the border.
 
 #include "gvd/lloyd.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "accelerator.hpp"
@@ -44,6 +50,22 @@ constexpr double kFirstRelocationGain = 0.05;
 
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
+
+/// Least distance of an extremity from its generator, in radii of a disc with the cell's area. Ends of limbs are at .84
+/// to 1.23 (armadillo, camel); nearer ones are spikes that are small beside the cell.
+constexpr double kLeastExtremity = 0.5;
+
+/// Iterations after generators went to extremities. On armadillo, camel and ChineseDragon with 500 generators, the mean
+/// Hausdorff distance of remeshes is 2.14 % of the diagonal after 2, 1.80 after 5 and 1.77 after 8.
+constexpr std::int32_t kExtremityIterations = 5;
+
+/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities. With
+/// .004 (armadillo, 500 generators) and .014 (dino, 500), repairs add .006 and .014 of the generators. With .06
+/// (armadillo, 100), they add .20, and the Hausdorff distance grows.
+constexpr double kLargestPoorShare = 0.04;
+
+/// The share of the progress before generators go to extremities.
+constexpr double kShareBefore = 0.75;
 
 /// Bounds of the factor by which a generator shortens its own step.
 constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
@@ -287,6 +309,71 @@ class Relaxer {
   Decline energy_decline_, way_decline_;
 };
 
+/// Whether a vertex and all its neighbours are in one cell, and the vertex is farther from the generator than they.
+bool is_extremity(const Mesh& mesh, const Diagram& diagram, VertexId v) {
+  const GeneratorId g = diagram.vertex_label[v];
+  if (!g.valid() || !mesh.halfedge(v).valid() || mesh.is_boundary(v)) return false;
+  const double distance = diagram.vertex_distance[v];
+  if (distance < kLeastExtremity * std::sqrt(diagram.cells[g].area / std::numbers::pi)) return false;
+  HalfedgeId h = mesh.halfedge(v);
+  do {
+    const VertexId w = mesh.to(h);
+    if (diagram.vertex_label[w] != g || !(diagram.vertex_distance[w] < distance)) return false;
+    h = mesh.twin(Mesh::previous(h));
+  } while (h != mesh.halfedge(v));
+  return true;
+}
+
+/// The farthest extremity of each cell; invalid where there is none.
+IdVector<GeneratorId, VertexId> find_extremities(const Mesh& mesh, const Diagram& diagram) {
+  IdVector<GeneratorId, VertexId> farthest(diagram.generators.size());
+  for (const VertexId v : mesh.vertices()) {
+    if (!is_extremity(mesh, diagram, v)) continue;
+    VertexId& best = farthest[diagram.vertex_label[v]];
+    if (!best.valid() || diagram.vertex_distance[v] > diagram.vertex_distance[best]) best = v;
+  }
+  return farthest;
+}
+
+/// The number of cells that a remesh would have to repair: no discs, or with fewer than three neighbours.
+std::int64_t count_poor_cells(const Diagram& diagram) {
+  return std::ranges::count_if(diagram.cells, [](const Cell& cell) {
+    return cell.euler_characteristic != 1 || (cell.boundary_loops == 1 && cell.neighbours.size() < 3);
+  });
+}
+
+/// Puts free generators on the extremities of their cells, where they stay, and relaxes the others once more. Changes
+/// nothing where generators are too few for the limbs.
+void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult& result) {
+  LloydOptions again = options;
+  again.freedom.resize(result.generators.size(), Freedom::free);
+  std::vector<SurfacePoint> start = result.generators;
+  std::vector<GeneratorId> kept;
+  const IdVector<GeneratorId, VertexId> extremities = find_extremities(mesh, result.diagram);
+  for (const GeneratorId g : extremities.ids()) {
+    if (!extremities[g].valid() || again.freedom[g.index()] != Freedom::free) continue;
+    start[g.index()] = vertex_point(mesh, extremities[g]);
+    again.freedom[g.index()] = Freedom::fixed;
+    kept.push_back(g);
+  }
+  if (kept.empty()) return;
+  again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
+  LloydResult second = Relaxer(mesh, start, again).run();
+  const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));
+  if (more > kLargestPoorShare * double(start.size())) return;
+  second.extremities = std::move(kept);
+  second.initial_energy = result.initial_energy;
+  second.diagrams += result.diagrams;
+  second.iterations.insert(second.iterations.begin(), result.iterations.begin(), result.iterations.end());
+  result = std::move(second);
+}
+
+/// The progress of a part of the relaxation, from `begin` to `end` of the whole.
+Progress part_of(const Progress& whole, double begin, double end) {
+  if (!whole) return {};
+  return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
+}
+
 }  // namespace
 
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
@@ -294,7 +381,13 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
-  return Relaxer(mesh, generators, options).run();
+  if (!options.keeps_extremities) return Relaxer(mesh, generators, options).run();
+  LloydOptions part = options;
+  part.progress = part_of(options.progress, 0, kShareBefore);
+  LloydResult result = Relaxer(mesh, generators, part).run();
+  part.progress = part_of(options.progress, kShareBefore, 1);
+  keep_extremities(mesh, part, result);
+  return result;
 }
 
 }  // namespace gvd

@@ -41,6 +41,9 @@ struct LloydOptions {
   /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
   /// this evens out clustered starts. Without a value, accelerated runs do.
   std::optional<bool> relocate;
+  /// Move generators to the extremities of their cells at the end, and relax the others once more: see
+  /// relax_generators.
+  bool keeps_extremities = false;
   /// Begin without diagrams, face by face, and end with those of `diagram`. Only accelerated runs with Method::exact
   /// do.
   bool early_approximation = true;
@@ -98,7 +101,8 @@ struct LloydResult {
   double residual = 0;                         ///< largest distance from a generator to its centroid, mesh units
   double mean_cell_radius = 0;
   std::vector<LloydIteration> iterations;
-  std::int64_t diagrams = 0;  ///< number of diagrams computed, including those of rejected steps
+  std::vector<GeneratorId> extremities;  ///< ascending: the generators that went to extremities, and stayed there
+  std::int64_t diagrams = 0;             ///< number of diagrams computed, including those of rejected steps
   LloydStop stop = LloydStop::no_descent;
 };
 
@@ -111,7 +115,14 @@ struct LloydResult {
 /// the energy. An accelerated step is shortened up to three times, and then replaced by Lloyd's. If that does not lower
 /// the energy, generators that went too far shorten their own steps, and after that all do. A generator that would
 /// collide with another one does not move.
-/// Properties: (1) the energies of the iterations fall; (2) every generator stays on the surface, in its component;
+///
+/// An extremity is an inner vertex that is farther from its generator than all its neighbours, which are in the same
+/// cell: the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator goes to
+/// the farthest one of its cell and stays there, if that is half the cell's radius away or more. If there is one, up to
+/// five iterations with the others follow. The energy may rise between these iterations and those before. Where they
+/// leave many more cells that are no discs or have fewer than three neighbours, these iterations do not count.
+/// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
+/// its component;
 /// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
 /// of the options.
 /// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.

@@ -1,0 +1,103 @@
+// The ends of limbs: a relaxation to centroids leaves them, and keeps_extremities puts generators there.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gvd/lloyd.hpp"
+#include "gvd/sampling.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test_extremities {
+
+constexpr int kAround = 12, kHalf = 30;
+constexpr double kStep = 0.1;
+
+/// A sphere of radius 1 with two pointed limbs of length 2 along the z axis. Their ends are vertices 0 and the last.
+Mesh make_spindle() {
+  const double length = kStep * kHalf;
+  std::vector<Vec3> positions{{0, 0, -length}};
+  for (int i = 1 - kHalf; i < kHalf; ++i) {
+    const double z = kStep * i;
+    const double radius = std::max(std::sqrt(std::max(0.0, 1 - z * z)), 0.15 * (length - std::abs(z)));
+    for (int j = 0; j < kAround; ++j) {
+      const double turn = 2 * std::numbers::pi * j / kAround;
+      positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+    }
+  }
+  positions.emplace_back(0, 0, length);
+  const auto at = [](int i, int j) { return VertexId(1 + i * kAround + j % kAround); };
+  const int rings = 2 * kHalf - 1;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int j = 0; j < kAround; ++j) {
+    faces.push_back({VertexId(0), at(0, j + 1), at(0, j)});
+    faces.push_back({VertexId(positions.size() - 1), at(rings - 1, j), at(rings - 1, j + 1)});
+    for (int i = 0; i + 1 < rings; ++i) {
+      faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+      faces.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+    }
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+/// Euclidean distance from the nearest generator to the end of a limb that has the farther one, in radii of even cells.
+double farthest_end(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  double farthest = 0;
+  for (const VertexId end : {VertexId(0), VertexId(mesh.vertex_count() - 1)}) {
+    double nearest = 1e300;
+    for (const SurfacePoint& g : generators) {
+      nearest = std::min(nearest, (position(mesh, g) - mesh.position(end)).norm());
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest / std::sqrt(compute_area(mesh) / (std::numbers::pi * double(generators.size())));
+}
+
+LloydOptions relaxation(bool keeps_extremities) {
+  LloydOptions options;
+  options.max_iterations = 15;
+  options.keeps_extremities = keeps_extremities;
+  return options;
+}
+
+TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull off") {
+  const Mesh mesh = make_spindle();
+  for (const int count : {60, 120}) {
+    for (const std::uint64_t seed : {0, 1, 2}) {
+      CAPTURE(count, seed);
+      const auto start = sample_generators(mesh, {.count = count, .seed = seed});
+      const LloydResult pulled = relax_generators(mesh, start, relaxation(false));
+      CHECK(farthest_end(mesh, pulled.generators) > 0.5);
+      CHECK(pulled.extremities.empty());
+      const LloydResult kept = relax_generators(mesh, start, relaxation(true));
+      CHECK(farthest_end(mesh, kept.generators) == 0);
+      CHECK(kept.extremities.size() == 2);
+      CHECK(kept.generators == kept.diagram.generators);
+      CHECK(std::ssize(kept.generators) == count);
+      CHECK(kept.iterations.size() > pulled.iterations.size());
+    }
+  }
+}
+
+TEST_CASE("extremities: where no limb ends, nothing changes") {
+  for (const Mesh& mesh : {test::make_sphere(3), test::make_torus(24, 12), test::make_grid(9, 7)}) {
+    const auto start = sample_generators(mesh, {.count = 20});
+    const LloydResult plain = relax_generators(mesh, start, relaxation(false));
+    const LloydResult kept = relax_generators(mesh, start, relaxation(true));
+    CHECK(kept.generators == plain.generators);
+    CHECK(kept.final_energy == plain.final_energy);
+    CHECK(kept.extremities.empty());
+  }
+}
+
+TEST_CASE("extremities: a generator that may not move stays") {
+  const Mesh mesh = make_spindle();
+  const auto start = sample_generators(mesh, {.count = 60});
+  LloydOptions options = relaxation(true);
+  options.freedom.assign(60, Freedom::fixed);
+  const LloydResult kept = relax_generators(mesh, start, options);
+  CHECK(kept.generators == start);
+  CHECK(kept.extremities.empty());
+}
+
+}  // namespace gvd::test_extremities
