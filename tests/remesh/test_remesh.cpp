@@ -317,7 +317,7 @@ TEST_CASE("remesh: the certificate does not hold for another mesh") {
   const Mesh sphere = test::make_sphere(2);
   const RemeshResult good = remesh(sphere, test::random_generators(sphere, 12, 0));
   const auto certify = [&](const Mesh& output) {
-    return certify_remesh(sphere, output, good.generators, good.face_points);
+    return certify_remesh(sphere, good.diagram, output, good.face_points);
   };
   std::vector<std::array<VertexId, 3>> faces;
   for (std::int32_t f = 0; f < good.mesh.face_count(); ++f) faces.push_back(good.mesh.vertices(FaceId(f)));

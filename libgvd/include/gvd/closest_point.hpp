@@ -22,6 +22,11 @@ inline double foot_on_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
   return foot_on_line(mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), point);
 }
 
+/// The faces of the connected part of the surface around a point that is within a Euclidean distance of it; always
+/// those of `faces_around`. The two banks of a slit, or two sheets that touch, are different parts. Mesh units.
+/// Cost: O(k log k) for k faces.
+std::vector<FaceId> faces_within(const Mesh& mesh, const SurfacePoint& point, double radius);
+
 /// The point of face f that is closest to `query`. The face may have no area. Cost: O(1).
 ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query);
 

@@ -101,7 +101,7 @@ class RoundMaker {
     if (options.method != Placement::generator) {
       round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
     }
-    for (const FacePair& pair : find_intersections(round.mesh)) {
+    for (const FacePair& pair : find_intersections(diagram, round.mesh)) {
       for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
         const auto& [a, b, c] = round.dual.faces[g.index()];
         const std::string what = fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value());
@@ -143,15 +143,16 @@ class RoundMaker {
     }
   }
 
-  /// The pairs of faces of the placed mesh that intersect, without those that the input's intersections excuse: the
-  /// vertices may have left the intersections that there were at the generators.
-  std::vector<FacePair> find_intersections(const Mesh& placed) {
+  /// The pairs of faces of the placed mesh that intersect, without the inherited ones: the vertices may have left the
+  /// intersections that there were at the generators.
+  std::vector<FacePair> find_intersections(const Diagram& diagram, const Mesh& placed) {
     if (options_.allow_intersections) return {};
     const std::vector<FacePair> pairs =
         find_self_intersections(placed, options_.diagram.threads, options_.diagram.progress);
     if (pairs.empty()) return {};
     if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
-    const auto inherited = find_inherited(mesh_, *of_input_, placed, pairs, options_.diagram.progress);
+    const auto cells = find_intersecting_cells(mesh_, diagram, *of_input_, options_.diagram.progress);
+    const auto inherited = find_inherited(placed, pairs, cells);
     std::vector<FacePair> own;
     std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
     return own;
@@ -296,7 +297,7 @@ class Remesher {
         return !options_.diagram.progress || options_.diagram.progress(step, begin + 0.5 * done);
       });
     };
-    result_.certificate = certify_remesh(mesh_, result_.mesh, result_.generators, result_.face_points, threads);
+    result_.certificate = certify_remesh(mesh_, result_.diagram, result_.mesh, result_.face_points, threads);
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 #include <type_traits>
 
@@ -167,6 +168,24 @@ std::vector<FaceId> faces_around(const Mesh& mesh, const SurfacePoint& point) {
   if (point.kind() == PointKind::edge) {
     const HalfedgeId twin = mesh.twin(halfedge(point));
     if (twin.valid()) faces.push_back(Mesh::face(twin));
+  }
+  return faces;
+}
+
+std::vector<FaceId> faces_within(const Mesh& mesh, const SurfacePoint& point, double radius) {
+  const Vec3 centre = position(mesh, point);
+  const auto distance_to_edge = [&](HalfedgeId h) {
+    const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
+    return (from + std::clamp(foot_on_edge(mesh, h, centre), 0.0, 1.0) * along - centre).norm();
+  };
+  std::vector<FaceId> faces = faces_around(mesh, point);
+  std::set<FaceId> seen(faces.begin(), faces.end());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const HalfedgeId h : Mesh::halfedges(faces[i])) {
+      const HalfedgeId twin = mesh.twin(h);
+      if (!twin.valid() || distance_to_edge(h) > radius) continue;
+      if (seen.insert(Mesh::face(twin)).second) faces.push_back(Mesh::face(twin));
+    }
   }
   return faces;
 }

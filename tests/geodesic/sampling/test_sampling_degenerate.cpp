@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/samples.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_sampling_degenerate {
 
@@ -47,6 +48,22 @@ TEST_CASE("a march terminates on faces without area that are folded on each othe
     }
   }
   CHECK(!cover(mesh, 0.5).empty());
+}
+
+TEST_CASE("farthest points do not coincide across needles, whatever a march finds there") {
+  // A disc with a strip of two needles, 1.9e-15 high, through its middle.
+  const double e = 1.9e-15;
+  const Mesh disc = test::make_mesh({{-4.5, e, 0}, {-7.5, 0, 0}, {4.5, e, 0}, {7.5, 0, 0}, {0, 8, 0}, {0, -8, 0}},
+                                    {{0, 1, 2}, {2, 1, 3}, {0, 2, 4}, {1, 0, 4}, {2, 3, 4}, {3, 1, 5}});
+  for (const int count : {10, 30, 100}) {
+    for (const std::uint64_t seed : {0, 1, 2, 3}) {
+      CAPTURE(count, seed);
+      const auto points = sample(disc, Sampling::farthest, count, seed);
+      CHECK(std::ssize(points) == count);
+      CHECK(all_distinct(disc, points));
+    }
+  }
+  CHECK(all_distinct(disc, cover(disc, 1)));
 }
 
 TEST_CASE("a march terminates on a disc made of a fan of needles") {

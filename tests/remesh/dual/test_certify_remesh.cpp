@@ -10,6 +10,12 @@
 
 namespace gvd::test_certify_remesh {
 
+Diagram only_generators(std::vector<SurfacePoint> generators) {
+  Diagram diagram;
+  diagram.generators = std::move(generators);
+  return diagram;
+}
+
 /// The remesh of a mesh by itself: its vertices are the generators, and a point of each face its branch point.
 struct Copy {
   Mesh surface;
@@ -27,7 +33,7 @@ struct Copy {
     return result;
   }
   RemeshCertificate certify(const std::vector<std::array<VertexId, 3>>& faces) const {
-    return certify_remesh(surface, Mesh(surface.positions(), faces), generators, face_points);
+    return certify_remesh(surface, only_generators(generators), Mesh(surface.positions(), faces), face_points);
   }
 };
 
@@ -73,7 +79,7 @@ TEST_CASE("certificate: a generator without a face is counted") {
   const Copy copy(test::make_tetrahedron());
   auto generators = copy.generators;
   generators.push_back(make_surface_point(FaceId(0), {0.2, 0.3, 0.5}));
-  const RemeshCertificate c = certify_remesh(copy.surface, copy.surface, generators, copy.face_points);
+  const RemeshCertificate c = certify_remesh(copy.surface, only_generators(generators), copy.surface, copy.face_points);
   CHECK(c.unused_generators == 1);
   CHECK(c.first_failure() == "generators are not used: 1");
 }
@@ -115,7 +121,7 @@ TEST_CASE("certificate: sums agree, but not the components by themselves") {
   }
   const std::vector<SurfacePoint> face_points(static_cast<std::size_t>(remeshed.face_count()),
                                               make_surface_point(FaceId(0), {0.25, 0.25, 0.5}));
-  const RemeshCertificate c = certify_remesh(surface, remeshed, generators, face_points);
+  const RemeshCertificate c = certify_remesh(surface, only_generators(generators), remeshed, face_points);
   CHECK(c.same_components);
   CHECK(c.same_euler_characteristic);
   CHECK(c.same_boundary_loops);
@@ -140,13 +146,14 @@ TEST_CASE("certificate: faces that intersect fail, unless they are allowed") {
     if (moved[i]) positions[i] += shift;
   }
   const Mesh crossed(positions, copy.faces());
-  RemeshCertificate c = certify_remesh(copy.surface, crossed, copy.generators, copy.face_points);
+  RemeshCertificate c = certify_remesh(copy.surface, only_generators(copy.generators), crossed, copy.face_points);
   CHECK(c.self_intersections.size() > 10);
   CHECK(c.inherited_intersections == 0);
   CHECK(c.first_failure().find("pairs of its faces intersect: ") == 0);
   c.intersections_allowed = true;
   CHECK(c.ok());
-  const RemeshCertificate inherited = certify_remesh(crossed, crossed, copy.generators, copy.face_points);
+  const Diagram diagram = compute_diagram(crossed, copy.generators);
+  const RemeshCertificate inherited = certify_remesh(crossed, diagram, crossed, copy.face_points);
   CHECK(inherited.self_intersections == c.self_intersections);
   CHECK(inherited.inherited_intersections == std::ssize(c.self_intersections));
   CHECK(inherited.ok());

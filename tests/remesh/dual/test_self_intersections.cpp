@@ -1,14 +1,16 @@
-// The faces that a box finds, pairs of faces of whole meshes, and intersections of a remesh where its surface
-// intersects itself.
+// The faces that a box finds, pairs of faces of whole meshes, and the pairs that a remesh inherits from its surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "dual/dual_steps.hpp"
+#include "gvd/remesh.hpp"
 #include "gvd/self_intersections.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
@@ -131,57 +133,122 @@ TEST_CASE("the pairs are those of a search over all pairs, for any number of thr
   CHECK(found > 1000);
 }
 
-/// The definition, with each pair of pairs.
-std::vector<FacePair> search_all(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs) {
-  const std::vector<FacePair> given = find_self_intersections(surface);
-  std::vector<FacePair> inherited;
-  for (const FacePair& pair : pairs) {
-    const Box3 a = face_box(remesh, pair.first), b = face_box(remesh, pair.second);
-    const Vec3 margin = Vec3::Constant(std::max((a.max() - a.min()).norm(), (b.max() - b.min()).norm()) / 2);
-    const Box3 common(a.min().cwiseMax(b.min()) - margin, a.max().cwiseMin(b.max()) + margin);
-    const bool is_near = std::any_of(given.begin(), given.end(), [&](const FacePair& other) {
-      return common.intersects(face_box(surface, other.first)) && common.intersects(face_box(surface, other.second));
-    });
-    if (is_near) inherited.push_back(pair);
+Mesh join(const std::vector<Mesh>& meshes) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const Mesh& mesh : meshes) {
+    const std::size_t offset = positions.size();
+    positions.insert(positions.end(), mesh.positions().begin(), mesh.positions().end());
+    for (const auto& [a, b, c] : mesh.face_vertices()) {
+      faces.push_back({VertexId(a.index() + offset), VertexId(b.index() + offset), VertexId(c.index() + offset)});
+    }
   }
-  return inherited;
+  return {std::move(positions), std::move(faces)};
 }
 
 /// A sheet that passes through itself in some places only: two grids, one of them with waves.
 Mesh make_crossing_sheets(int n, double level) {
   const Mesh flat = test::make_grid(n, n);
-  std::vector<Vec3> positions = flat.positions();
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : flat.faces()) faces.push_back(flat.vertices(f));
-  for (const Vec3& p : flat.positions()) {
-    positions.push_back({p.x(), p.y(), level + std::sin(p.x()) * std::cos(1.3 * p.y())});
-  }
-  const std::int64_t offset = flat.vertex_count();
-  for (std::size_t f = 0, count = faces.size(); f < count; ++f) {
-    const auto& [a, b, c] = faces[f];
-    faces.push_back({VertexId(a.value() + offset), VertexId(b.value() + offset), VertexId(c.value() + offset)});
-  }
-  return Mesh(std::move(positions), std::move(faces));
+  std::vector<Vec3> waves = flat.positions();
+  for (Vec3& p : waves) p.z() = level + std::sin(p.x()) * std::cos(1.3 * p.y());
+  return join({flat, Mesh(std::move(waves), flat.face_vertices())});
 }
 
-TEST_CASE("inherited intersections are those that the definition gives") {
-  for (const double level : {0.3, 0.7, 0.95}) {
-    const Mesh surface = make_crossing_sheets(12, 0.8), remesh = make_crossing_sheets(12, level);
-    const auto pairs = find_self_intersections(remesh);
-    REQUIRE(pairs.size() > 4);
-    const auto inherited = find_inherited(surface, remesh, pairs);
-    CHECK(inherited == search_all(surface, remesh, pairs));
-    if (level == 0.3) CHECK((!inherited.empty() && inherited.size() < pairs.size()));
+/// The cells that a face has a part in.
+std::set<GeneratorId> cells_in(const Diagram& diagram, FaceId f) {
+  std::set<GeneratorId> cells;
+  if (diagram.face_label[f].valid()) cells.insert(diagram.face_label[f]);
+  for (const FacePiece& piece : diagram.pieces) {
+    if (piece.face == f) cells.insert(piece.generator);
   }
+  return cells;
 }
 
-TEST_CASE("nothing is inherited from a surface that does not intersect itself") {
-  const Mesh remesh = make_crossing_sheets(12, 0.5);
-  const auto pairs = find_self_intersections(remesh);
-  REQUIRE_FALSE(pairs.empty());
-  CHECK(find_inherited(make_crossing_sheets(12, 9), remesh, pairs).empty());
-  CHECK(find_inherited(remesh, remesh, {}).empty());
-  CHECK(find_inherited(remesh, remesh, pairs) == pairs);
+/// The faces of the surface with a part under a face of the remesh.
+std::set<FaceId> faces_under(const Mesh& surface, const RemeshResult& result, FaceId face) {
+  std::set<FaceId> under;
+  for (const FaceId f : surface.faces()) {
+    for (const GeneratorId g : cells_in(result.diagram, f)) {
+      for (const VertexId v : result.mesh.vertices(face)) {
+        if (g.value() == v.value()) under.insert(f);
+      }
+    }
+  }
+  return under;
+}
+
+TEST_CASE("every inherited pair has faces of the input under it that intersect, by brute force") {
+  std::size_t inherited = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    CAPTURE(seed);
+    const Mesh surface = make_crossing_sheets(9, 0.3 + 0.2 * seed);
+    const RemeshResult result = remesh(surface, test::random_generators(surface, 40, seed));
+    const RemeshCertificate& certificate = result.certificate;
+    CHECK(certificate.inherited_intersections == std::ssize(certificate.self_intersections));
+    inherited += certificate.self_intersections.size();
+    for (const FacePair& pair : certificate.self_intersections) {
+      const auto first = faces_under(surface, result, pair.first), second = faces_under(surface, result, pair.second);
+      CHECK(std::ranges::any_of(first, [&](FaceId f) {
+        return std::ranges::any_of(second, [&](FaceId g) { return f != g && faces_intersect(surface, f, g); });
+      }));
+    }
+  }
+  CHECK(inherited > 20);
+}
+
+/// Two spheres of radius 1 and .93, whose coarse meshes intersect, and a small one across the outer one only.
+Mesh make_pierced_spheres() {
+  std::vector<Vec3> small;
+  const Mesh ball = test::make_sphere(1);
+  for (const Vec3& p : ball.positions()) small.push_back(0.05 * p + Vec3(0, 0, 0.985));
+  return join({test::make_nested_spheres(0.93), Mesh(std::move(small), ball.face_vertices())});
+}
+
+TEST_CASE("an intersection beside one of the input is not inherited: it is repaired, or refused") {
+  const Mesh surface = make_pierced_spheres();
+  const auto component = compute_face_components(surface);
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  std::size_t inherited = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    CAPTURE(seed);
+    const RemeshResult result = remesh(surface, test::random_generators(surface, 24, seed), options);
+    const auto component_of = [&](FaceId f) {
+      return component[result.generators[result.mesh.vertices(f)[0].index()].face];
+    };
+    for (const FacePair& pair : result.certificate.self_intersections) {
+      const std::set<std::int32_t> components{component_of(pair.first), component_of(pair.second)};
+      CHECK(components == std::set<std::int32_t>{0, 2});  // the outer sphere and the small one
+    }
+    inherited += result.certificate.self_intersections.size();
+  }
+  CHECK(inherited > 0);
+}
+
+TEST_CASE("the cells of a large face count only near the other face") {
+  // A square of two faces; a small triangle stands across one of them, near the first of its generators.
+  const Mesh surface =
+      test::make_mesh({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {7, 1, -1}, {7, 1.5, -1}, {7, 1, 1}},
+                      {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}});
+  const auto given = find_self_intersections(surface);
+  REQUIRE(given == std::vector<FacePair>{{FaceId(0), FaceId(2)}});
+  const std::vector<SurfacePoint> generators{
+      make_surface_point(FaceId(0), {0.2, 0.7, 0.1}), make_surface_point(FaceId(0), {0.8, 0.1, 0.1}),
+      make_surface_point(FaceId(0), {0.1, 0.1, 0.8}), make_surface_point(FaceId(2), {0.3, 0.3, 0.4})};
+  const Diagram diagram = compute_diagram(surface, generators);
+  REQUIRE(cells_in(diagram, FaceId(0)).size() == 3);
+  CHECK(find_intersecting_cells(surface, diagram, given) == std::vector<CellPair>{{GeneratorId(0), GeneratorId(3)}});
+  CHECK(find_intersecting_cells(surface, diagram, {}).empty());
+}
+
+TEST_CASE("a pair of faces is inherited if any cell of one intersects any cell of the other, in either order") {
+  const Mesh strip = test::make_grid(3, 1);
+  const std::vector<FacePair> pairs{{FaceId(0), FaceId(1)}, {FaceId(0), FaceId(5)}};
+  const GeneratorId a(strip.vertices(FaceId(0))[1].value()), b(strip.vertices(FaceId(5))[2].value());
+  const std::vector<CellPair> cells{{std::min(a, b), std::max(a, b)}};
+  CHECK(find_inherited(strip, pairs, {}).empty());
+  CHECK(find_inherited(strip, pairs, cells) == std::vector<FacePair>{{FaceId(0), FaceId(5)}});
+  CHECK(find_inherited(strip, {}, cells).empty());
 }
 
 }  // namespace gvd::test_self_intersections

@@ -34,7 +34,7 @@ struct RemeshOptions {
   /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
   /// Accept faces that intersect each other. Without it, generators are added near them as near other defects; faces
-  /// that intersect where the input does itself (find_inherited) are always accepted.
+  /// that inherit their intersection from the input (find_inherited) are always accepted.
   bool allow_intersections = false;
   /// Curves that the dual's edges shall follow: creases, and the boundary (trace_creases). With `refine`,
   /// generators are added on them where cells of others come between, and where long edges would cut off bends of

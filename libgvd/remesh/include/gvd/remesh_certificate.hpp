@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/self_intersections.hpp"
 #include "gvd/surface_point.hpp"
@@ -25,7 +26,7 @@ struct RemeshCertificate {
   std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
 
   std::vector<FacePair> self_intersections;  ///< of the remesh, see find_self_intersections
-  /// How many of these are near an intersection of the input with itself (find_inherited): they are no failure.
+  /// How many of these have parts of the input under them that intersect each other (find_inherited): no failure.
   std::int64_t inherited_intersections = 0;
   bool intersections_allowed = false;  ///< whether other ones are no failure, either
 
@@ -35,10 +36,12 @@ struct RemeshCertificate {
   std::string first_failure() const;
 };
 
-/// Compares a remesh with its surface. `generators` are those of the vertices in their order, `face_points` the branch
-/// points of the faces. `threads` (0: one a core) changes no result. Never throws on a finding.
-/// Cost: O(n log n), and where the remesh intersects itself that of find_inherited.
-RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+/// Compares a remesh with its surface. Vertex i stands for generator i of the diagram, and `face_points` are the branch
+/// points of the faces. Of the diagram, only the generators count where no faces intersect. `threads` (0: one a core)
+/// changes no result. Never throws on a finding.
+/// Cost: O(n log n), and where the remesh intersects itself those of find_self_intersections of the surface and of
+/// find_inherited.
+RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, int threads = 0);
 
 }  // namespace gvd

@@ -3,6 +3,8 @@
 #include <compare>
 #include <vector>
 
+#include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 
@@ -23,14 +25,33 @@ struct FacePair {
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
-/// The pairs of faces of a remesh that intersect where the surface intersects itself, ascending.
+/// Two cells of a diagram, or one cell twice: first <= second.
+struct CellPair {
+  GeneratorId first, second;
+  auto operator<=>(const CellPair&) const = default;
+};
+
+/// The pairs of cells in which a surface intersects itself, ascending.
 ///
-/// They are those near an intersecting pair of the surface, where a remesh can't be free of intersections. Take the
-/// common part of the boxes of the remesh's two faces, grown on all sides by half the longer diagonal of the two boxes.
-/// The pairs are near each other if it overlaps the boxes of both faces of the surface's pair. `pairs` are
-/// those of find_self_intersections. Cost: that of find_self_intersections of the surface, and O(p log q) as a rule
-/// for p and q pairs of the two; none without pairs. Throws Error{interrupted} if `progress` cancels.
-std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
-                                     int threads = 0, const Progress& progress = {});
+/// `given`: the intersecting pairs of faces, of find_self_intersections of the surface. A piece of a face is its part
+/// in one cell (FacePiece), or the face itself. Cells a and b intersect where, for one of these pairs of faces, a piece
+/// of one face in a and a piece of the other face in b have bounding boxes that overlap. So a large face counts only
+/// with its cells near the other face. Cost: O(k) for the pieces of `given`, and O(1) for each two that are compared:
+/// those of the first face near the second face, and of the second near the first.
+/// Throws Error{interrupted} if `progress` cancels.
+std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
+                                              const std::vector<FacePair>& given, const Progress& progress = {});
+
+/// The pairs of faces of a remesh that intersect because the surface does, ascending. All other ones are defects.
+///
+/// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
+/// cell i. A pair is inherited if the surface intersects itself between the two parts: if a cell of one face and a cell
+/// of the other one are among `cells`, the pairs of find_intersecting_cells. Distances in space play no part.
+/// By a one-to-one map of the surface (map_to_remesh), each face is the image of a piece of each of its three cells.
+/// Why whole cells: a coarse mesh moves a curve of intersection aside. By the pieces alone, a face near the end of
+/// another one at the curve could be on its wrong side, however fine the mesh is.
+/// `pairs`: of find_self_intersections of the remesh. Cost: O(p log q) for p pairs and q pairs of cells.
+std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
+                                     const std::vector<CellPair>& cells);
 
 }  // namespace gvd

@@ -113,9 +113,10 @@ std::string RemeshCertificate::first_failure() const {
 
 bool RemeshCertificate::ok() const { return first_failure().empty(); }
 
-RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, int threads) {
   RemeshCertificate certificate;
+  const std::vector<SurfacePoint>& generators = diagram.generators;
   certificate.input = compute_mesh_summary(surface);
   certificate.output = compute_mesh_summary(remesh);
   const MeshSummary &in = certificate.input, &out = certificate.output;
@@ -131,8 +132,10 @@ RemeshCertificate certify_remesh(const Mesh& surface, const Mesh& remesh, const 
   certificate.unused_generators = std::count(used.begin(), used.end(), 0);
   certificate.flipped_faces = std::ssize(find_flipped_faces(surface, remesh, generators, face_points));
   certificate.self_intersections = find_self_intersections(remesh, threads);
-  certificate.inherited_intersections =
-      std::ssize(find_inherited(surface, remesh, certificate.self_intersections, threads));
+  if (!certificate.self_intersections.empty()) {
+    const auto cells = find_intersecting_cells(surface, diagram, find_self_intersections(surface, threads));
+    certificate.inherited_intersections = std::ssize(find_inherited(remesh, certificate.self_intersections, cells));
+  }
   return certificate;
 }
 

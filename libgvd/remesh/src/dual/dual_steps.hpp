@@ -144,8 +144,4 @@ class FaceBoxes {
 /// find_self_intersections for a mesh whose vertices have moved.
 std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {});
 
-/// find_inherited where `given`, the intersections of the surface with itself, are known.
-std::vector<FacePair> find_inherited(const Mesh& surface, const std::vector<FacePair>& given, const Mesh& remesh,
-                                     const std::vector<FacePair>& pairs, const Progress& progress = {});
-
 }  // namespace gvd

@@ -1,9 +1,9 @@
 // Pairs of faces of a mesh that intersect, and those that a remesh has from its surface.
 //
 // A tree of the faces' boxes finds the pairs that may intersect, and `faces_intersect` decides on each. The result is
-// sorted, so that neither the tree nor the number of threads shows in it. Where the surface intersects itself, a remesh
-// near it can't be free of intersections. A pair of its faces is therefore inherited if the box of their common part,
-// with a margin, overlaps both boxes of an intersecting pair of the surface.
+// sorted, so that neither the tree nor the number of threads shows in it. Where the surface intersects itself, its
+// remesh may have to. A pair of its faces is inherited if the cells of one's corners intersect those of the other
+// one's: the cells that the pieces of an intersecting pair of the surface's faces lie in.
 //
 // Each test of two triangles asks for signs of determinants of coordinate differences. A filter in doubles decides
 // nearly all of them; where its error bound leaves the sign open, the determinant is summed without rounding. So no
@@ -153,21 +153,33 @@ bool any_edge_meets(const Triangle& edges, const Triangle& triangle) {
   return false;
 }
 
-/// The part of space in which a pair of faces intersects, with a margin.
-Box3 common_box(const Mesh& mesh, const FacePair& pair) {
-  const Box3 a = face_box(mesh, pair.first), b = face_box(mesh, pair.second);
-  const Vec3 margin = Vec3::Constant(std::max(a.diagonal().norm(), b.diagonal().norm()) / 2);
-  return {a.min().cwiseMax(b.min()) - margin, a.max().cwiseMin(b.max()) + margin};
+/// The part of a face in one cell.
+struct PlacedPiece {
+  GeneratorId cell;
+  Box3 box;
+};
+
+std::vector<PlacedPiece> place_pieces(const Mesh& surface, const Diagram& diagram, FaceId f) {
+  if (diagram.face_label[f].valid()) return {{diagram.face_label[f], face_box(surface, f)}};
+  std::vector<PlacedPiece> pieces;
+  const auto [begin, end] = std::ranges::equal_range(diagram.pieces, f, {}, &FacePiece::face);
+  for (const FacePiece& piece : std::ranges::subrange(begin, end)) {
+    Box3 box;
+    for (const auto& bary : piece.corners) box.extend(position(surface, {f, bary}));
+    pieces.push_back({piece.generator, box});
+  }
+  return pieces;
 }
 
-/// The first faces of ascending pairs, each once.
-std::vector<FaceId> first_faces(const std::vector<FacePair>& pairs) {
-  std::vector<FaceId> faces;
-  for (const FacePair& pair : pairs) {
-    if (faces.empty() || faces.back() != pair.first) faces.push_back(pair.first);
-  }
-  return faces;
+/// The pieces of f whose boxes overlap that of g.
+std::vector<PlacedPiece> pieces_near(const Mesh& surface, const Diagram& diagram, FaceId f, FaceId g) {
+  std::vector<PlacedPiece> pieces = place_pieces(surface, diagram, f);
+  std::erase_if(pieces, [&](const PlacedPiece& piece) { return !piece.box.intersects(face_box(surface, g)); });
+  return pieces;
 }
+
+/// Steps between reports of progress.
+constexpr std::size_t kProgressStride = 4096;
 
 }  // namespace
 
@@ -265,30 +277,37 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads, con
   return find_self_intersections(PlacedFaces(mesh), threads, progress);
 }
 
-std::vector<FacePair> find_inherited(const Mesh& surface, const std::vector<FacePair>& given, const Mesh& remesh,
-                                     const std::vector<FacePair>& pairs, const Progress& progress) {
-  const FaceBoxes firsts(surface, first_faces(given));
-  const auto overlaps_partner = [&](FaceId first, const Box3& box) {
-    const auto is_before = [](const FacePair& pair, FaceId f) { return pair.first < f; };
-    auto pair = std::lower_bound(given.begin(), given.end(), first, is_before);
-    for (; pair != given.end() && pair->first == first; ++pair) {
-      if (box.intersects(face_box(surface, pair->second))) return true;
+std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
+                                              const std::vector<FacePair>& given, const Progress& progress) {
+  std::vector<CellPair> cells;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (i % kProgressStride == 0) report_progress(progress, "self-intersections", double(i) / double(given.size()));
+    const auto firsts = pieces_near(surface, diagram, given[i].first, given[i].second);
+    const auto seconds = pieces_near(surface, diagram, given[i].second, given[i].first);
+    for (const PlacedPiece& p : firsts) {
+      for (const PlacedPiece& q : seconds) {
+        if (p.box.intersects(q.box)) cells.push_back({std::min(p.cell, q.cell), std::max(p.cell, q.cell)});
+      }
     }
-    return false;
-  };
-  std::vector<FacePair> inherited;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(inherited), [&](const FacePair& pair) {
-    report_progress(progress, "self-intersections", double(&pair - pairs.data()) / double(pairs.size()));
-    const Box3 box = common_box(remesh, pair);
-    return firsts.any_of(box, [&](FaceId first) { return overlaps_partner(first, box); });
-  });
-  return inherited;
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
 }
 
-std::vector<FacePair> find_inherited(const Mesh& surface, const Mesh& remesh, const std::vector<FacePair>& pairs,
-                                     int threads, const Progress& progress) {
-  if (pairs.empty()) return {};
-  return find_inherited(surface, find_self_intersections(surface, threads, progress), remesh, pairs, progress);
+std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
+                                     const std::vector<CellPair>& cells) {
+  const auto intersect = [&](VertexId v, VertexId w) {
+    const GeneratorId a(v.value()), b(w.value());
+    return std::binary_search(cells.begin(), cells.end(), CellPair{std::min(a, b), std::max(a, b)});
+  };
+  std::vector<FacePair> inherited;
+  std::ranges::copy_if(pairs, std::back_inserter(inherited), [&](const FacePair& pair) {
+    return std::ranges::any_of(remesh.vertices(pair.first), [&](VertexId v) {
+      return std::ranges::any_of(remesh.vertices(pair.second), [&](VertexId w) { return intersect(v, w); });
+    });
+  });
+  return inherited;
 }
 
 }  // namespace gvd

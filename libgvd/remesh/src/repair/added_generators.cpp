@@ -5,38 +5,15 @@
 // of the surface holds both. Where the distance is less than the surface's features, this agrees with the geodesic one.
 
 #include <cmath>
-#include <set>
 
 #include "gvd/closest_point.hpp"
 #include "repair/repair_steps.hpp"
 
 namespace gvd {
-namespace {
-
-double distance_to_edge(const Mesh& mesh, HalfedgeId h, const Vec3& point) {
-  const Vec3 &from = mesh.position(mesh.from(h)), along = mesh.position(mesh.to(h)) - from;
-  return (from + std::clamp(foot_on_edge(mesh, h, point), 0.0, 1.0) * along - point).norm();
-}
-
-}  // namespace
-
 bool are_near(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double radius) {
-  const Vec3 centre = position(mesh, a);
-  if (!((position(mesh, b) - centre).norm() <= radius)) return false;
-  const std::vector<FaceId> goal = faces_around(mesh, b);
-  std::vector<FaceId> open = faces_around(mesh, a);
-  std::set<FaceId> seen(open.begin(), open.end());
-  while (!open.empty()) {
-    const FaceId f = open.back();
-    open.pop_back();
-    if (std::find(goal.begin(), goal.end(), f) != goal.end()) return true;
-    for (const HalfedgeId h : Mesh::halfedges(f)) {
-      const HalfedgeId twin = mesh.twin(h);
-      if (!twin.valid() || distance_to_edge(mesh, h, centre) > radius) continue;
-      if (seen.insert(Mesh::face(twin)).second) open.push_back(Mesh::face(twin));
-    }
-  }
-  return false;
+  if (!((position(mesh, b) - position(mesh, a)).norm() <= radius)) return false;
+  const std::vector<FaceId> goal = faces_around(mesh, b), reached = faces_within(mesh, a, radius);
+  return std::find_first_of(reached.begin(), reached.end(), goal.begin(), goal.end()) != reached.end();
 }
 
 AddedGenerators::AddedGenerators(const Mesh& mesh, const std::vector<SurfacePoint>& existing, std::size_t max_count)

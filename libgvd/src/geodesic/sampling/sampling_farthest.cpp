@@ -14,6 +14,7 @@
 #include "base/lazy_max_heap.hpp"
 #include "base/plane.hpp"
 #include "geodesic/sampling/samplers.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 
@@ -63,6 +64,8 @@ class FarthestSampler {
         mesh_(split.mesh()),
         options_(options),
         field_(mesh_, options.front),
+        coincidence_(coincidence(mesh_)),
+        is_chosen_(mesh_.vertex_count(), 0),
         faces_(sort_by_component()),
         random_(options.seed) {
     // Insertion i reaches about one vertex in i.
@@ -126,9 +129,21 @@ class FarthestSampler {
     }
   }
 
+  /// Across needles, marching can find distances that are far too large. A vertex that coincides with a chosen one is
+  /// then no other point, but what is near it becomes near all the same.
   void insert(VertexId v) {
     field_.insert(vertex_point(mesh_, v));
+    if (coincides_with_chosen(v)) return;
+    is_chosen_[v] = 1;
     chosen_.push_back(v);
+  }
+
+  bool coincides_with_chosen(VertexId v) const {
+    const auto coincides = [&](VertexId u) {
+      return is_chosen_[u] && (mesh_.position(u) - mesh_.position(v)).norm() <= coincidence_;
+    };
+    return std::ranges::any_of(faces_within(mesh_, vertex_point(mesh_, v), coincidence_),
+                               [&](FaceId f) { return std::ranges::any_of(mesh_.vertices(f), coincides); });
   }
 
   std::vector<SurfacePoint> points() const {
@@ -163,6 +178,8 @@ class FarthestSampler {
   const Mesh& mesh_;
   const SamplingOptions& options_;
   NearestField field_;
+  double coincidence_;  // mesh units
+  IdVector<VertexId, char> is_chosen_;
   std::vector<std::size_t> first_face_;  // of each component in faces_, and the end
   std::vector<FaceId> faces_;
   SeededRandom random_;
