@@ -54,6 +54,19 @@ TEST_CASE("constrained start: corners and creases have generators, and enough ar
   CHECK_THROWS_AS(constrain_start(box, test::random_generators(box, 7, 1), options), Error);
 }
 
+TEST_CASE("constrained start: creases longer than the even spacing by any factor get only their share") {
+  std::vector<Vec3> positions;
+  const Mesh box = test::make_plate(4, 0.5);
+  for (const Vec3& p : box.positions()) positions.push_back({1e12 * p.x(), 1e-12 * p.y(), 1e-12 * p.z()});
+  const Mesh stick(positions, box.face_vertices());
+  StartOptions options;
+  options.crease_angle = 30;
+  const ConstrainedStart start = constrain_start(stick, test::random_generators(stick, 30, 1), options);
+  CHECK(start.points.size() == 30);
+  CHECK(count(start, Freedom::on_crease) > 0);
+  CHECK(count(start, Freedom::free) >= 6);
+}
+
 TEST_CASE("constrained start: listed points stay, and those on creases are kept there") {
   const Mesh box = test::make_plate(4, 0.5);
   StartOptions options;

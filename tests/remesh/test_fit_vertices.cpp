@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "placement_steps.hpp"
+#include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
@@ -36,6 +37,22 @@ TEST_CASE("strong springs hold the vertices") {
     CHECK((held[i] - ball.positions()[i]).norm() < 1e-8);
     CHECK(free[i].norm() > 1.01);  // the triangles lie inside of the sphere, so the vertices go out
   }
+}
+
+TEST_CASE("a fit is heard between the steps of its factorisation, and can be cancelled at each of them") {
+  const Mesh sphere = test::make_sphere(2), ball = test::make_sphere(1);
+  const ClosestPointTree tree(sphere);
+  const std::vector<VertexAnchor> anchors(ball.positions().size(), {Vec3(0, 0, 0), Eigen::Matrix3d::Identity()});
+  const auto run = [&](const Progress& progress) {
+    fit_vertices(ball, {&sphere, &tree, sample_surface(sphere, 4000), 4000, 1, progress}, anchors);
+  };
+  test::require_cancelled_everywhere(run);
+  int last = 0;
+  run([&](std::string_view, double fraction) {
+    last = fraction < 1 ? 0 : last + 1;
+    return true;
+  });
+  CHECK(last >= 5);  // two of the last samples, three round the steps of the factorisation
 }
 
 TEST_CASE("samples cover the surface evenly") {

@@ -77,7 +77,8 @@ struct CheckedMesh {
 /// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error` that is any
 /// defect. Under the others it is what can't be repaired: a component with one side only (a Moebius strip; under
 /// `largest` only if it is the largest), a polygon that is folded or crosses itself, a coordinate beyond
-/// kLargestCoordinate, a mesh smaller than kSmallestExtent, or no face left. Cost: O(n log n) time for n corners, O(n)
+/// kLargestCoordinate, a mesh smaller than kSmallestExtent or so thin that rounding hides most triangles, or no face
+/// left. Cost: O(n log n) time for n corners, O(n)
 /// memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair);
 

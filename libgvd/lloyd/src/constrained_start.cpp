@@ -104,10 +104,23 @@ void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGener
   append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
 }
 
+/// A curve of length l has at least l / spacing - 1.5 generators between its ends: the quotient is rounded, and each
+/// part but the last one ends at a generator.
+constexpr double kLostToRounding = 1.5;
+
+/// Whether the generators that creases of this length in all have at least are too many. Creases may be longer than the
+/// spacing by many orders of magnitude, so that their generators would not fit into memory.
+bool surely_exceeds_share(double length, double spacing, const ConstrainedStart& start) {
+  const double least = length / spacing - kLostToRounding * double(start.creases.size());
+  return least > kFeatureShare * double(start.points.size());
+}
+
 /// Generators on the creases as far apart as evenly spread ones, or farther, so that they are no more than
 /// kFeatureShare of all.
 FeatureGenerators place_features(const Mesh& mesh, const ConstrainedStart& start) {
-  double spacing = even_spacing(compute_area(mesh), std::ssize(start.points));
+  double spacing = even_spacing(compute_area(mesh), std::ssize(start.points)), length = 0;
+  for (const EdgeId e : start.creases) length += mesh.length(e);
+  while (surely_exceeds_share(length, spacing, start) && spacing < mesh.bbox_diagonal()) spacing *= kWiderSpacing;
   FeatureGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
   while (exceeds_share(placed, start.points.size()) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;

@@ -176,10 +176,18 @@ void add_springs(const Mesh& remesh, const std::vector<VertexAnchor>& anchors, V
   }
 }
 
-Eigen::VectorXd solve(const VertexSystem& system) {
+/// Eigen tells nothing from inside of its steps: progress is heard between them.
+Eigen::VectorXd solve(const VertexSystem& system, const Progress& progress) {
+  const auto report = [&] { report_progress(progress, "fit", 1); };
   Eigen::SparseMatrix<double> matrix(system.right.size(), system.right.size());
   matrix.setFromTriplets(system.entries.begin(), system.entries.end());
-  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower>(matrix).solve(system.right);
+  report();
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
+  solver.analyzePattern(matrix);
+  report();
+  solver.factorize(matrix);
+  report();
+  return solver.solve(system.right);
 }
 
 }  // namespace
@@ -281,7 +289,7 @@ std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
   VertexSystem system{{}, Eigen::VectorXd::Zero(3 * remesh.vertex_count())};
   add_samples(remesh, systems, system);
   add_springs(remesh, anchors, system);
-  const Eigen::VectorXd solution = solve(system);
+  const Eigen::VectorXd solution = solve(system, target.progress);
   std::vector<Vec3> positions = remesh.positions();
   if (!solution.allFinite()) return positions;
   for (int v = 0; v < remesh.vertex_count(); ++v) positions[v] += solution.segment<3>(3 * v);

@@ -280,12 +280,10 @@ void MeshEditor::link(HalfedgeId h, HalfedgeId t, EdgeId e) {
 }
 
 void MeshEditor::set_halfedge(VertexId v, HalfedgeId h) {
-  const HalfedgeId start = h;
-  for (HalfedgeId before = previous_outgoing(mesh_, h); before.valid(); before = previous_outgoing(mesh_, h)) {
-    h = before;
-    if (h == start) break;
-  }
-  mesh_.vertex_halfedge_[v] = h;
+  const auto begins_fan = [&](HalfedgeId x) { return x.valid() && mesh_.from(x) == v && !mesh_.twin(x).valid(); };
+  if (begins_fan(mesh_.vertex_halfedge_[v])) return;
+  const HalfedgeId before = previous_outgoing(mesh_, h);
+  mesh_.vertex_halfedge_[v] = begins_fan(before) ? before : h;
 }
 
 VertexId MeshEditor::split_face(FaceId f, const Vec3& position) {

@@ -9,7 +9,7 @@ namespace gvd {
 /// Splits faces and edges and flips edges of a mesh in place. The only code that changes a built mesh.
 ///
 /// Faces, edges and vertices that an operation does not touch keep their ids. New ones are appended. A face or edge
-/// that is split keeps its id for one of its parts. Every operation costs O(1), and O(valence) at boundary vertices.
+/// that is split keeps its id for one of its parts. Every operation costs O(1).
 class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
@@ -43,7 +43,9 @@ class MeshEditor {
   }
   /// Makes h and t the two halfedges of edge e. On the boundary t is invalid.
   void link(HalfedgeId h, HalfedgeId t, EdgeId e);
-  /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it.
+  /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it. An
+  /// operation on other faces leaves the boundary halfedge alone. In the faces of an operation it is h or, where an edge
+  /// at v was split, the one before it: so nothing walks round v.
   void set_halfedge(VertexId v, HalfedgeId h);
 
   Mesh& mesh_;

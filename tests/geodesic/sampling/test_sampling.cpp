@@ -196,4 +196,15 @@ TEST_CASE("every sampling can be cancelled, and tells of its work often enough")
   }
 }
 
+TEST_CASE("random points that are compared with each other tell of that, too") {
+  constexpr int kCount = 1 << 15;
+  int calls = 0;
+  SamplingOptions options;
+  options.kind = Sampling::random;
+  options.count = kCount;
+  options.progress = [&](std::string_view, double) { return ++calls > 0; };
+  sample_generators(test::make_sphere(1), options);
+  CHECK(calls > kCount / 64 + kCount / 4096);
+}
+
 }  // namespace gvd::test_sampling

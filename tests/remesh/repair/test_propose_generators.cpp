@@ -184,7 +184,7 @@ TEST_CASE("where a bisector's midpoint is a generator, the farthest of its point
 }
 
 TEST_CASE("of the branch points of the same three cells, the one that is farthest from them is taken") {
-  Setup setup(make_face(), {at(1, 1), at(3, 1), at(1, 3)});
+  Setup setup(make_face(), {at(1, 1), at(3, 1), at(1, 3), at(0.5, 7)});
   const BranchPointId near = setup.add_branch(at(2, 2), {kA, kB, kC});
   setup.add_branch(at(3, 4), {kC, kB, kA});
   setup.add_branch(at(1, 6.5), {kA, kB, GeneratorId(3)});  // of other cells

@@ -6,6 +6,7 @@
 // are computed on a part of the mesh, which saves rounds on all of it.
 
 #include <limits>
+#include <set>
 
 #include "base/least.hpp"
 #include "gvd/error.hpp"
@@ -38,6 +39,33 @@ SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
 }
 
 namespace {
+
+/// The elements of a diagram by the cells that they touch, each list ascending. A repair looks at those of its cells
+/// alone: on a surface of many components, defects and elements are as many as these. Cost: O(n).
+struct CellElements {
+  CellElements(const Mesh& mesh, const Diagram& diagram)
+      : vertices(diagram.generators.size()),
+        bisectors(diagram.generators.size()),
+        branch_points(diagram.generators.size()) {
+    for (const VertexId v : mesh.vertices()) {
+      if (const GeneratorId g = diagram.vertex_label[v]; g.valid()) vertices[g].push_back(v);
+    }
+    for (const BisectorId b : diagram.bisectors.ids()) {
+      const auto [left, right] = std::pair(diagram.bisectors[b].left, diagram.bisectors[b].right);
+      bisectors[left].push_back(b);
+      if (right != left) bisectors[right].push_back(b);
+    }
+    for (const BranchPointId b : diagram.branch_points.ids()) {
+      for (const GeneratorId g : diagram.branch_points[b].generators) {
+        if (branch_points[g].empty() || branch_points[g].back() != b) branch_points[g].push_back(b);
+      }
+    }
+  }
+
+  IdVector<GeneratorId, std::vector<VertexId>> vertices;  // of the cell's label
+  IdVector<GeneratorId, std::vector<BisectorId>> bisectors;
+  IdVector<GeneratorId, std::vector<BranchPointId>> branch_points;
+};
 
 class DefectRepair {
  public:
@@ -77,9 +105,13 @@ class DefectRepair {
 
  private:
   void add_to_component(std::int32_t component) {
-    const auto& of = added_.component();
-    const FaceId f(std::find(of.begin(), of.end(), component) - of.begin());
-    added_.add(vertex_point(mesh_, mesh_.vertices(f)[0]));
+    if (first_face_.empty()) {
+      const auto& of = added_.component();
+      for (const FaceId f : mesh_.faces()) {
+        if (of[f] == std::ssize(first_face_)) first_face_.push_back(f);
+      }
+    }
+    added_.add(vertex_point(mesh_, mesh_.vertices(first_face_[component])[0]));
   }
 
   void split_loop(GeneratorId g) {
@@ -90,6 +122,11 @@ class DefectRepair {
       for (const SurfacePoint& p : loops_->find(g)) added_.add(p);
     }
     if (added_.size() == before) add_farthest(g);
+  }
+
+  const CellElements& elements() {
+    if (!elements_) elements_.emplace(mesh_, diagram_);
+    return *elements_;
   }
 
   const TipRings& rings() {
@@ -112,10 +149,13 @@ class DefectRepair {
 
   /// The new generator takes over the boundary arc that is farthest from g, so that g keeps the others.
   void split_boundary_arcs(GeneratorId g) {
-    if (!arcs_) arcs_ = list_boundary_arcs(mesh_, diagram_);
+    if (arcs_.empty()) {
+      arcs_.resize(diagram_.generators.size());
+      for (BoundaryArc& arc : list_boundary_arcs(mesh_, diagram_)) arcs_[arc.cell].push_back(std::move(arc));
+    }
     std::vector<SurfacePoint> candidates;
-    for (const BoundaryArc& arc : *arcs_) {
-      if (arc.cell == g) candidates.push_back(find_nearest_point(mesh_, arc, added_.position_of(g)));
+    for (const BoundaryArc& arc : arcs_[g]) {
+      candidates.push_back(find_nearest_point(mesh_, arc, added_.position_of(g)));
     }
     added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
   }
@@ -131,7 +171,8 @@ class DefectRepair {
 
   void split_pair(GeneratorId a, GeneratorId b) {
     Least<const Bisector*> best;
-    for (const Bisector& c : diagram_.bisectors) {
+    for (const BisectorId id : elements().bisectors[a]) {
+      const Bisector& c = diagram_.bisectors[id];
       if (std::minmax(c.left, c.right) != std::minmax(a, b)) continue;
       // A new cell covers about half as much of the bisector's length as its generator is away from the two.
       const double length = std::max(compute_length(mesh_, c), std::numeric_limits<double>::min());
@@ -149,7 +190,8 @@ class DefectRepair {
     };
     const auto cells = sorted_cells(diagram_.branch_points[branch]);
     std::vector<SurfacePoint> candidates;
-    for (const BranchPoint& b : diagram_.branch_points) {
+    for (const BranchPointId id : elements().branch_points[cells[0]]) {
+      const BranchPoint& b = diagram_.branch_points[id];
       if (sorted_cells(b) == cells) candidates.push_back(b.point);
     }
     added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, cells[0]); });
@@ -162,9 +204,13 @@ class DefectRepair {
     const std::vector<GeneratorId>& cells = diagram_.branch_points[branch].generators;
     const auto among = [&](GeneratorId g) { return std::find(cells.begin(), cells.end(), g) != cells.end(); };
     std::vector<SurfacePoint> candidates{diagram_.branch_points[branch].point};
-    for (const Bisector& b : diagram_.bisectors) {
-      if (among(b.left) && among(b.right)) candidates.insert(candidates.end(), b.points.begin(), b.points.end());
+    std::set<BisectorId> between;
+    for (const GeneratorId g : cells) {
+      for (const BisectorId id : elements().bisectors[g]) {
+        if (among(diagram_.bisectors[id].left) && among(diagram_.bisectors[id].right)) between.insert(id);
+      }
     }
+    for (const BisectorId id : between) append_points(diagram_.bisectors[id], candidates);
     added_.add_best(candidates, [&](const SurfacePoint& p) { return added_.clearance(p); });
   }
 
@@ -172,16 +218,16 @@ class DefectRepair {
   /// cell's bisectors.
   void add_farthest(GeneratorId g) {
     std::vector<SurfacePoint> candidates;
-    for (const VertexId v : mesh_.vertices()) {
-      if (diagram_.vertex_label[v] == g) candidates.push_back(vertex_point(mesh_, v));
-    }
+    for (const VertexId v : elements().vertices[g]) candidates.push_back(vertex_point(mesh_, v));
     const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
     if (added_.add_best(candidates, vertex_distance)) return;
     candidates.clear();
-    for (const Bisector& b : diagram_.bisectors) {
-      if (b.left == g || b.right == g) candidates.insert(candidates.end(), b.points.begin(), b.points.end());
-    }
+    for (const BisectorId id : elements().bisectors[g]) append_points(diagram_.bisectors[id], candidates);
     added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+  }
+
+  static void append_points(const Bisector& bisector, std::vector<SurfacePoint>& points) {
+    points.insert(points.end(), bisector.points.begin(), bisector.points.end());
   }
 
   /// Euclidean, from a generator of the diagram.
@@ -195,7 +241,9 @@ class DefectRepair {
   std::optional<TipRings> rings_;
   std::optional<CellLoops> loops_;
   bool can_cut_ = true;  // the mesh can be cut along the bisectors, as far as is known
-  std::optional<std::vector<BoundaryArc>> arcs_;
+  std::optional<CellElements> elements_;
+  IdVector<GeneratorId, std::vector<BoundaryArc>> arcs_;  // of each cell, once one of them needs its own
+  std::vector<FaceId> first_face_;                        // of each component, once one of them needs it
 };
 
 bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {

@@ -209,7 +209,7 @@ struct ProposedGenerators {
 /// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
 /// Returns at most `max_count` points; none where every candidate is too close.
 /// Throws Error{interrupted} if `progress`, which hears of each defect, cancels.
-/// Cost: O(n log n + k (n + m)) for k defects and m generators, at most.
+/// Cost: O(n log n), and for each defect that of the elements of its cells and of the generators of its component.
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 

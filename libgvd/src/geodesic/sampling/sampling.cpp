@@ -57,16 +57,21 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
 /// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Nearly always no point is.
 constexpr int kMaxRedraws = 64;
 
+/// Points of a list between two reports of progress, where each takes a few look-ups.
+constexpr std::size_t kSweepStride = 1 << 12;
+
 /// The later point of each pair that is too close. The distance is Euclidean on purpose, so that points on two sheets
 /// that touch are kept apart, too.
-std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, double least) {
+std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, double least, const Progress& progress) {
   // Sweep along a direction to which faces of ordinary models are not perpendicular.
   const Vec3 direction = Vec3(0.6180339887, 0.3819660113, 0.2360679775).normalized();
   std::vector<std::pair<double, std::size_t>> order(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) order[i] = {direction.dot(positions[i]), i};
+  report_progress(progress, "sampling", 0);
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> too_close;
   for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % kSweepStride == 0) report_progress(progress, "sampling", 0);
     for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= least; ++k) {
       const auto [earlier, later] = std::minmax(order[i].second, order[k].second);
       if ((positions[earlier] - positions[later]).norm() <= least) too_close.push_back(later);
@@ -110,13 +115,14 @@ float compute_weight(double distance, double least, double diameter) {
 /// All pairs of candidates whose geodesic distance is below `diameter`.
 class PairFinder {
  public:
-  PairFinder(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, Front front)
+  PairFinder(const Mesh& mesh, const std::vector<SurfacePoint>& candidates, const SamplingOptions& options)
       : mesh_(mesh),
         candidates_(candidates),
         in_face_(mesh.face_count()),
-        march_(mesh, front),
+        march_(mesh, options.front),
         seen_(mesh.face_count(), -1) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (i % kSweepStride == 0) report_progress(options.progress, kPairs, 0);
       positions_.push_back(position(mesh, candidates[i]));
       in_face_[candidates[i].face].push_back(static_cast<std::int32_t>(i));
     }
@@ -162,7 +168,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const Mesh& mesh, const std:
   const double diameter = even_spacing(compute_area(mesh), options.count);
   const double share = double(options.count) / double(candidates.size());
   const double least = diameter * kBeta * (1 - share * std::sqrt(share));
-  PairFinder finder(mesh, candidates, options.front);
+  PairFinder finder(mesh, candidates, options);
   std::vector<std::vector<Neighbour>> neighbours(candidates.size());
   std::int64_t done = 0;
   for (const auto& in_face : finder.by_face()) {
@@ -183,6 +189,7 @@ std::vector<char> eliminate(const std::vector<std::vector<Neighbour>>& neighbour
                             const Progress& progress) {
   std::vector<double> weight(neighbours.size(), 0);
   for (std::size_t i = 0; i < weight.size(); ++i) {
+    if (i % kSweepStride == 0) report_progress(progress, kElimination, 0);
     for (const Neighbour& n : neighbours[i]) weight[i] += double(n.weight);
   }
   const auto key = [&](std::int32_t i) { return weight[i]; };
@@ -213,7 +220,7 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, co
   };
   for (std::size_t i = 0; i < points.size(); ++i) draw(i);
   for (int round = 0; round < kMaxRedraws; ++round) {
-    const auto too_close = find_too_close(positions, kMinSampleSpacing * mesh.bbox_diagonal());
+    const auto too_close = find_too_close(positions, kMinSampleSpacing * mesh.bbox_diagonal(), options.progress);
     if (too_close.empty()) return points;
     for (const std::size_t i : too_close) draw(i);
   }
