@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "gvd/ids.hpp"
@@ -62,6 +64,33 @@ inline std::map<GeneratorId, RegionTopology> find_topology(const Mesh& mesh, con
   }
   for (auto& [g, region] : regions) region.components = detail::count_components(mesh, label, g);
   return regions;
+}
+
+/// The parts into which each label's faces round each vertex fall.
+inline std::map<std::pair<VertexId, GeneratorId>, int> count_parts(const Mesh& mesh, const detail::Labels& label) {
+  std::map<std::pair<VertexId, GeneratorId>, int> parts;
+  for (int h = 0; h < mesh.halfedge_count(); ++h) {
+    const HalfedgeId twin = mesh.twin(HalfedgeId(h));
+    const GeneratorId g = label[Mesh::face(HalfedgeId(h))];
+    if (twin.valid() && label[Mesh::face(twin)] == g) continue;
+    ++parts[{mesh.from(HalfedgeId(h)), g}];  // each part has one side with the vertex at its beginning
+  }
+  return parts;
+}
+
+/// Whether the labels differ as RegionTopology allows, from its definition.
+inline bool has_same_topology(const Mesh& mesh, const detail::Labels& before, const detail::Labels& after) {
+  auto old_regions = find_topology(mesh, before), regions = find_topology(mesh, after);
+  if (old_regions.size() != regions.size()) return false;
+  for (auto& [g, region] : regions) {
+    if (region.components != old_regions[g].components) return false;
+    if (region.euler_characteristic != old_regions[g].euler_characteristic) return false;
+  }
+  auto old_parts = count_parts(mesh, before);
+  for (const auto& [at, parts] : count_parts(mesh, after)) {
+    if (parts > std::max(1, old_parts[at])) return false;
+  }
+  return true;
 }
 
 }  // namespace gvd::test

@@ -6,6 +6,7 @@
 // Shares decide between labels, and ids where shares are equal, so that no result depends on the order of a search.
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -48,7 +49,8 @@ class FaceAssigner {
         shares_(shares),
         result_(result),
         progress_(progress),
-        count_(diagram.generators.size(), 0) {
+        count_(diagram.generators.size(), 0),
+        search_(mesh, result.face_label) {
     for (const GeneratorId g : result.face_label) {
       if (g.valid()) ++count_[g];
     }
@@ -117,34 +119,14 @@ class FaceAssigner {
 
   /// Whether the adjacent faces with the label of `face` are connected without it.
   bool stays_connected_without(FaceId face) {
+    const GeneratorId own = std::exchange(result_.face_label[face], GeneratorId());
     std::vector<FaceId> targets;
     for_each_adjacent_face(mesh_, face, [&](FaceId g) {
-      if (label(g) == label(face)) targets.push_back(g);
+      if (label(g) == own) targets.push_back(g);
     });
-    std::sort(targets.begin(), targets.end());
-    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
-    return targets.size() < 2 || search(face, targets);
-  }
-
-  /// Searches breadth-first from the first target, through the faces with the label of `avoided` but not through
-  /// `avoided` itself. Returns whether it finds all targets.
-  bool search(FaceId avoided, const std::vector<FaceId>& targets) {
-    if (visited_.empty()) visited_.assign(result_.face_label.size(), 0);
-    const std::int32_t mark = ++searches_;
-    std::size_t found = 0;
-    visited_[avoided] = mark;
-    visited_[targets[0]] = mark;
-    for (std::deque<FaceId> queue{targets[0]}; !queue.empty(); queue.pop_front()) {
-      const FaceId f = queue.front();
-      found += std::find(targets.begin(), targets.end(), f) != targets.end();
-      if (found == targets.size()) return true;
-      for_each_adjacent_face(mesh_, f, [&](FaceId g) {
-        if (visited_[g] == mark || label(g) != label(avoided)) return;
-        visited_[g] = mark;
-        queue.push_back(g);
-      });
-    }
-    return false;
+    const bool connected = targets.size() < 2 || search_.connects(targets);
+    result_.face_label[face] = own;
+    return connected;
   }
 
   const Mesh& mesh_;
@@ -153,8 +135,7 @@ class FaceAssigner {
   Segmentation& result_;
   const Progress& progress_;
   IdVector<GeneratorId, std::int32_t> count_;  // faces of each label
-  IdVector<FaceId, std::int32_t> visited_;     // the last search that visited each face
-  std::int32_t searches_ = 0;
+  RegionSearch search_;
 };
 
 /// Labels the faces by their largest shares, and makes every label connected.

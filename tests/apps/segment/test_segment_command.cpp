@@ -80,6 +80,20 @@ TEST_CASE("gvd-segment: --labels smooth is the default, with shorter borders tha
   CHECK(smooth["results"]["border_length"] == Approx(smooth["results"]["border_ratio"].get<double>() * length));
 }
 
+TEST_CASE("gvd-segment: smooth borders that are longer than usual get a note with their ratio") {
+  const auto run = [](const std::string& file, const std::string& options) {
+    const CommandResult result = run_command("gvd-segment", data_file(file) + " " + options);
+    CAPTURE(file, options, result.err);
+    REQUIRE(result.exit_code == 0);
+    return result.err;
+  };
+  // Cells of 1.6 faces each: no edges lie near the bisectors.
+  CHECK_THAT(run("torus.ply", "-n 1000"), Contains("borders are 1.") && Contains("times as long as the bisectors"));
+  CHECK_THAT(run("figure.obj", "-n 20"), !Contains("borders are"));
+  CHECK_THAT(run("torus.ply", "-n 1000 --labels nearest"), !Contains("borders are"));
+  CHECK_THAT(run("torus.ply", "-n 1"), !Contains("borders are"));
+}
+
 TEST_CASE("gvd-segment: --labels with --cut, or with another name, is a usage error") {
   for (const std::string options : {"--cut --labels smooth", "--labels sharp"}) {
     const CommandResult result = run_command("gvd-segment", data_file("figure.obj") + " -n 2 " + options);

@@ -41,7 +41,8 @@ struct Segmentation {
 /// first of all the face that it lies in. The label that loses the face must keep another one and stay connected.
 /// (d) Smooth labels: cut faces are relabelled so that the borders become short. A face takes only labels of cells with
 /// a share of it. Of the faces round a generator with its label, the one with its largest share keeps it. It is a
-/// minimum multiway cut, which is NP-hard; the borders found are near to it, see docs/developer/segment-borders.md.
+/// minimum multiway cut, which is NP-hard. Two regions have the least cost (length and, with little weight, shares); of
+/// more, no two can lower it by an exchange, unless topology forbids that. See docs/developer/segment-borders.md.
 ///
 /// Properties: (1) the faces of each label are connected through edges; (2) each generator owns a face or is listed in
 /// `without_face`; (3) a face has no label exactly where no generator reaches it; (4) smooth borders are not longer
