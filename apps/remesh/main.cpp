@@ -52,10 +52,17 @@ constexpr const char* kExamples =
 
 constexpr const char* kMap = "--map";
 
+/// With --exact-count, the fraction of the generators that may be exchanged before a start with fewer is tried.
+constexpr double kFewExchanged = 0.03;
+
+/// The fraction of the generators that a start has fewer where the exchange has not made enough room.
+constexpr double kFewerStart = 0.2;
+
 /// The generators that a remesh begins with.
 struct RelaxedStart {
   WeightedStart constrained;
   std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
+  std::int64_t diagrams = 0;       ///< that the relaxation has computed
 };
 
 void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
@@ -76,6 +83,7 @@ void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterati
   for (const GeneratorId g : result.extremities) freedom[g.index()] = Freedom::fixed;
   start.constrained.points = std::move(result.generators);
   start.diagram = std::move(result.diagram);
+  start.diagrams = result.diagrams;
 }
 
 void report_start_options(Run& run, const Settings& settings, std::int32_t iterations) {
@@ -110,7 +118,11 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
     if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
   }
   if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), start.points.size());
-  options.refine = !settings.no_refine;
+  const bool listed = run.options().generators.are_listed();
+  options.refine = !settings.no_refine && !(settings.exact_count && listed);
+  if (settings.exact_count && !listed) options.vertex_count = std::ssize(start.points);
+  const auto is_free = [](Freedom freedom) { return freedom == Freedom::free; };
+  options.kept = std::find_if(start.freedom.begin(), start.freedom.end(), is_free) - start.freedom.begin();
   options.diagram = make_diagram_options(run.options().compute);
   options.diagram.progress = run.progress();
   Json& reported = run.report().options();
@@ -118,7 +130,8 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   reported["shape"] = options.placement.method == Placement::fit ? Json(options.placement.shape) : nullptr;
   reported["max_added"] = *options.max_added;
   reported["allow_intersections"] = options.allow_intersections;
-  reported["no_refine"] = !options.refine;
+  reported["no_refine"] = settings.no_refine;
+  reported["exact_count"] = settings.exact_count;
   return options;
 }
 
@@ -131,23 +144,63 @@ RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, Reme
     times.start(name);
     report_progress(run.progress(), name, 0);
   };
+  options.earlier_diagrams = start.diagrams;
   if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
   return remesh(mesh, start.constrained.points, options);
+}
+
+/// Generators and what became of them.
+struct Attempt {
+  RemeshOptions options;
+  std::optional<RemeshResult> result;
+  std::exception_ptr failure;  ///< where there is no result
+};
+
+/// A remesh from as many generators as `count`, or as the options say; `wanted`: its number of vertices, if it is not
+/// to be that of the generators.
+Attempt attempt(Run& run, const CheckedMesh& input, const Settings& settings, std::optional<std::int32_t> count,
+                std::optional<std::int64_t> wanted = {}) {
+  Attempt made;
+  try {
+    RelaxedStart start = make_start(run, input, settings, count);
+    made.options = remesh_options(run, input.mesh, start.constrained, settings);
+    if (wanted) made.options.vertex_count = wanted;
+    made.result = timed_remesh(run, input.mesh, std::move(start), made.options);
+  } catch (const Error& error) {
+    const bool may_help = error.code() == ErrorCode::no_valid_result && made.options.vertex_count;
+    if (!may_help && !(wanted && error.code() == ErrorCode::precondition)) throw;
+    made.failure = std::current_exception();
+  }
+  return made;
+}
+
+double rms(const RemeshResult& result) { return std::max(result.input_to_output.rms, result.output_to_input.rms); }
+
+/// A remesh of exactly as many vertices, also from fewer generators where many have to make room for those added: then
+/// all but the added ones are spread evenly. The nearer remesh is taken.
+Attempt choose_start(Run& run, const CheckedMesh& input, const Settings& settings, Attempt first) {
+  if (!first.options.vertex_count) return first;
+  const std::int64_t wanted = *first.options.vertex_count;
+  const double exchanged = first.result ? double(first.result->left_out) : kFewerStart * double(wanted);
+  if (exchanged <= kFewExchanged * double(wanted)) return first;
+  Attempt second = attempt(run, input, settings, std::int32_t(double(wanted) - exchanged), wanted);
+  const bool is_better = second.result && (!first.result || rms(*second.result) < rms(*first.result));
+  return is_better ? std::move(second) : std::move(first);
 }
 
 /// Generators and their remesh; `count` stands in for the number of the options.
 RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& settings,
                          std::optional<std::int32_t> count) {
   const Mesh& mesh = input.mesh;
-  RelaxedStart start = make_start(run, input, settings, count);
-  const RemeshOptions options = remesh_options(run, mesh, start.constrained, settings);
-  RemeshResult result = timed_remesh(run, mesh, std::move(start), options);
+  Attempt made = choose_start(run, input, settings, attempt(run, input, settings, count));
+  if (!made.result) std::rethrow_exception(made.failure);
+  RemeshResult& result = *made.result;
   report_remesh(run.report().results(), mesh, result);
   run.report().set_diagram(result.diagram);
   run.figures().regions = std::ssize(result.diagram.cells);
   run.report().set_generators(mesh, result.generators);
-  for (const std::string& line : describe_remesh(result, options)) run.console().note(line);
-  return result;
+  for (const std::string& line : describe_remesh(result, made.options)) run.console().note(line);
+  return std::move(result);
 }
 
 /// Distances of remeshes, infinite where a number of generators gives none.

@@ -86,7 +86,8 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
 
 /// Advice that lets the edges follow more of the creases.
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
-  if (!options.refine) return "without --no-refine and --exact-count, generators are added there";
+  if (!options.refine || options.vertex_count)
+    return "without --no-refine and --exact-count, generators are added there";
   if (result.added >= *options.max_added) return "raise --max-added";
   return "give more generators";
 }
@@ -101,10 +102,35 @@ void describe_added(const RemeshResult& result, std::vector<std::string>& lines)
   const std::int64_t repairs = result.added - result.added_on_creases;
   if (repairs <= 0) return;
   const std::string added = counted(repairs, "generator was", "generators were");
-  lines.push_back(result.given_defects.empty() ? fmt::format("{} added to repair the mesh", added)
-                                               : fmt::format("{} added: with the given {}, {}", added,
-                                                             std::ssize(result.generators) - result.added,
-                                                             describe_defects(result.given_defects)));
+  lines.push_back(result.given_defects.empty()
+                      ? fmt::format("{} added to repair the mesh", added)
+                      : fmt::format("{} added: with the given {}, {}", added,
+                                    std::ssize(result.generators) - result.added + result.left_out,
+                                    describe_defects(result.given_defects)));
+}
+
+void describe_searches(const RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.left_out > 0) {
+    lines.push_back(counted(result.left_out, "generator was", "generators were") +
+                    " left out for them, where the mesh can do without");
+  }
+  if (result.search_cut_short) {
+    lines.push_back(
+        "the search for fewer vertices ended at its limit, a third of the run's other diagrams; fewer may do");
+  }
+}
+
+/// How many triangles are nearly flat lines, and the worst of them.
+void describe_slivers(const RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.slivers.empty()) return;
+  const auto corner = [&](FaceId f, int i) { return result.mesh.position(result.mesh.vertices(f)[i]); };
+  const auto q = [&](FaceId f) { return compute_q(corner(f, 0), corner(f, 1), corner(f, 2)); };
+  const FaceId worst =
+      *std::min_element(result.slivers.begin(), result.slivers.end(), [&](FaceId f, FaceId g) { return q(f) < q(g); });
+  const Vec3 at = (corner(worst, 0) + corner(worst, 1) + corner(worst, 2)) / 3;
+  lines.push_back(fmt::format("{} a Q below {}; the least is {:.3g}, near ({:.6g}, {:.6g}, {:.6g})",
+                              counted(std::ssize(result.slivers), "triangle has", "triangles have"), kSliverQ, q(worst),
+                              at.x(), at.y(), at.z()));
 }
 
 void describe_intersections(const RemeshCertificate& certificate, std::vector<std::string>& lines) {
@@ -130,7 +156,10 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
 
 void report_remesh(Json& results, const Mesh& mesh, const RemeshResult& result) {
   results["added_generators"] = result.added;
+  results["left_out_generators"] = result.left_out;
   results["rounds"] = result.rounds;
+  results["search_cut_short"] = result.search_cut_short;
+  results["slivers"] = result.slivers.size();
   results["creases"] = {{"length", result.crease_length},
                         {"followed", result.crease_length - result.crease_gap_length},
                         {"added_generators", result.added_on_creases}};
@@ -175,7 +204,9 @@ std::vector<std::string> describe_remesh(const RemeshResult& result, const Remes
                                 100 * result.crease_gap_length / result.crease_length,
                                 following_advice(result, options)));
   }
+  describe_searches(result, lines);
   describe_intersections(result.certificate, lines);
+  describe_slivers(result, lines);
   describe_distance(result, lines);
   return lines;
 }

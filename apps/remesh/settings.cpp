@@ -75,9 +75,10 @@ void register_remesh(CLI::App& line, Settings& settings) {
   add_flag(line, "--no-refine", settings.no_refine,
            "Add no generators; fail if the given ones are too few for a valid mesh")
       ->excludes("--max-added");
-  add_flag(line, "--exact-count", settings.no_refine,
-           "The same as --no-refine: exactly the given number of vertices, or no mesh")
-      ->excludes("--max-added");
+  add_flag(line, "--exact-count", settings.exact_count,
+           "Exactly as many vertices as asked for, or no mesh: leave out a generator where the mesh can do without it "
+           "for each one that is added (generators of a list stay: the same as --no-refine)")
+      ->excludes("--no-refine");
   add_choice(line, "--place", settings.place, kPlacements,
              "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
              "the surface (default: fit; generator with --generators and --vertices)");

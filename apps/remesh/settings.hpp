@@ -18,6 +18,7 @@ struct Settings {
   std::optional<Placement> place;  ///< as given
   std::optional<double> shape;     ///< as given, in [0, 1]
   bool no_refine = false;
+  bool exact_count = false;
   bool carry = false;
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "gvd/check.hpp"
+#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/openmesh.hpp"
 #include "gvd/remesh.hpp"
@@ -254,6 +255,100 @@ TEST_CASE("remesh: refuses where more generators are needed than may be added") 
   CHECK(refusal(torus, {vertex_point(torus, VertexId(0))}, options).code() == ErrorCode::invalid_option);
 }
 
+/// Triangles without a common point.
+Mesh make_loose_triangles(int parts) {
+  std::vector<Vec3> corners;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 0; i < parts; ++i) {
+    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
+    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
+  }
+  return {std::move(corners), std::move(faces)};
+}
+
+TEST_CASE("remesh: a refusal estimates how many generators are needed") {
+  const Mesh loose = make_loose_triangles(40);
+  const std::vector<SurfacePoint> first{vertex_point(loose, VertexId(0))};
+  RemeshOptions few, enough;
+  few.max_added = 20;
+  enough.max_added = 200;
+  CHECK(remesh(loose, first, enough).added == 119);  // three for each
+  CHECK_THAT(refusal(loose, first, few).what(),
+             Catch::Matchers::Contains("20 generators were added") &&
+                 Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones"));
+}
+
+TEST_CASE("remesh: the estimate of needed generators follows the defects") {
+  MeshSummary sphere;
+  sphere.components = 1;
+  CHECK(estimate_added(sphere, 50, {{0, 100}, {10, 80}, {20, 60}}) == 50);
+  CHECK(estimate_added(sphere, 50, {{0, 100}, {20, 100}}) == std::nullopt);
+  CHECK(estimate_added(sphere, 50, {{0, 100}, {20, 130}}) == std::nullopt);
+  CHECK(estimate_added(sphere, 2, {{1, 3}}) == 3);  // four vertices
+  sphere.components = sphere.boundary_loops = 30;
+  CHECK(estimate_added(sphere, 10, {{0, 30}, {9, 21}}) == 89);
+}
+
+TEST_CASE("remesh: exactly as many vertices as asked for, with the first generators in their places") {
+  std::int64_t exchanged = 0, filled = 0;
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const std::int64_t more : {0, 3}) {
+      INFO(name << ", " << more << " more");
+      const auto given = test::random_generators(mesh, 40, 4);
+      RemeshOptions options;
+      options.vertex_count = std::ssize(given) + more;
+      options.kept = 5;
+      try {
+        const RemeshResult result = remesh(mesh, given, options);
+        CHECK(result.certificate.first_failure() == "");
+        CHECK(result.mesh.vertex_count() == *options.vertex_count);
+        CHECK(std::equal(given.begin(), given.begin() + 5, result.generators.begin()));
+        CHECK(std::ssize(given) + result.added - result.left_out == *options.vertex_count);
+        exchanged += result.left_out;
+        filled += more > 0 && result.added > 0;
+      } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::no_valid_result);
+        CHECK_THAT(error.what(), Catch::Matchers::Contains(" would do"));
+      }
+    }
+  }
+  CHECK(exchanged > 0);
+  CHECK(filled > 0);
+}
+
+TEST_CASE("remesh: what can't have so few vertices is refused with a number that would do") {
+  const Mesh torus = test::make_torus(24, 12);
+  RemeshOptions options;
+  options.vertex_count = 4;
+  const Error error = refusal(torus, test::random_generators(torus, 4, 1), options);
+  CHECK(error.code() == ErrorCode::no_valid_result);
+  CHECK_THAT(error.what(), Catch::Matchers::Contains("no valid mesh of 4 vertices was found: "));
+}
+
+/// Generators on a flat square, two of them near each other in its middle.
+std::vector<SurfacePoint> make_close_pair(const Mesh& grid, double distance) {
+  const ClosestPointTree surface(grid);
+  std::vector<SurfacePoint> points;
+  for (std::int32_t v = 0; v < grid.vertex_count(); ++v) {
+    if ((grid.position(VertexId(v)) - Vec3(3, 3, 0)).norm() > 1.5) points.push_back(vertex_point(grid, VertexId(v)));
+  }
+  for (const double x : {-0.5, 0.5}) points.push_back(surface.query({3 + x * distance, 3 + x * distance / 7, 0}).point);
+  return points;
+}
+
+TEST_CASE("remesh: slivers are repaired where that helps, and named elsewhere") {
+  const Mesh grid = test::make_grid(6, 6);
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  const RemeshResult repaired = require_remesh(grid, make_close_pair(grid, 1e-3), options);
+  CHECK(repaired.slivers.empty());
+  CHECK(repaired.added > 0);
+  options.refine = false;
+  const RemeshResult named = remesh(grid, make_close_pair(grid, 1e-3), options);
+  CHECK(named.slivers.size() == 2);
+  CHECK(named.added == 0);
+}
+
 TEST_CASE("remesh: two runs give the same bytes") {
   const Mesh mesh = test::make_genus3(3);
   const auto generators = test::random_generators(mesh, 5, 2);
@@ -445,13 +540,7 @@ TEST_CASE("remesh: every step can be cancelled, those of the map and of the pict
 
 TEST_CASE("remesh: the repair of many loose parts tells of each of them") {
   constexpr int kParts = 40;
-  std::vector<Vec3> corners;
-  std::vector<std::array<VertexId, 3>> faces;
-  for (int i = 0; i < kParts; ++i) {
-    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
-    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
-  }
-  const Mesh mesh(std::move(corners), std::move(faces));
+  const Mesh mesh = make_loose_triangles(kParts);
   const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
     RemeshOptions options;
     options.diagram.threads = 1;

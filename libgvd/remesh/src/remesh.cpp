@@ -3,7 +3,8 @@
 // A round is a value: the triangles of the dual, the mesh that they make, and the defects in the way. Creases come
 // first, then the topology, flipped triangles, and at last, on the placed mesh, triangles that intersect. Each defect
 // asks for generators near it. The rounds end because each adds a generator, of which there may be only so many. After
-// them, a search leaves out generators that were added in vain, and the certificate is measured on the result alone.
+// them, searches leave out generators that were added in vain, or others for an exact number, and slivers are repaired.
+// The certificate is measured on the result alone.
 // docs/developer/remesh.md tells why the result is right.
 
 #include "gvd/remesh.hpp"
@@ -33,6 +34,12 @@ std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::in
 /// The fraction of the given generators that may be added without a search for fewer.
 constexpr double kWorthSearching = 0.1;
 
+/// The work of a search, by that of the other diagrams.
+constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 1;
+
+/// Rounding of a length of creases that edges do not follow, by the length of all.
+constexpr double kGapTolerance = 1e-9;
+
 /// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
 /// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
 /// remeshes end before.
@@ -59,6 +66,29 @@ std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
 
 std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
+}
+
+/// How the defects have changed, and how many generators are likely to be needed, as far as the rounds tell.
+std::string describe_need(const Mesh& mesh, std::size_t generators, const RepairHistory& history) {
+  const auto need = estimate_added(compute_mesh_summary(mesh), generators, history);
+  const auto first = counted(static_cast<std::int64_t>(history.front().second), "defect", "defects");
+  return fmt::format(", and {} became {}{}", first, history.back().second,
+                     need ? fmt::format("; about {} are likely to be needed", *need) : "");
+}
+
+[[noreturn]] void refuse_count(std::int64_t count, const std::string& why) {
+  throw Error(ErrorCode::no_valid_result,
+              fmt::format("no valid mesh of {} was found: {}", counted(count, "vertex", "vertices"), why));
+}
+
+/// The number of the first points that are left among others, which have the same order.
+std::int64_t count_left(const std::vector<SurfacePoint>& points, std::int64_t first,
+                        const std::vector<SurfacePoint>& others) {
+  auto at = others.begin();
+  for (auto point = points.begin(); point != points.begin() + first && at != others.end(); ++point) {
+    if (*at == *point) ++at;
+  }
+  return at - others.begin();
 }
 
 /// The mesh that the generators of a diagram give, and the defects in the way.
@@ -163,7 +193,8 @@ class RoundMaker {
   std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
 };
 
-/// The rounds of a remesh; then the search for fewer generators, and the certificate.
+/// The rounds of a remesh; then the searches, the repair of slivers, and the certificate. Long because each of these
+/// steps replaces the one result, under the same conditions (`take_if`).
 class Remesher {
  public:
   /// Mesh and options must outlive this.
@@ -171,7 +202,7 @@ class Remesher {
       : mesh_(mesh),
         options_(options),
         max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
-        creases_(mesh, options.creases, options.refine ? max_on_creases(generators.size()) : 0,
+        creases_(mesh, options.creases, options.refine && !options.vertex_count ? max_on_creases(generators.size()) : 0,
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
   }
@@ -179,6 +210,7 @@ class Remesher {
   /// `first`: the diagram of the given generators.
   RemeshResult run(Diagram&& first) {
     result_.diagram = std::move(first);
+    events_ = result_.diagram.report.propagation_events * std::max(std::int64_t{1}, options_.earlier_diagrams);
     while (true) {
       ++result_.rounds;
       enter(RemeshStage::dual);
@@ -189,17 +221,19 @@ class Remesher {
         maker_.place(result_.diagram, round);
       }
       if (result_.rounds == 1) result_.given_defects = round.defects;
-      if (!follows_creases) {
-        if (round.defects.empty()) {
-          take(std::move(round));
-          break;
-        }
-        refine(round.defects);
+      if (!follows_creases && round.defects.empty() && missing() <= 0) {
+        take(std::move(round));
+        break;
       }
+      if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
+      if (!follows_creases) round.defects.empty() ? fill() : refine(round.defects);
       enter(RemeshStage::diagram);
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
+      events_ += result_.diagram.report.propagation_events;
     }
     if (is_worth_searching()) search_fewer();
+    if (missing() < 0) exchange();
+    repair_thin_triangles();
     measure();
     return std::move(result_);
   }
@@ -227,14 +261,27 @@ class Remesher {
     result_.added += std::ssize(points);
   }
 
+  /// How many vertices a mesh without defects lacks of those asked for; below 0 where it has more.
+  std::int64_t missing() const {
+    return options_.vertex_count ? *options_.vertex_count - std::ssize(result_.generators) : 0;
+  }
+
+  /// Adds what the mesh lacks of the vertices asked for.
+  void fill() {
+    const auto points = propose_farthest(mesh_, result_.diagram, missing());
+    if (points.empty()) refuse_count(*options_.vertex_count, "there is no room for more generators");
+    append(points);
+  }
+
   void refine(const std::vector<DualDefect>& defects) {
     if (!options_.refine) refuse(defects, "give more generators there, or set refine");
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
-      refuse(defects,
-             fmt::format("{} added in {}: give more or other ones{}",
-                         counted(result_.added, "generator was", "generators were"),
-                         counted(result_.rounds, "round", "rounds"), may_add <= 0 ? ", or raise max_added" : ""));
+      refuse(defects, fmt::format("{} added in {}{}: give more or other ones{}",
+                                  counted(result_.added, "generator was", "generators were"),
+                                  counted(result_.rounds, "round", "rounds"),
+                                  describe_need(mesh_, result_.generators.size(), history_),
+                                  may_add <= 0 ? ", or raise max_added" : ""));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
@@ -244,7 +291,8 @@ class Remesher {
     }
     const auto nearby = propose_nearby(mesh_, result_.diagram, points, may_add - points.size(), options_.diagram);
     append(points);
-    append(nearby);
+    append(nearby.points);
+    events_ += nearby.events;
   }
 
   std::string all_generators() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
@@ -265,20 +313,57 @@ class Remesher {
     return options_.creases.empty() && double(result_.added) > kWorthSearching * double(given_count());
   }
 
-  void search_fewer() {
+  /// `share`: of the work that the other diagrams take, for the search.
+  GeneratorSearch search(std::size_t kept, double share) {
     enter(RemeshStage::search);
-    search_fewer_generators(mesh_, result_.diagram, given_count(), options_.diagram,
-                            [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); });
+    return {kept, std::int64_t(share * double(events_)), options_.diagram,
+            [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 
-  /// Makes the result that of these generators, with the same given ones, if their dual has no defect.
+  void search_fewer() {
+    const std::int64_t given = given_count();
+    result_.search_cut_short = !search_fewer_generators(mesh_, result_.diagram, search(given, kSearchShare));
+    result_.added = std::ssize(result_.generators) - given;
+  }
+
+  /// Leaves out given generators for those that were added.
+  void exchange() {
+    const std::vector<SurfacePoint> before = result_.generators;
+    const std::int64_t given = given_count(), count = *options_.vertex_count;
+    exchange_generators(mesh_, result_.diagram, count, search(options_.kept, kExchangeShare));
+    if (missing() < 0) refuse_count(count, fmt::format("{} would do", result_.generators.size()));
+    const std::int64_t left = count_left(before, given, result_.generators);
+    result_.left_out = given - left;
+    result_.added = count - left;
+  }
+
+  void repair_thin_triangles() {
+    if (options_.refine && !options_.vertex_count) {
+      const std::int64_t given = given_count();
+      const auto has_fewer = [&](const Mesh& m) { return find_slivers(m).size() < find_slivers(result_.mesh).size(); };
+      repair_slivers(mesh_, result_.diagram, result_.mesh, max_added_ - result_.added,
+                     [&](const std::vector<SurfacePoint>& generators) { return take_if(generators, has_fewer); });
+      result_.added = std::ssize(result_.generators) - given;
+    }
+    result_.slivers = find_slivers(result_.mesh);
+  }
+
   bool take_if_right(const std::vector<SurfacePoint>& generators) {
+    return take_if(generators, [](const Mesh&) { return true; });
+  }
+
+  /// Makes the result that of these generators if their dual has no defect, edges follow as much of the creases, and
+  /// the mesh is accepted.
+  template <class IsAccepted>
+  bool take_if(const std::vector<SurfacePoint>& generators, IsAccepted is_accepted) {
     try {
       Diagram diagram = compute_diagram(mesh_, generators, options_.diagram);
+      creases_.propose(diagram, 0);
+      if (creases_.gap_length() > result_.crease_gap_length + kGapTolerance * creases_.length()) return false;
       RemeshRound round = maker_.build(diagram, result_.rounds);
       if (round.defects.empty()) maker_.place(diagram, round);
-      if (!round.defects.empty()) return false;
-      result_.added -= std::ssize(result_.generators) - std::ssize(generators);
+      if (!round.defects.empty() || !is_accepted(round.mesh)) return false;
+      result_.crease_gap_length = creases_.gap_length();
       result_.generators = generators;
       result_.diagram = std::move(diagram);
       take(std::move(round));
@@ -317,6 +402,8 @@ class Remesher {
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
+  RepairHistory history_;
+  std::int64_t events_ = 0;  // windows propagated in all diagrams but those of searches
   RoundMaker maker_{mesh_, options_};
 };
 

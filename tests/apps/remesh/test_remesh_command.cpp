@@ -263,10 +263,24 @@ TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or ref
   CHECK(run_command("gvd-remesh", torus + " -n 2 --exact-count -o " + path).exit_code == 5);
   CHECK(!std::filesystem::exists(path));
   const auto json = report_of(torus + " -n 100 --exact-count");
-  CHECK(json["options"]["no_refine"] == true);
+  CHECK(json["options"]["no_refine"] == false);
+  CHECK(json["options"]["exact_count"] == true);
   CHECK(json["results"]["output"]["vertices"] == 100);
-  const CommandResult both = run_command("gvd-remesh", torus + " -n 100 --exact-count --max-added 3");
+  const CommandResult both = run_command("gvd-remesh", torus + " -n 100 --exact-count --no-refine");
   CHECK(both.exit_code == 2);
+  // Limbs for which generators have to be added.
+  for (const char* n : {"30", "60"}) {
+    const std::string figure = data_file("figure.obj") + " -n " + n;
+    CHECK(report_of(figure)["results"]["added_generators"] > 0);
+    const auto exact = report_of(figure + " --exact-count");
+    CHECK(exact["results"]["output"]["vertices"] == std::stoi(n));
+    CHECK(exact["results"]["left_out_generators"] >= 0);
+    CHECK(run_command("gvd-remesh", figure + " --no-refine -o " + path).exit_code == 5);
+  }
+  // A list stays as it is.
+  const CommandResult list = run_command("gvd-remesh", torus + " --vertices 0,1 --exact-count -o " + path);
+  CHECK(list.exit_code == 5);
+  CHECK_THAT(list.err, Contains("the dual of 2 generators is no valid mesh"));
 }
 
 TEST_CASE("gvd-remesh: a note says why generators were added") {

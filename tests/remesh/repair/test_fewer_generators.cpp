@@ -1,5 +1,6 @@
 // The search for fewer generators: what it leaves is right, and nothing in it is needless.
 #include <algorithm>
+#include <limits>
 
 #include "gvd/dual.hpp"
 #include "gvd/error.hpp"
@@ -37,14 +38,25 @@ std::vector<SurfacePoint> repair(const Mesh& mesh, std::vector<SurfacePoint> gen
   return generators;
 }
 
-std::vector<SurfacePoint> search(const Mesh& mesh, const std::vector<SurfacePoint>& generators, std::size_t given) {
-  Diagram diagram = compute_diagram(mesh, generators);
-  search_fewer_generators(mesh, diagram, given, {}, [&](const std::vector<SurfacePoint>& tried) {
+constexpr auto kNoLimit = std::numeric_limits<std::int64_t>::max();
+
+/// A search that accepts what is right, and makes `diagram` that of what it accepts.
+GeneratorSearch make_search(const Mesh& mesh, Diagram& diagram, std::size_t kept, std::int64_t most_events = kNoLimit) {
+  GeneratorSearch search;
+  search.kept = kept;
+  search.most_events = most_events;
+  search.accept = [&mesh, &diagram](const std::vector<SurfacePoint>& tried) {
     Diagram after = compute_diagram(mesh, tried);
     if (!test::find_dual_defects(mesh, after).empty()) return false;
     diagram = std::move(after);
     return true;
-  });
+  };
+  return search;
+}
+
+std::vector<SurfacePoint> search(const Mesh& mesh, const std::vector<SurfacePoint>& generators, std::size_t given) {
+  Diagram diagram = compute_diagram(mesh, generators);
+  CHECK(search_fewer_generators(mesh, diagram, make_search(mesh, diagram, given)));
   return diagram.generators;
 }
 
@@ -87,6 +99,79 @@ TEST_CASE("fewer generators: on every mesh right, no more than before, and none 
   }
   CHECK(after < before);
   CHECK(replaced > 0);
+}
+
+TEST_CASE("fewer generators: changes apart from each other are decided on together") {
+  const Mesh mesh = test::make_sphere(4);
+  auto generators = test::random_generators(mesh, 150, 1);
+  const std::size_t given = generators.size();
+  const auto needless = test::random_generators(mesh, 12, 2);
+  generators.insert(generators.end(), needless.begin(), needless.end());
+  Diagram diagram = compute_diagram(mesh, generators);
+  REQUIRE(test::find_dual_defects(mesh, diagram).empty());
+  GeneratorSearch counting = make_search(mesh, diagram, given);
+  int decided = 0;
+  counting.accept = [&decided, accept = counting.accept](const std::vector<SurfacePoint>& tried) {
+    ++decided;
+    return accept(tried);
+  };
+  CHECK(search_fewer_generators(mesh, diagram, counting));
+  CHECK(diagram.generators.size() == given);
+  CHECK(decided <= 6);
+}
+
+TEST_CASE("fewer generators: the search ends at its limit, says so, and what it leaves is right") {
+  const Mesh mesh = test::make_sphere(3);
+  auto generators = test::random_generators(mesh, 40, 1);
+  const auto needless = test::random_generators(mesh, 20, 2);
+  generators.insert(generators.end(), needless.begin(), needless.end());
+  const Diagram first = compute_diagram(mesh, generators);
+  for (const std::int64_t diagrams : {0, 1, 3}) {
+    CAPTURE(diagrams);
+    Diagram diagram = first;
+    const std::int64_t most = diagrams * first.report.propagation_events;
+    CHECK_FALSE(search_fewer_generators(mesh, diagram, make_search(mesh, diagram, 40, most)));
+    CHECK(is_right(mesh, diagram.generators));
+    CHECK(diagram.generators.size() > 40);
+  }
+}
+
+TEST_CASE("exchange: exactly so many are left, the first ones stay, and the dual is right") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto repaired = repair(mesh, test::random_generators(mesh, 40, 1));
+    const std::size_t kept = 5, count = repaired.size() - 4;
+    Diagram diagram = compute_diagram(mesh, repaired);
+    const bool found = exchange_generators(mesh, diagram, count, make_search(mesh, diagram, kept));
+    CHECK(found == (diagram.generators.size() == count));
+    CHECK(diagram.generators.size() >= count);
+    CHECK(is_right(mesh, diagram.generators));
+    CHECK(std::equal(repaired.begin(), repaired.begin() + kept, diagram.generators.begin()));
+  }
+}
+
+TEST_CASE("exchange: no torus has three vertices") {
+  const Mesh mesh = test::make_torus(24, 12);
+  Diagram diagram = compute_diagram(mesh, repair(mesh, test::random_generators(mesh, 9, 1)));
+  CHECK_FALSE(exchange_generators(mesh, diagram, 3, make_search(mesh, diagram, 0)));
+  CHECK(diagram.generators.size() >= 7);
+}
+
+TEST_CASE("exchange: what lies on flat parts goes before what a bend needs") {
+  const Mesh mesh = test::make_plate(12);
+  std::vector<SurfacePoint> generators;
+  for (const VertexId v : mesh.vertices()) generators.push_back(vertex_point(mesh, v));
+  Diagram diagram = compute_diagram(mesh, generators);
+  REQUIRE(test::find_dual_defects(mesh, diagram).empty());
+  const std::size_t count = generators.size() - 10;
+  CHECK(exchange_generators(mesh, diagram, count, make_search(mesh, diagram, 0)));
+  const auto on_rim = [&](const std::vector<SurfacePoint>& points) {
+    return std::count_if(points.begin(), points.end(), [&](const SurfacePoint& p) {
+      const Vec3 at = position(mesh, p);
+      return at.x() < 1e-9 || at.y() < 1e-9 || at.x() > 1 - 1e-9 || at.y() > 1 - 1e-9;
+    });
+  };
+  CHECK(on_rim(diagram.generators) == on_rim(generators));
 }
 
 TEST_CASE("remesh: where many generators are added, none of them is needless") {

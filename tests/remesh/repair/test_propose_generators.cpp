@@ -378,10 +378,10 @@ TEST_CASE("generators nearby: with them fewer defects are left, within the numbe
     const auto defects = test::find_dual_defects(mesh, diagram);
     REQUIRE(!defects.empty());
     const auto points = propose_generators(mesh, diagram, {defects.front()}, 10).points;
-    const auto nearby = propose_nearby(mesh, diagram, points, 20, {});
+    const auto nearby = propose_nearby(mesh, diagram, points, 20, {}).points;
     CHECK(nearby.size() <= 20);
-    CHECK(propose_nearby(mesh, diagram, points, 1, {}).size() <= 1);
-    CHECK(propose_nearby(mesh, diagram, points, 20, {}) == nearby);
+    CHECK(propose_nearby(mesh, diagram, points, 1, {}).points.size() <= 1);
+    CHECK(propose_nearby(mesh, diagram, points, 20, {}).points == nearby);
     if (nearby.empty()) continue;
     ++repaired;
     const auto with_points = joined(generators, points);
@@ -397,7 +397,7 @@ TEST_CASE("generators nearby: none where the part would be more than a quarter o
   const auto defects = test::find_dual_defects(mesh, diagram);
   REQUIRE(!defects.empty());
   const auto points = propose_generators(mesh, diagram, {defects.front()}, 10).points;
-  CHECK(propose_nearby(mesh, diagram, points, 20, {}).empty());
+  CHECK(propose_nearby(mesh, diagram, points, 20, {}).points.empty());
 }
 
 }  // namespace gvd::test_propose_generators

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/least.hpp"
 #include "gvd/closest_point.hpp"
 #include "repair/repair_steps.hpp"
 
@@ -34,6 +35,35 @@ double AddedGenerators::clearance(const SurfacePoint& point) const {
     if (squared > spacing_ * spacing_ || are_near(mesh_, point, all_[i], spacing_)) least = squared;
   }
   return std::sqrt(least);
+}
+
+std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
+                                           const RepairHistory& history) {
+  const auto [first_added, first_defects] = history.front();
+  const auto [added, defects] = history.back();
+  const std::int64_t least =
+      mesh.boundary_loops > 0 ? 3 * std::max(mesh.components, mesh.boundary_loops) : std::int64_t{4} * mesh.components;
+  const std::int64_t by_topology = added + least - std::int64_t(generators);
+  const auto removed = double(first_defects) - double(defects);
+  const std::int64_t by_trend =
+      removed > 0 ? added + std::llround(double(defects) * double(added - first_added) / removed) : 0;
+  const std::int64_t need = std::max(by_topology, by_trend);
+  return need > added ? std::optional(need) : std::nullopt;
+}
+
+std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count) {
+  IdVector<GeneratorId, Least<VertexId>> farthest(diagram.generators.size());
+  for (const VertexId v : mesh.vertices()) {
+    if (diagram.vertex_label[v].valid()) farthest[diagram.vertex_label[v]].offer(-diagram.vertex_distance[v], v);
+  }
+  std::vector<std::pair<double, VertexId>> order;
+  for (const auto& [vertex, rank] : farthest) {
+    if (vertex.valid()) order.emplace_back(rank, vertex);
+  }
+  std::sort(order.begin(), order.end());
+  AddedGenerators added(mesh, diagram.generators, count);
+  for (const auto& [rank, vertex] : order) added.add(vertex_point(mesh, vertex));
+  return added.take();
 }
 
 }  // namespace gvd

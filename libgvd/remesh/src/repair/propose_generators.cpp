@@ -281,14 +281,12 @@ std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diag
   return cells;
 }
 
-/// The points of one round on the part, in the whole mesh; none where nothing is left to repair or the part can't tell.
-std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const std::vector<SurfacePoint>& added,
+/// The points of one round on the part, in the whole mesh; none where nothing is left to repair.
+std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const LocalDual::Result& result,
                                           std::size_t max_count, const Progress& progress) {
-  const auto result = local.compute(added);
-  if (!result || result->defects.empty()) return {};
-  if (result->defects.front().property == DualProperty::not_flipped) return {};
+  if (result.defects.empty() || result.defects.front().property == DualProperty::not_flipped) return {};
   ProposedGenerators proposed =
-      propose_generators(local.part().mesh(), result->diagram, result->defects, max_count, progress);
+      propose_generators(local.part().mesh(), result.diagram, result.defects, max_count, progress);
   if (proposed.narrow) return {};
   for (SurfacePoint& point : proposed.points) point = local.part().to_whole(point);
   return std::move(proposed.points);
@@ -317,19 +315,22 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagram,
-                                         const std::vector<SurfacePoint>& added, std::size_t max_count,
-                                         const DiagramOptions& options) {
+NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,
+                                std::size_t max_count, const DiagramOptions& options) {
   const LocalDual local(mesh, diagram, list_cells_around(mesh, diagram, added), {}, options);
   if (kFacesPerPartFace * local.part().size() > std::size_t(mesh.face_count())) return {};
+  NearbyGenerators nearby;
   std::vector<SurfacePoint> all = added;
-  for (int round = 0; round < kMostRounds && all.size() < added.size() + max_count; ++round) {
-    const auto more = propose_in_part(local, all, added.size() + max_count - all.size(), options.progress);
+  for (int round = 0; round < kMostRounds && nearby.points.size() < max_count; ++round) {
+    const auto result = local.compute(all);
+    if (!result) break;
+    nearby.events += result->diagram.report.propagation_events;
+    const auto more = propose_in_part(local, *result, max_count - nearby.points.size(), options.progress);
     if (more.empty()) break;
     all.insert(all.end(), more.begin(), more.end());
+    nearby.points.insert(nearby.points.end(), more.begin(), more.end());
   }
-  all.erase(all.begin(), all.begin() + std::ssize(added));
-  return all;
+  return nearby;
 }
 
 }  // namespace gvd

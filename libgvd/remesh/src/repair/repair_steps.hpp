@@ -11,6 +11,7 @@
 
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 #include "repair/cell_topology.hpp"
@@ -86,6 +87,21 @@ class AddedGenerators {
   IdVector<GeneratorId, Vec3> positions_;
   std::vector<SurfacePoint> points_;
 };
+
+/// The numbers of added generators and of defects, by round.
+using RepairHistory = std::vector<std::pair<std::int64_t, std::size_t>>;
+
+/// The number of generators that a repair is likely to have to add in all. Adding those of the rounds so far has
+/// removed some defects; the others are assumed to take as many each. It is at least what the topology needs: three
+/// vertices for each component and boundary loop, four for each component of a closed surface. Nothing where the
+/// defects get no fewer and the topology needs no more generators than there are. `generators`: how many there are now.
+/// `history`: of one round at least.
+std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
+                                           const RepairHistory& history);
+
+/// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
+/// that no defect asks for. Cost: O(n log n).
+std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count);
 
 // local_dual.cpp
 
@@ -213,34 +229,55 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
+struct NearbyGenerators {
+  std::vector<SurfacePoint> points;
+  std::int64_t events = 0;  ///< windows propagated (DiagramReport) to find them
+};
+
 /// Repairs what generators that are about to be added to a diagram leave wrong near them, or make wrong. Rounds of
 /// `propose_generators` on a part of the mesh save rounds on all of it.
 ///
 /// Returns more generators to add, at most `max_count`. None where the part is more than a quarter of the mesh, or
 /// can't tell (LocalDual). Flipped triangles are not repaired: other repairs often remove them.
 /// Cost: for each round a diagram of the part.
-std::vector<SurfacePoint> propose_nearby(const Mesh& mesh, const Diagram& diagram,
-                                         const std::vector<SurfacePoint>& added, std::size_t max_count,
-                                         const DiagramOptions& options);
+NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,
+                                std::size_t max_count, const DiagramOptions& options);
 
 // fewer_generators.cpp
 
-/// Bounds on the search, in faces and generators of all its diagrams: so many times those of the whole diagram, or so
-/// many in all. Beyond either, no more pairs are tried; beyond twice as many, the search ends. This bounds the work,
-/// not the time: most meshes take a few seconds on one core, and one of long needles took 34. With 400 times as many,
-/// two meshes of docs/notes/remesh-bench.md came out the same.
-inline constexpr std::size_t kSearchedMeshes = 60, kSearchedElements = 1'000'000;
+/// What a search among the generators of a right dual may do.
+struct GeneratorSearch {
+  std::size_t kept = 0;          ///< the first generators, which stay
+  std::int64_t most_events = 0;  ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
+  DiagramOptions diagram;
+  /// Whether the dual of these generators is right. If so, it has made the diagram of the search theirs.
+  std::function<bool(const std::vector<SurfacePoint>&)> accept;
+};
 
 /// Looks for generators without which the dual has no defect either, among those that a repair has added. It tries to
 /// leave one out, and to put a single one in the place of two that are near each other.
 ///
 /// Candidates for the place of two are the points that would repair the defects that the two leave. In the cells with
 /// these defects, branch points and some vertices are candidates, too. Afterwards no single added generator can be left
-/// out, as far as parts of the mesh tell, unless the search has become too long.
-/// `diagram`: without defects. Its first `given` generators stay. `accept(generators)`: whether the dual of these
-/// generators is right; if so, it has made `diagram` theirs. Deterministic. Cost: of kSearchedMeshes diagrams at most
-/// twice.
-void search_fewer_generators(const Mesh& mesh, const Diagram& diagram, std::size_t given, const DiagramOptions& options,
-                             const std::function<bool(const std::vector<SurfacePoint>&)>& accept);
+/// out, as far as parts of the mesh tell, unless the search has ended at its limit.
+/// `diagram`: without defects. Returns false where the search ended at its limit. Deterministic.
+bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
+
+/// Leaves out generators until `count` are left, where the surface is flattest for the distances between them.
+///
+/// `diagram`: without defects. Returns whether `count` are left; without success, as few as it came to. Deterministic.
+bool exchange_generators(const Mesh& mesh, const Diagram& diagram, std::size_t count, const GeneratorSearch& search);
+
+// repair_slivers.cpp
+
+/// Faces with a Q below kSliverQ, ascending. Cost: O(n).
+std::vector<FaceId> find_slivers(const Mesh& remesh);
+
+/// Adds generators beside slivers, at most `max_count`, where that leaves fewer of them.
+///
+/// `remesh`: that of `diagram`, without defects. `accept(generators)`: whether their remesh is right and has fewer
+/// slivers; if so, it has made `diagram` and `remesh` theirs. Deterministic. Cost: six remeshes at most.
+void repair_slivers(const Mesh& mesh, const Diagram& diagram, const Mesh& remesh, std::size_t max_count,
+                    const std::function<bool(const std::vector<SurfacePoint>&)>& accept);
 
 }  // namespace gvd

@@ -1,0 +1,230 @@
+// Changes that leave a dual right with fewer generators, tried on parts of the mesh.
+//
+// Without the generators that a change removes, a part has defects or none. Where it has few, a single point may take
+// the place of two generators. Only its own cell repairs anything, so it has to be nearer to the place of each defect
+// than the generators there: this leaves few candidates, in the order of how much nearer they are. The two generators
+// themselves are candidates as well.
+//
+// Changes that are apart from each other are decided on together, because a diagram of the whole mesh costs as much as
+// some ten parts, and the placement of all vertices comes with it.
+
+#include "repair/local_changes.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "base/least.hpp"
+
+namespace gvd {
+namespace {
+
+/// The most defects that two generators may leave for one in their place to be tried. Pairs that were replaced in
+/// trials left one to three.
+constexpr std::size_t kMostDefects = 4;
+
+/// Number of vertices of a part that are candidates, in the cells with defects. With twice as many the search took half
+/// as long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
+constexpr std::int32_t kVertexCandidates = 60;
+
+/// Candidates that are tried in the place of two generators. The last one to succeed on the elephant with 100 was the
+/// tenth.
+constexpr std::size_t kMostCandidates = 10;
+
+/// Rings of cells round a change in which trials have to be repeated: those of the parts of LocalDual.
+constexpr int kNearRings = 2;
+
+/// How far a point is from taking the place of a defect of a diagram: its distance from that place, by that of the
+/// generators there. Below 1 its own cell takes the place. Of several places the nearest counts.
+class DefectReach {
+ public:
+  DefectReach(const Mesh& mesh, const Diagram& diagram, const DualDefect& defect)
+      : mesh_(mesh), diagram_(diagram), cells_(defect.cells) {
+    const bool any_side =
+        defect.property == DualProperty::cell_is_disc || defect.property == DualProperty::enough_neighbours;
+    const bool is_bisector =
+        defect.property == DualProperty::one_bisector || defect.property == DualProperty::bisector_has_face;
+    for (const Bisector& b : diagram.bisectors) {
+      if (any_side && (has(b.left) || has(b.right))) places_.insert(places_.end(), b.points.begin(), b.points.end());
+      if (is_bisector && has(b.left) && has(b.right)) places_.push_back(find_midpoint(mesh, b));
+    }
+    if (any_side || is_bisector) return;
+    for (const BranchPoint& b : diagram.branch_points) {
+      const auto shared =
+          std::count_if(b.generators.begin(), b.generators.end(), [&](GeneratorId g) { return has(g); });
+      if (shared >= std::ssize(cells_)) places_.push_back(b.point);
+    }
+  }
+
+  double operator()(const SurfacePoint& point) const {
+    const Vec3 at = position(mesh_, point);
+    double least = kInfinity;
+    for (const SurfacePoint& place : places_) {
+      const Vec3 p = position(mesh_, place);
+      least = std::min(least, (p - at).norm() / distance_from_cells(p));
+    }
+    return least;
+  }
+
+ private:
+  bool has(GeneratorId g) const { return std::find(cells_.begin(), cells_.end(), g) != cells_.end(); }
+  double distance_from_cells(const Vec3& p) const {
+    double least = kInfinity;
+    for (const GeneratorId g : cells_) {
+      least = std::min(least, (position(mesh_, diagram_.generators[g.index()]) - p).norm());
+    }
+    return least;
+  }
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  const std::vector<GeneratorId>& cells_;
+  std::vector<SurfacePoint> places_;
+};
+
+/// The points whose cells reach the places of all defects, the nearest ones first.
+std::vector<SurfacePoint> sort_by_reach(const Mesh& mesh, const LocalDual::Result& without,
+                                        const std::vector<SurfacePoint>& points) {
+  std::vector<double> reach(points.size(), 0);
+  for (const DualDefect& defect : without.defects) {
+    const DefectReach of_defect(mesh, without.diagram, defect);
+    for (std::size_t i = 0; i < points.size(); ++i) reach[i] = std::max(reach[i], of_defect(points[i]));
+  }
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return !(reach[i] < 1); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return reach[a] < reach[b]; });
+  std::vector<SurfacePoint> sorted;
+  for (const std::size_t i : order) sorted.push_back(points[i]);
+  return sorted;
+}
+
+}  // namespace
+
+void LocalChanges::leave_out(GeneratorId g) {
+  tried_[g] = 1;
+  const LocalDual local(mesh_, diagram_, {g}, {g}, search_.diagram);
+  const auto without = compute(local, {});
+  if (without && without->defects.empty()) collect({g}, {});
+}
+
+void LocalChanges::unite(GeneratorId g, GeneratorId other) {
+  tried_[g] = 1;
+  const std::vector<GeneratorId> removed{std::min(g, other), std::max(g, other)};
+  const LocalDual local(mesh_, diagram_, removed, removed, search_.diagram);
+  const auto without = compute(local, {});
+  if (!without || without->defects.size() > kMostDefects) return;
+  if (without->defects.empty()) return collect(removed, {});
+  std::size_t trials = 0;
+  for (const SurfacePoint& candidate : list_candidates(local, *without, removed)) {
+    if (is_over() || trials++ == kMostCandidates) return;
+    if (std::find(refused_.begin(), refused_.end(), candidate) != refused_.end()) continue;
+    const auto with = compute(local, {candidate});
+    if (with && with->defects.empty()) return collect(removed, {candidate});
+  }
+}
+
+/// Points of the whole mesh, the likeliest ones first.
+std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local, const LocalDual::Result& without,
+                                                        const std::vector<GeneratorId>& removed) const {
+  const Mesh& part = local.part().mesh();
+  const Diagram& diagram = without.diagram;
+  std::vector<SurfacePoint> points;
+  for (const GeneratorId g : removed) points.push_back(*local.part().to_part(diagram_.generators[g.index()]));
+  CellFlags defective(diagram.cells.size(), 0);
+  for (const DualDefect& defect : without.defects) {
+    const auto proposed = propose_generators(part, diagram, {defect}, diagram.generators.size());
+    points.insert(points.end(), proposed.points.begin(), proposed.points.end());
+    for (const GeneratorId g : defect.cells) defective[g] = 1;
+  }
+  const auto is_defective = [&](GeneratorId g) { return g.valid() && defective[g] != 0; };
+  for (const BranchPoint& b : diagram.branch_points) {
+    if (std::any_of(b.generators.begin(), b.generators.end(), is_defective)) points.push_back(b.point);
+  }
+  const std::int32_t step = std::max(1, part.vertex_count() / kVertexCandidates);
+  for (std::int32_t i = 0; i < part.vertex_count(); i += step) {
+    if (is_defective(diagram.vertex_label[VertexId(i)])) points.push_back(vertex_point(part, VertexId(i)));
+  }
+  AddedGenerators spaced(part, diagram.generators, points.size());
+  std::erase_if(points, [&](const SurfacePoint& point) { return !spaced.add(point); });
+  std::vector<SurfacePoint> sorted = sort_by_reach(part, without, points);
+  for (SurfacePoint& point : sorted) point = local.part().to_whole(point);
+  return sorted;
+}
+
+std::optional<LocalDual::Result> LocalChanges::compute(const LocalDual& local, const std::vector<SurfacePoint>& added) {
+  auto result = local.compute(added);
+  // A part that can't tell has its share of the whole diagram's.
+  const auto share = double(local.part().size()) / double(mesh_.face_count());
+  events_ += result ? result->diagram.report.propagation_events
+                    : std::int64_t(share * double(diagram_.report.propagation_events));
+  return result;
+}
+
+void LocalChanges::collect(std::vector<GeneratorId> removed, std::vector<SurfacePoint> added) {
+  CellFlags near = grow_rings(diagram_, removed, kNearRings);
+  for (const Cell& cell : diagram_.cells) near_change_[cell.generator] |= near[cell.generator];
+  if (removed.size() > 1 && added.empty()) ++both_;
+  collected_.push_back({std::move(removed), std::move(added), std::move(near)});
+}
+
+bool LocalChanges::apply() {
+  const std::vector<SurfacePoint> before = diagram_.generators;
+  std::vector<std::size_t> made;
+  if (!collected_.empty()) decide(0, collected_.size(), before, made);
+  CellFlags gone(before.size(), 0), tried;
+  std::size_t added = 0;
+  for (const std::size_t i : made) {
+    for (const GeneratorId g : collected_[i].removed) gone[g] = 1;
+    added += collected_[i].added.size();
+    for (std::size_t g = 0; g < before.size(); ++g) {
+      if (collected_[i].near[GeneratorId(g)]) tried_[GeneratorId(g)] = 0;
+    }
+  }
+  for (std::size_t g = 0; g < before.size(); ++g) {
+    if (!gone[GeneratorId(g)]) tried.push_back(tried_[GeneratorId(g)]);
+  }
+  for (std::size_t i = 0; i < added; ++i) tried.push_back(0);
+  tried_ = std::move(tried);
+  near_change_ = CellFlags(tried_.size(), 0);
+  collected_.clear();
+  both_ = 0;
+  return !made.empty();
+}
+
+/// Decides on the changes from `begin` to `end`, beside those already `made`, to which it appends the ones that it
+/// makes.
+void LocalChanges::decide(std::size_t begin, std::size_t end, const std::vector<SurfacePoint>& before,
+                          std::vector<std::size_t>& made) {
+  if (begin == end || is_over()) return;
+  std::vector<std::size_t> all = made;
+  for (std::size_t i = begin; i < end; ++i) all.push_back(i);
+  if (accept(before, all)) {
+    made = std::move(all);
+  } else if (end - begin > 1) {
+    decide(begin, (begin + end) / 2, before, made);
+    decide((begin + end) / 2, end, before, made);
+  } else if (!collected_[begin].added.empty()) {
+    refused_.push_back(collected_[begin].added.front());
+    for (const GeneratorId g : collected_[begin].removed) tried_[g] = 0;
+  }
+}
+
+bool LocalChanges::accept(const std::vector<SurfacePoint>& before, const std::vector<std::size_t>& changes) {
+  CellFlags gone(before.size(), 0);
+  for (const std::size_t i : changes) {
+    for (const GeneratorId g : collected_[i].removed) gone[g] = 1;
+  }
+  std::vector<SurfacePoint> generators;
+  for (std::size_t g = 0; g < before.size(); ++g) {
+    if (!gone[GeneratorId(g)]) generators.push_back(before[g]);
+  }
+  for (const std::size_t i : changes) {
+    generators.insert(generators.end(), collected_[i].added.begin(), collected_[i].added.end());
+  }
+  const bool is_right = search_.accept(generators);
+  events_ += diagram_.report.propagation_events;  // of one with about as many generators, where it is not right
+  return is_right;
+}
+
+}  // namespace gvd

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "repair/repair_steps.hpp"
+
+namespace gvd {
+
+/// Changes that leave a dual right with fewer generators: one is left out, or one takes the place of two.
+///
+/// Each change is tried on a part of the mesh. Those that pass and are apart from each other are collected. `apply`
+/// then decides on the whole mesh, on all of them at once; where they fail together, on each half.
+class LocalChanges {
+ public:
+  /// `diagram`: without defects. All must outlive this. Cost: O(n).
+  LocalChanges(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search)
+      : mesh_(mesh), diagram_(diagram), search_(search), tried_(diagram.generators.size(), 0), near_change_(tried_) {}
+
+  const Diagram& diagram() const { return diagram_; }
+  /// The number of generators after the collected changes.
+  std::size_t count() const { return diagram_.generators.size() - collected_.size() - both_; }
+  /// Whether all diagrams so far exceed the limit.
+  bool is_over() const { return events_ > search_.most_events; }
+  /// Whether a trial with this generator is worthless now: nothing has changed near it since the last one, or a
+  /// collected change is near.
+  bool is_idle(GeneratorId g) const { return tried_[g] || is_near_change(g); }
+  bool is_near_change(GeneratorId g) const { return near_change_[g] != 0; }
+  void forget_trials() { tried_.assign(tried_.size(), 0); }
+
+  /// Collects the change that leaves out a generator, if the part keeps no defect.
+  void leave_out(GeneratorId g);
+  /// Collects the change that leaves out two generators, or one of them, or puts a point in their place.
+  void unite(GeneratorId g, GeneratorId other);
+  /// Decides on the collected changes. Afterwards, trials near those made are worth repeating. Returns whether any was
+  /// made.
+  bool apply();
+
+ private:
+  struct Change {
+    std::vector<GeneratorId> removed;
+    std::vector<SurfacePoint> added;
+    CellFlags near;  // cells whose trials it may alter
+  };
+
+  void collect(std::vector<GeneratorId> removed, std::vector<SurfacePoint> added);
+  std::optional<LocalDual::Result> compute(const LocalDual& local, const std::vector<SurfacePoint>& added);
+  std::vector<SurfacePoint> list_candidates(const LocalDual& local, const LocalDual::Result& without,
+                                            const std::vector<GeneratorId>& removed) const;
+  void decide(std::size_t begin, std::size_t end, const std::vector<SurfacePoint>& before,
+              std::vector<std::size_t>& made);
+  bool accept(const std::vector<SurfacePoint>& before, const std::vector<std::size_t>& changes);
+
+  const Mesh& mesh_;
+  const Diagram& diagram_;
+  const GeneratorSearch& search_;
+  CellFlags tried_, near_change_;
+  std::vector<Change> collected_;
+  std::vector<SurfacePoint> refused_;  // points in the place of two that failed on the whole mesh
+  std::size_t both_ = 0;               // collected changes that leave out two generators for none
+  std::int64_t events_ = 0;            // of all diagrams so far
+};
+
+}  // namespace gvd
