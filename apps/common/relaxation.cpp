@@ -15,6 +15,7 @@
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -42,17 +43,46 @@ Density choose_density(Run& run, const CheckedMesh& input, const ConstraintOptio
                           piped ? "standard input" : path));
 }
 
+StartOptions start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
+  StartOptions options;
+  options.are_listed = run.options().generators.are_listed();
+  options.fixed = read_fixed(run, input, constraints.fixed);
+  options.crease_angle = constraints.features;
+  options.prefers_creases = constraints.auto_features && !options.are_listed;
+  if (options.prefers_creases) options.crease_angle = kUsualCreaseAngle;
+  options.keep_boundary = constraints.keep_boundary;
+  options.prefers_boundary = constraints.prefers_boundary;
+  options.leaves_room = constraints.leaves_room;
+  return options;
+}
+
+/// Notes which curves the generators do not keep to although that is preferred, and how many generators would do.
+void note_left_curves(Run& run, const ConstrainedStart& start) {
+  if (start.left_loops > 0) {
+    run.console().note(
+        fmt::format("boundary: {} of {} not followed, because this would take more than half of the generators; "
+                    "-n {} follows all",
+                    start.left_loops, counted(start.loops, "loop is", "loops are"), start.enough_for_loops));
+  }
+  if (start.enough_for_creases > 0) {
+    run.console().note(
+        fmt::format("creases: not followed, because this would take too many of the generators; about -n {} or "
+                    "--features {} follows them",
+                    start.enough_for_creases, kUsualCreaseAngle));
+  }
+}
+
 }  // namespace
 
 WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<SurfacePoint> points,
                                const ConstraintOptions& constraints) {
   Density density = choose_density(run, input, constraints, std::ssize(points));
-  const StartOptions options{run.options().generators.are_listed(), read_fixed(run, input, constraints.fixed),
-                             constraints.features, constraints.keep_boundary, constraints.prefers_boundary};
+  const StartOptions options = start_options(run, input, constraints);
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
+  note_left_curves(run, start);
   const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
   if (!start.freedom.empty()) {
-    const char* const curves = constraints.features ? "creases or the boundary" : "the boundary";
+    const char* const curves = options.crease_angle ? "creases or the boundary" : "the boundary";
     run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count(Freedom::fixed),
                                    count(Freedom::on_crease), curves, count(Freedom::free)));
   }
@@ -83,7 +113,9 @@ const char* name_of(LloydStop stop) {
 void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints) {
   using Json = nlohmann::ordered_json;
   options["fixed"] = constraints.fixed.empty() ? Json() : Json(constraints.fixed);
-  options["features"] = constraints.features ? Json(*constraints.features) : Json();
+  options["features"] = constraints.auto_features ? Json("auto")
+                        : constraints.features    ? Json(*constraints.features)
+                                                  : Json();
   options["keep_boundary"] = constraints.keep_boundary;
   options["density"] = constraints.density.empty() ? Json() : Json(constraints.density);
   options["gradation"] = constraints.gradation;

@@ -86,11 +86,12 @@ void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterati
   start.diagrams = result.diagrams;
 }
 
-void report_start_options(Run& run, const Settings& settings, std::int32_t iterations) {
+void report_start_options(Run& run, const Settings& settings, const ConstraintOptions& constraints,
+                          std::int32_t iterations) {
   Json& reported = run.report().options();
   const GeneratorOptions& asked = run.options().generators;
   reported["relax"] = iterations;
-  report_constraints(reported, settings.constraints);
+  report_constraints(reported, constraints);
   reported["target_edge"] = asked.target_edge ? Json(*asked.target_edge) : nullptr;
   reported["loose_boundary"] = settings.loose_boundary;
   run.report().results()["relaxation"] = nullptr;
@@ -100,9 +101,12 @@ void report_start_options(Run& run, const Settings& settings, std::int32_t itera
 RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& settings,
                         std::optional<std::int32_t> count) {
   const std::int32_t iterations = relax_iterations(settings, run.options().generators);
-  report_start_options(run, settings, iterations);
   ConstraintOptions constraints = settings.constraints;
   constraints.prefers_boundary = !settings.loose_boundary;
+  // A remesh that may add no generators can't follow creases that need more.
+  constraints.leaves_room = !settings.no_refine && settings.remesh.max_added != 0;
+  if (!constraints.leaves_room) constraints.auto_features = false;
+  report_start_options(run, settings, constraints, iterations);
   RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   run.report().set_generators(input.mesh, start.constrained.points);

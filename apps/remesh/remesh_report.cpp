@@ -16,6 +16,7 @@
 
 #include "common/run.hpp"
 #include "gvd/quality.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -143,10 +144,35 @@ void describe_intersections(const RemeshCertificate& certificate, std::vector<st
   }
 }
 
+/// A remesh whose Hausdorff distance exceeds this many spacings of its vertices is far from its input. An even
+/// triangulation has no point farther than 1 / sqrt(3) of a spacing from a vertex: beyond a whole one, a part of the
+/// input has no vertices. Measured with 100
+/// generators: at most .80 (cow) and .46 on 100 closed and open models, and 4.3 where 80 of 100 were on small holes.
+constexpr double kFarSpacings = 1;
+
+/// The larger Hausdorff distance, and the side of the triangles that as many even vertices would have; mesh units.
+struct Nearness {
+  double hausdorff;
+  double spacing;
+  bool is_far() const { return hausdorff > kFarSpacings * spacing; }
+};
+
+Nearness nearness_of(const RemeshResult& result) {
+  return {std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff),
+          even_spacing(result.certificate.input.area, result.mesh.vertex_count())};
+}
+
 void describe_distance(const RemeshResult& result, std::vector<std::string>& lines) {
   const double diagonal = result.certificate.input.bbox_diagonal;
   if (!(diagonal > 0)) return;
   const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
+  if (const Nearness nearness = nearness_of(result); nearness.is_far()) {
+    lines.push_back(
+        fmt::format("part of the input has too few vertices: its distance is {:.3g} times that between "
+                    "vertices, where at most {} is usual; give more generators, or compare --loose-boundary "
+                    "and --features none",
+                    nearness.hausdorff / nearness.spacing, kFarSpacings));
+  }
   lines.push_back(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
                               100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
                               100 * std::max(there.rms, back.rms) / diagonal));
@@ -168,8 +194,11 @@ void report_remesh(Json& results, const Mesh& mesh, const RemeshResult& result) 
   results["quality"] = {{"input", to_json(result.input_quality)}, {"output", to_json(result.output_quality)}};
   results["valences"] = {{"input", to_json(compute_valences(mesh))},
                          {"output", to_json(compute_valences(result.mesh))}};
+  const Nearness nearness = nearness_of(result);
   results["distance"] = {{"input_to_output", to_json(result.input_to_output)},
-                         {"output_to_input", to_json(result.output_to_input)}};
+                         {"output_to_input", to_json(result.output_to_input)},
+                         {"vertex_spacing", nearness.spacing},
+                         {"is_far", nearness.is_far()}};
 }
 
 void report_trials(Json& results, double target, const Fewest& found) {

@@ -60,10 +60,11 @@ void register_relaxation(CLI::App& line, Settings& settings) {
              fmt::format("Iterations that first move the generators to the centroids of their cells; 'none' leaves "
                          "them in place (default: {}; none with --generators and --vertices)",
                          kDefaultRelaxation));
+  settings.constraints.auto_features = true;
   register_constraints(line, settings.constraints);
   add_flag(line, "--loose-boundary", settings.loose_boundary,
            "Put no generators on the boundary; the outline then runs through generators beside it (default with -n and "
-           "--radius: --keep-boundary, if it takes at most four fifths of the generators)")
+           "--radius: --keep-boundary, if it takes at most half of the generators)")
       ->excludes("--keep-boundary");
 }
 

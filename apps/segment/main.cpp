@@ -111,7 +111,7 @@ void note_long_borders(Run& run) {
   const Json& ratio = run.report().results()["border_ratio"];
   if (ratio.is_null() || ratio.get<double>() <= kUsualBorderRatio) return;
   run.console().note(
-      fmt::format("borders are {:.3g} times as long as the bisectors (usually at most {}): the mesh has no straighter "
+      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): the mesh has no straighter "
                   "edges near these; --cut follows them",
                   ratio.get<double>(), kUsualBorderRatio));
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "gvd/constrained_start.hpp"
 #include "gvd/error.hpp"
@@ -6,6 +8,7 @@
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
 
 namespace gvd::test_constrained_start {
 
@@ -94,6 +97,96 @@ TEST_CASE("constrained start: the boundary is preferred where samples are left b
   CHECK(count(few, Freedom::fixed) == 4);
   prefers.are_listed = true;
   CHECK(constrain_start(grid, test::random_generators(grid, 40, 1), prefers).freedom.empty());
+}
+
+/// A flat grid of 24 x 24 squares with 16 square holes, and its outer loop.
+Mesh make_plane_with_holes() {
+  const Mesh grid = test::make_grid(24, 24);
+  std::vector<Vec3> positions;
+  for (const VertexId v : grid.vertices()) positions.push_back(grid.position(v));
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : grid.faces()) {
+    const auto& [a, b, c] = grid.vertices(f);
+    const Vec3 at = (grid.position(a) + grid.position(b) + grid.position(c)) / 3;
+    const bool in_hole = int(std::floor(at.x())) % 6 == 3 && int(std::floor(at.y())) % 6 == 3;
+    if (!in_hole) faces.push_back({a, b, c});
+  }
+  return Mesh(std::move(positions), std::move(faces));
+}
+
+TEST_CASE("constrained start: boundaries take at most half of the samples, and small loops are left first") {
+  const Mesh plane = make_plane_with_holes();
+  StartOptions prefers;
+  prefers.prefers_boundary = true;
+  for (const int n : {60, 80, 100, 140, 200, 400}) {
+    const ConstrainedStart start = constrain_start(plane, test::random_generators(plane, n, 1), prefers);
+    CHECK(std::ssize(start.points) == n);
+    CHECK(count(start, Freedom::fixed) + count(start, Freedom::on_crease) <= n / 2);
+    CHECK(start.loops == 17);
+    CHECK((start.left_loops == 0) == (start.enough_for_loops == 0));
+    if (start.left_loops == 0) continue;
+    CHECK(start.left_loops == 16);  // the outer loop is followed
+    CHECK(start.enough_for_loops > n);
+    const auto enough = test::random_generators(plane, int(start.enough_for_loops), 1);
+    CHECK(constrain_start(plane, enough, prefers).left_loops == 0);
+  }
+  CHECK(constrain_start(plane, test::random_generators(plane, 60, 1), prefers).left_loops == 16);
+  CHECK(constrain_start(plane, test::random_generators(plane, 400, 1), prefers).left_loops == 0);
+}
+
+TEST_CASE("constrained start: creases that are preferred are followed where at most half of the samples do it") {
+  StartOptions prefers;
+  prefers.crease_angle = 40;
+  prefers.prefers_creases = true;
+  const auto start_of = [&](const Mesh& mesh, int n) {
+    return constrain_start(mesh, test::random_generators(mesh, n, 1), prefers);
+  };
+  const Mesh box = test::make_plate(12, 0.5), thin = test::make_plate(12, 0.02);
+  const ConstrainedStart followed = start_of(box, 200), few = start_of(box, 12), doubled = start_of(thin, 200);
+  CHECK(count(followed, Freedom::fixed) == 8);
+  CHECK(count(followed, Freedom::free) >= 100);
+  CHECK(followed.enough_for_creases == 0);
+  CHECK(few.creases.empty());
+  CHECK(few.freedom.empty());
+  CHECK(few.enough_for_creases > 12);
+  // The thin box has about as many generators on creases, and as many again would be added.
+  CHECK(doubled.creases.empty());
+  CHECK(doubled.enough_for_creases > 200);
+  prefers.prefers_creases = false;
+  CHECK_FALSE(start_of(thin, 200).creases.empty());
+}
+
+TEST_CASE("constrained start: samples leave room where generators will be added") {
+  const Mesh box = test::make_plate(12, 0.02);
+  StartOptions options;
+  options.crease_angle = 40;
+  const auto points = test::random_generators(box, 300, 1);
+  CHECK(constrain_start(box, points, options).points.size() == 300);
+  options.leaves_room = true;
+  const std::size_t left = constrain_start(box, points, options).points.size();
+  CHECK(left < 300);
+  CHECK(left >= 250);
+}
+
+TEST_CASE("constrained start: the noise of a smooth surface is no crease that is preferred") {
+  StartOptions prefers;
+  prefers.crease_angle = 40;
+  prefers.prefers_creases = true;
+  const Mesh sphere = test::make_sphere(4);
+  for (const double noise : {0.01, 0.02, 0.03}) {
+    test::Random random(7);
+    std::vector<Vec3> positions;
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const VertexId v : sphere.vertices())
+      positions.push_back((1 + random.real(-noise, noise)) * sphere.position(v));
+    for (const FaceId f : sphere.faces()) faces.push_back(sphere.vertices(f));
+    const Mesh noisy(std::move(positions), std::move(faces));
+    for (const int n : {100, 500}) {
+      CAPTURE(noise, n);
+      CHECK(constrain_start(noisy, test::random_generators(noisy, n, 1), prefers).creases.empty());
+    }
+    if (noise > 0.02) CHECK_FALSE(find_creases(noisy, {40, false}).empty());
+  }
 }
 
 }  // namespace gvd::test_constrained_start

@@ -44,7 +44,8 @@ TEST_CASE("a fit is heard between the steps of its factorisation, and can be can
   const ClosestPointTree tree(sphere);
   const std::vector<VertexAnchor> anchors(ball.positions().size(), {Vec3(0, 0, 0), Eigen::Matrix3d::Identity()});
   const auto run = [&](const Progress& progress) {
-    fit_vertices(ball, {&sphere, &tree, sample_surface(sphere, 4000), 4000, 1, progress}, anchors);
+    const FitTarget target{&sphere, &tree, sample_surface(sphere, 4000), 4000, 1, progress};
+    fit_vertices(ball, find_face_systems(ball, target), anchors, progress);
   };
   test::require_cancelled_everywhere(run);
   int last = 0;

@@ -82,14 +82,20 @@ struct Options {
   bool verbose = false;
 };
 
+/// Angle of the creases of `--features auto`, degrees. All creases of CAD models are sharper, and few edges of scans.
+inline constexpr double kUsualCreaseAngle = 40;
+
 /// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
 struct ConstraintOptions {
   std::string fixed;               ///< a list of generators that stay; empty: none
   std::optional<double> features;  ///< angle of creases, degrees
+  /// Instead of `features`, where generators are sampled: the creases that at most half of the generators can follow.
+  bool auto_features = false;
   bool keep_boundary = false;
   /// Keep the boundary where generators are sampled, and enough of them are left beside it.
   bool prefers_boundary = false;
-  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
+  bool leaves_room = false;  ///< for generators that a remesh adds on features
+  std::string density;       ///< "curvature", a file, or a property of the input; empty: uniform
   double gradation = 0.3;
 };
 

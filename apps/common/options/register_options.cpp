@@ -200,6 +200,21 @@ std::vector<ValueRule> output_rules(CLI::App& app, OutputOptions& output) {
           {at("--ascii-ply"), targets, no_ply, [&output] { output.ascii_ply = false; }}};
 }
 
+void register_features(CLI::App& app, ConstraintOptions& constraints) {
+  const auto store = [&constraints](const std::string& text) {
+    const std::optional<double> angle = parse_number_in(text, kAngle);
+    constraints.features = angle;
+    constraints.auto_features = text == "auto";
+    const bool is_known = angle || text == "auto" || text == "none";
+    return is_known ? "" : fmt::format("'{}' is not {}, 'auto' or 'none'", text, kAngle.text);
+  };
+  add_parsed(app, "--features", "auto|none|ANGLE", store,
+             fmt::format("Put generators on corners and creases first and keep them there; a crease is an edge between "
+                         "faces whose normals differ by more than this many degrees; 'auto': by more than {} degrees, "
+                         "where at most half of the sampled generators suffice for creases and boundary (default: {})",
+                         kUsualCreaseAngle, constraints.auto_features ? "auto" : "none"));
+}
+
 }  // namespace
 
 std::vector<ValueRule> register_options(CLI::App& app, Options& options, const Formats& formats) {
@@ -218,9 +233,7 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const F
 void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
   app.option_defaults()->group("Constraints");
   add_file(app, "--fixed", constraints.fixed, "File that lists generators to keep in place; -n includes them");
-  add_number(app, "--features", constraints.features, kAngle,
-             "Put generators on corners and creases first and keep them there; a crease is an edge between faces whose "
-             "normals differ by more than this many degrees");
+  register_features(app, constraints);
   add_flag(app, "--keep-boundary", constraints.keep_boundary,
            "Put generators on the boundary first and keep them there");
   app.add_option("--density", constraints.density,

@@ -94,7 +94,8 @@ double length_of(const Mesh& mesh, const CreaseCurve& curve) {
 /// Places generators between the ends of a curve.
 void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, FeatureGenerators& placed) {
   const double length = length_of(mesh, curve);
-  const double parts = std::max(std::round(length / spacing), curve.closed ? 3.0 : 1.0);
+  const bool is_loop = curve.vertices.front() == curve.vertices.back();  // a coarse one has three edges at least
+  const double parts = std::max(std::round(length / spacing), is_loop ? 3.0 : 1.0);
   double passed = 0;
   std::size_t i = 0;
   const auto edge_length = [&] { return mesh.length(curve.edges[i]); };

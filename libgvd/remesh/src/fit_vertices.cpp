@@ -285,11 +285,11 @@ FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target) {
 }
 
 std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
-                               const std::vector<VertexAnchor>& anchors) {
+                               const std::vector<VertexAnchor>& anchors, const Progress& progress) {
   VertexSystem system{{}, Eigen::VectorXd::Zero(3 * remesh.vertex_count())};
   add_samples(remesh, systems, system);
   add_springs(remesh, anchors, system);
-  const Eigen::VectorXd solution = solve(system, target.progress);
+  const Eigen::VectorXd solution = solve(system, progress);
   std::vector<Vec3> positions = remesh.positions();
   if (!solution.allFinite()) return positions;
   for (int v = 0; v < remesh.vertex_count(); ++v) positions[v] += solution.segment<3>(3 * v);

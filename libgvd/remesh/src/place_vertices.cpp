@@ -108,7 +108,7 @@ class Placer {
       report_progress(options_.progress, "placement", double(round) / kFitRounds);
       const Mesh current = with_positions(remesh_, positions);
       const FaceSystems systems = find_face_systems(current, target);
-      std::vector<Vec3> fitted = fit_vertices(current, systems, make_springs(current, plan));
+      std::vector<Vec3> fitted = fit_vertices(current, systems, make_springs(current, plan), options_.progress);
       keep_fixed(fitted);
       const AngleSearch search{&current, &systems, &guard_, &plan, options_.progress};
       fitted = raise_angles(search, {options_.least_angle, plan.stiffness * kThinPrice}, std::move(fitted));

@@ -7,6 +7,7 @@ namespace gvd {
 
 void MinCut::begin(std::int32_t nodes) {
   arcs_.clear();
+  steps_ = 0;
   first_.assign(nodes, -1);
   excess_.assign(nodes, 0);
 }
@@ -25,6 +26,9 @@ void MinCut::run() {
     for (const std::int32_t v : queue_) {
       if (level_[v] > 0) break;
       push_from(v);
+      if (steps_ <= kMostSteps * std::ssize(first_)) continue;
+      level_.assign(first_.size(), -1);
+      return;
     }
   }
 }
@@ -78,6 +82,7 @@ std::int32_t MinCut::advance(std::int32_t v) {
 void MinCut::push_along_path(std::int32_t source, std::int32_t sink) {
   std::int64_t most = std::min(excess_[source], -excess_[sink]);
   for (const std::int32_t i : path_) most = std::min(most, arcs_[i].capacity);
+  steps_ += std::ssize(path_);
   excess_[source] -= most;
   excess_[sink] += most;
   for (const std::int32_t i : path_) {

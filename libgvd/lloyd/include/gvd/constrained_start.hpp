@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,11 @@ struct StartOptions {
   bool are_listed = false;
   std::vector<SurfacePoint> fixed;     ///< further generators, which stay where they are; no two of them coincide
   std::optional<double> crease_angle;  ///< generators keep to sharper edges, degrees in (0, 180]; nothing: to none
+  bool prefers_creases = false;        ///< sampled ones keep to these, as far as constrain_start says
   bool keep_boundary = false;          ///< generators keep to the boundary, too
-  bool prefers_boundary = false;       ///< sampled ones do, as long as enough of them are left beside it
+  bool prefers_boundary = false;       ///< sampled ones do, as far as constrain_start says
+  /// Sampled ones leave out as many as a remesh is expected to add on curves that run close to each other.
+  bool leaves_room = false;
 };
 
 /// Generators to begin a relaxation with, and what they may do: see the fields of LloydOptions.
@@ -24,16 +28,28 @@ struct ConstrainedStart {
   std::vector<SurfacePoint> points;
   std::vector<Freedom> freedom;  ///< of the points; empty if all are free
   std::vector<EdgeId> creases;
-  double corner_distance = 0;  ///< of the creases (place_on_creases), mesh units
+  double corner_distance = 0;           ///< of the creases (place_on_creases), mesh units
+  std::int64_t loops = 0;               ///< of the boundary, where it is preferred
+  std::int64_t left_loops = 0;          ///< of these, those that would take too many generators
+  std::int64_t enough_for_loops = 0;    ///< so many generators follow all loops; 0 where none is left
+  std::int64_t enough_for_creases = 0;  ///< about so many follow creases that are preferred and left; 0: none is left
 };
 
 /// The start of a relaxation with fixed generators, and with generators on creases and on the boundary.
 ///
 /// Fixed generators come first, then those on features, then the rest of `points`. Sampled ones make room, each the
 /// nearest one, for those that are fixed or lie on features, so that their number stays. Listed ones stay, and those on
-/// creases are kept there. Those on features are at most four fifths of all, as far as corners and closed creases do
-/// not need more. Of the others, those that coincide with an earlier one are left out. Without any restriction, the
-/// start is `points`. The faces of all points must be of `mesh`.
+/// creases are kept there. Those on features are as far apart as in an even triangulation of the surface; they are at
+/// most half of all, as far as corners and closed creases do not need more. Of the others, those that coincide with an
+/// earlier one are left out. Without any restriction, the start is `points`. The faces of all points must be of `mesh`.
+///
+/// Sampled generators keep to a boundary that is preferred if at most half of them suffice: at its corners, and three
+/// on a loop without. If not, they keep to the loops that are at least three spacings long, or to none. They keep to
+/// creases that are preferred if at most half of them suffice at their spacing, those on the boundary and those that a
+/// remesh is expected to add included; the latter may be 12 % of all. Noise and small details are no such creases: a
+/// connected network counts if it is three spacings long, has a dead end in 20 spacings of its length at most, and its
+/// curves are a spacing long on average.
+///
 /// Throws Error{precondition} where fewer points are sampled than generators are fixed or on features, and
 /// Error{invalid_option} for an angle out of its range. Cost: O(n log n), as long as few points have the same x.
 ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options);
