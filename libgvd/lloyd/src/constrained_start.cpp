@@ -45,10 +45,14 @@ bool exceeds_share(std::size_t placed, std::size_t asked) {
 /// Least length of a boundary loop or of a network of creases that an even spacing gives three generators, in spacings.
 constexpr double kLeastNetwork = 3;
 
-/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. On 21 CAD
-/// models at 100 to 2000 generators, networks of nearly all creases longer than kLeastNetwork have at most one dead end
-/// in 40 spacings. On scans and other smooth models, no network with dead ends has 20, and most have one in 2.
+/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. Measured with
+/// 100 to 2000 generators: the large networks of 23 CAD models have none, or one in 40 spacings (fandisk). Those of
+/// scans and other smooth models mostly have one in 1 to 5, and less than a fifth of their creases is in longer ones.
 constexpr double kDeadEndLength = 20;
+
+/// Least share of the creases that has to be in such networks: noise makes some closed rings, too. It is .76 or more on
+/// those CAD models, and at most .25 on scans and other smooth models.
+constexpr double kLongShare = 0.5;
 
 /// Largest share of generators that a remesh is expected to add opposite others, for creases to be followed by default.
 /// With .116 (plate 2000, rotor less) following creases improves distances, the least angle, and the share of faces
@@ -285,9 +289,7 @@ class Networks {
     }
     for (const EdgeId e : edges) networks_[of(e)].length += mesh.length(e);
     for (const auto& [v, edges_there] : degree) {
-      Network& network = networks_[sets_.find(v.value())];
-      if (edges_there == 1 && !mesh.is_boundary(v)) ++network.dead_ends;
-      if (edges_there != 2) network.curve_ends += edges_there;
+      if (edges_there == 1 && !mesh.is_boundary(v)) ++networks_[sets_.find(v.value())].dead_ends;
     }
   }
 
@@ -310,14 +312,12 @@ class Networks {
   struct Network {
     double length = 0;
     int dead_ends = 0;
-    int curve_ends = 0;  // at dead ends and junctions
   };
 
   std::int32_t of(EdgeId e) { return sets_.find(mesh_.from(mesh_.halfedge(e)).value()); }
 
   static bool is_long(const Network& network, double spacing) {
-    return network.length >=
-           spacing * std::max({kLeastNetwork, kDeadEndLength * network.dead_ends, network.curve_ends / 2.0});
+    return network.length >= spacing * std::max(kLeastNetwork, kDeadEndLength * network.dead_ends);
   }
 
   const Mesh& mesh_;
@@ -370,7 +370,8 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, bool leaves
   }
   NearestRemover remover(mesh, start.points);
   for (const SurfacePoint& p : placed.points) remover.remove_nearest(position(mesh, p));
-  if (leaves_room && !start.creases.empty()) leave_room(mesh, start, spacing, remover);
+  const auto is_inner = [&](EdgeId e) { return !mesh.is_boundary(e); };
+  if (leaves_room && std::ranges::any_of(start.creases, is_inner)) leave_room(mesh, start, spacing, remover);
   append_different(mesh, all_of(remover.rest(start.points), Freedom::free), placed);
 }
 
@@ -404,7 +405,9 @@ void choose_loops(const Spaced& spaced, const std::vector<EdgeId>& others, std::
 /// Leaves out creases that are noise, and all if they would take too many generators.
 void choose_creases(const Spaced& spaced, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
                     ConstrainedStart& start) {
+  const double length = total_length(spaced.mesh, creases);
   creases = Networks(spaced.mesh, creases).long_ones(creases, spaced.spacing);
+  if (total_length(spaced.mesh, creases) < kLongShare * length) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);
   const double asked = static_cast<double>(start.points.size());

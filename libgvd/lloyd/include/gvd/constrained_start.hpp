@@ -19,7 +19,7 @@ struct StartOptions {
   bool prefers_creases = false;        ///< sampled ones keep to these, as far as constrain_start says
   bool keep_boundary = false;          ///< generators keep to the boundary, too
   bool prefers_boundary = false;       ///< sampled ones do, as far as constrain_start says
-  /// Sampled ones leave out as many as a remesh is expected to add on curves that run close to each other.
+  /// Where there are creases, sampled ones leave out as many as a remesh is expected to add on close curves.
   bool leaves_room = false;
 };
 
@@ -47,8 +47,8 @@ struct ConstrainedStart {
 /// on a loop without. If not, they keep to the loops that are at least three spacings long, or to none. They keep to
 /// creases that are preferred if at most half of them suffice at their spacing, those on the boundary and those that a
 /// remesh is expected to add included; the latter may be 12 % of all. Noise and small details are no such creases: a
-/// connected network counts if it is three spacings long, has a dead end in 20 spacings of its length at most, and its
-/// curves are a spacing long on average.
+/// connected network counts if it is three spacings long, and has a dead end in 20 spacings of its length at most. At
+/// least half of the length of all creases has to be in such networks.
 ///
 /// Throws Error{precondition} where fewer points are sampled than generators are fixed or on features, and
 /// Error{invalid_option} for an angle out of its range. Cost: O(n log n), as long as few points have the same x.
