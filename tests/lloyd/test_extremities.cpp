@@ -53,6 +53,13 @@ double farthest_end(const Mesh& mesh, const std::vector<SurfacePoint>& generator
   return farthest / std::sqrt(compute_area(mesh) / (std::numbers::pi * double(generators.size())));
 }
 
+std::vector<SurfacePoint> sample(const Mesh& mesh, int count, std::uint64_t seed = 0) {
+  SamplingOptions options;
+  options.count = count;
+  options.seed = seed;
+  return sample_generators(mesh, options);
+}
+
 LloydOptions relaxation(bool keeps_extremities) {
   LloydOptions options;
   options.max_iterations = 15;
@@ -65,7 +72,7 @@ TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull
   for (const int count : {60, 120}) {
     for (const std::uint64_t seed : {0, 1, 2}) {
       CAPTURE(count, seed);
-      const auto start = sample_generators(mesh, {.count = count, .seed = seed});
+      const auto start = sample(mesh, count, seed);
       const LloydResult pulled = relax_generators(mesh, start, relaxation(false));
       CHECK(farthest_end(mesh, pulled.generators) > 0.5);
       CHECK(pulled.extremities.empty());
@@ -81,7 +88,7 @@ TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull
 
 TEST_CASE("extremities: where no limb ends, nothing changes") {
   for (const Mesh& mesh : {test::make_sphere(3), test::make_torus(24, 12), test::make_grid(9, 7)}) {
-    const auto start = sample_generators(mesh, {.count = 20});
+    const auto start = sample(mesh, 20);
     const LloydResult plain = relax_generators(mesh, start, relaxation(false));
     const LloydResult kept = relax_generators(mesh, start, relaxation(true));
     CHECK(kept.generators == plain.generators);
@@ -92,7 +99,7 @@ TEST_CASE("extremities: where no limb ends, nothing changes") {
 
 TEST_CASE("extremities: a generator that may not move stays") {
   const Mesh mesh = make_spindle();
-  const auto start = sample_generators(mesh, {.count = 60});
+  const auto start = sample(mesh, 60);
   LloydOptions options = relaxation(true);
   options.freedom.assign(60, Freedom::fixed);
   const LloydResult kept = relax_generators(mesh, start, options);
