@@ -272,7 +272,9 @@ TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   RemeshOptions few, enough;
   few.max_added = 20;
   enough.max_added = 200;
-  CHECK(remesh(loose, first, enough).added == 119);  // three for each
+  const std::int64_t needed = remesh(loose, first, enough).added;
+  CHECK(needed >= 119);  // three for each
+  CHECK(needed <= 125);
   CHECK_THAT(refusal(loose, first, few).what(),
              Catch::Matchers::Contains("20 generators were added") &&
                  Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones"));
@@ -292,9 +294,9 @@ TEST_CASE("remesh: the estimate of needed generators follows the defects") {
 TEST_CASE("remesh: exactly as many vertices as asked for, with the first generators in their places") {
   std::int64_t exchanged = 0, filled = 0;
   for (const auto& [name, mesh] : test::small_family()) {
-    for (const std::int64_t more : {0, 3}) {
-      INFO(name << ", " << more << " more");
-      const auto given = test::random_generators(mesh, 40, 4);
+    for (const auto& [count, more] : {std::pair(40, 0), std::pair(40, 3), std::pair(8, 10)}) {
+      INFO(name << ", " << count << " and " << more << " more");
+      const auto given = test::random_generators(mesh, count, 4);
       RemeshOptions options;
       options.vertex_count = std::ssize(given) + more;
       options.kept = 5;

@@ -316,7 +316,8 @@ class Remesher {
   /// `share`: of the work that the other diagrams take, for the search.
   GeneratorSearch search(std::size_t kept, double share) {
     enter(RemeshStage::search);
-    return {kept, std::int64_t(share * double(events_)), options_.diagram,
+    const auto least = std::size_t(options_.vertex_count.value_or(0));
+    return {kept, least, std::int64_t(share * double(events_)), options_.diagram,
             [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 
@@ -330,7 +331,7 @@ class Remesher {
   void exchange() {
     const std::vector<SurfacePoint> before = result_.generators;
     const std::int64_t given = given_count(), count = *options_.vertex_count;
-    exchange_generators(mesh_, result_.diagram, count, search(options_.kept, kExchangeShare));
+    exchange_generators(mesh_, result_.diagram, search(options_.kept, kExchangeShare));
     if (missing() < 0) refuse_count(count, fmt::format("{} would do", result_.generators.size()));
     const std::int64_t left = count_left(before, given, result_.generators);
     result_.left_out = given - left;

@@ -41,10 +41,12 @@ std::vector<SurfacePoint> repair(const Mesh& mesh, std::vector<SurfacePoint> gen
 constexpr auto kNoLimit = std::numeric_limits<std::int64_t>::max();
 
 /// A search that accepts what is right, and makes `diagram` that of what it accepts.
-GeneratorSearch make_search(const Mesh& mesh, Diagram& diagram, std::size_t kept, std::int64_t most_events = kNoLimit) {
+GeneratorSearch make_search(const Mesh& mesh, Diagram& diagram, std::size_t kept, std::size_t least = 0,
+                            std::int64_t most_events = kNoLimit) {
   GeneratorSearch search;
   search.kept = kept;
   search.most_events = most_events;
+  search.least = least;
   search.accept = [&mesh, &diagram](const std::vector<SurfacePoint>& tried) {
     Diagram after = compute_diagram(mesh, tried);
     if (!test::find_dual_defects(mesh, after).empty()) return false;
@@ -130,7 +132,7 @@ TEST_CASE("fewer generators: the search ends at its limit, says so, and what it 
     CAPTURE(diagrams);
     Diagram diagram = first;
     const std::int64_t most = diagrams * first.report.propagation_events;
-    CHECK_FALSE(search_fewer_generators(mesh, diagram, make_search(mesh, diagram, 40, most)));
+    CHECK_FALSE(search_fewer_generators(mesh, diagram, make_search(mesh, diagram, 40, 0, most)));
     CHECK(is_right(mesh, diagram.generators));
     CHECK(diagram.generators.size() > 40);
   }
@@ -142,7 +144,7 @@ TEST_CASE("exchange: exactly so many are left, the first ones stay, and the dual
     const auto repaired = repair(mesh, test::random_generators(mesh, 40, 1));
     const std::size_t kept = 5, count = repaired.size() - 4;
     Diagram diagram = compute_diagram(mesh, repaired);
-    const bool found = exchange_generators(mesh, diagram, count, make_search(mesh, diagram, kept));
+    const bool found = exchange_generators(mesh, diagram, make_search(mesh, diagram, kept, count));
     CHECK(found == (diagram.generators.size() == count));
     CHECK(diagram.generators.size() >= count);
     CHECK(is_right(mesh, diagram.generators));
@@ -150,10 +152,22 @@ TEST_CASE("exchange: exactly so many are left, the first ones stay, and the dual
   }
 }
 
+TEST_CASE("fewer generators: the search ends with so many as are wanted") {
+  const Mesh mesh = test::make_sphere(3);
+  auto generators = test::random_generators(mesh, 40, 1);
+  const auto needless = test::random_generators(mesh, 20, 2);
+  generators.insert(generators.end(), needless.begin(), needless.end());
+  for (const std::size_t least : {57u, 58u, 59u}) {
+    Diagram diagram = compute_diagram(mesh, generators);
+    CHECK(search_fewer_generators(mesh, diagram, make_search(mesh, diagram, 40, least)));
+    CHECK(diagram.generators.size() == least);
+  }
+}
+
 TEST_CASE("exchange: no torus has three vertices") {
   const Mesh mesh = test::make_torus(24, 12);
   Diagram diagram = compute_diagram(mesh, repair(mesh, test::random_generators(mesh, 9, 1)));
-  CHECK_FALSE(exchange_generators(mesh, diagram, 3, make_search(mesh, diagram, 0)));
+  CHECK_FALSE(exchange_generators(mesh, diagram, make_search(mesh, diagram, 0, 3)));
   CHECK(diagram.generators.size() >= 7);
 }
 
@@ -164,7 +178,7 @@ TEST_CASE("exchange: what lies on flat parts goes before what a bend needs") {
   Diagram diagram = compute_diagram(mesh, generators);
   REQUIRE(test::find_dual_defects(mesh, diagram).empty());
   const std::size_t count = generators.size() - 10;
-  CHECK(exchange_generators(mesh, diagram, count, make_search(mesh, diagram, 0)));
+  CHECK(exchange_generators(mesh, diagram, make_search(mesh, diagram, 0, count)));
   const auto on_rim = [&](const std::vector<SurfacePoint>& points) {
     return std::count_if(points.begin(), points.end(), [&](const SurfacePoint& p) {
       const Vec3 at = position(mesh, p);
@@ -179,7 +193,10 @@ TEST_CASE("remesh: where many generators are added, none of them is needless") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const auto given = test::random_generators(mesh, 8, 3);
-    const RemeshResult result = remesh(mesh, given);
+    RemeshOptions patient;
+    patient.earlier_diagrams = 10000;  // the search may take a third of these
+    const RemeshResult result = remesh(mesh, given, patient);
+    CHECK_FALSE(result.search_cut_short);
     for (std::size_t i = given.size(); i < result.generators.size(); ++i) {
       auto without = result.generators;
       without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));

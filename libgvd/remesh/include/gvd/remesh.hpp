@@ -33,8 +33,8 @@ struct RemeshOptions {
   bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
   /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
-  /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that are
-  /// added, given ones are left out where the dual can do without them, but none of the first `kept`.
+  /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that
+  /// are added, given ones are left out where the dual can do without them, but none of the first `kept`.
   std::optional<std::int64_t> vertex_count;
   std::size_t kept = 0;
   /// Number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to that of
@@ -61,10 +61,6 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 /// mesh and those of a search do not. Measured on 850 remeshes of real meshes with 1 to 300 generators. Those
 /// that succeeded took at most 50 rounds, and nine of ten of them at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
-
-/// A face with a smaller Q is a sliver. An isosceles one has its apex at a distance of 6e-4 of its base: its normal is of
-/// no use in single precision. The least Q of nine models with 100 to 2000 vertices is 0.17.
-inline constexpr double kSliverQ = 1e-3;
 
 struct RemeshResult {
   Mesh mesh;                              ///< vertex i stands for generator i
@@ -103,9 +99,9 @@ struct RemeshResult {
 /// Properties: (1) the certificate of a result is ok; (2) with Placement::generator vertex i is at generator i, bit by
 /// bit; (3) deterministic.
 /// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators within kMaxRemeshRounds, without
-/// `refine`, or with `vertex_count`. It names the failing property and its position. Throws Error{invalid_option} for a negative
-/// `max_added`, and what check_placement and compute_diagram throw. Cost: one diagram a round, and some tens of rounds
-/// for the hardest surfaces.
+/// `refine`, or with `vertex_count`. It names the failing property and its position. Throws Error{invalid_option} for a
+/// negative `max_added`, and what check_placement and compute_diagram throw. Cost: one diagram a round, and some tens
+/// of rounds for the hardest surfaces.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
 /// remesh where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must

@@ -84,21 +84,21 @@ void repeat(LocalChanges& changes, std::size_t least, List list, Try try_generat
 bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search) {
   LocalChanges changes(mesh, diagram, search);
   const auto list = [&] { return list_backwards(diagram, search.kept); };
-  repeat(changes, search.kept, list, [&](GeneratorId g) {
+  repeat(changes, std::max(search.kept, search.least), list, [&](GeneratorId g) {
     const auto other = find_nearest(mesh, diagram, g, search.kept);
     if (!other) return changes.leave_out(g);
     if (!changes.is_near_change(*other)) changes.unite(g, *other);
   });
   changes.forget_trials();
-  repeat(changes, search.kept, list, [&](GeneratorId g) { changes.leave_out(g); });
+  repeat(changes, std::max(search.kept, search.least), list, [&](GeneratorId g) { changes.leave_out(g); });
   return !changes.is_over();
 }
 
-bool exchange_generators(const Mesh& mesh, const Diagram& diagram, std::size_t count, const GeneratorSearch& search) {
+bool exchange_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search) {
   LocalChanges changes(mesh, diagram, search);
   const auto list = [&] { return list_by_bend(mesh, diagram, search.kept); };
-  repeat(changes, count, list, [&](GeneratorId g) { changes.leave_out(g); });
-  return diagram.generators.size() == count;
+  repeat(changes, search.least, list, [&](GeneratorId g) { changes.leave_out(g); });
+  return diagram.generators.size() == search.least;
 }
 
 }  // namespace gvd

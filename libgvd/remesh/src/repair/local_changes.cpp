@@ -2,8 +2,7 @@
 //
 // Without the generators that a change removes, a part has defects or none. Where it has few, a single point may take
 // the place of two generators. Only its own cell repairs anything, so it has to be nearer to the place of each defect
-// than the generators there: this leaves few candidates, in the order of how much nearer they are. The two generators
-// themselves are candidates as well.
+// than the generators there: this leaves few candidates, in the order of how much nearer they are.
 //
 // Changes that are apart from each other are decided on together, because a diagram of the whole mesh costs as much as
 // some ten parts, and the placement of all vertices comes with it.
@@ -114,9 +113,12 @@ void LocalChanges::unite(GeneratorId g, GeneratorId other) {
   const LocalDual local(mesh_, diagram_, removed, removed, search_.diagram);
   const auto without = compute(local, {});
   if (!without || without->defects.size() > kMostDefects) return;
-  if (without->defects.empty()) return collect(removed, {});
+  if (without->defects.empty()) {
+    const bool may_both_go = count() >= search_.least + removed.size();
+    return may_both_go ? collect(removed, {}) : collect({g}, {});
+  }
   std::size_t trials = 0;
-  for (const SurfacePoint& candidate : list_candidates(local, *without, removed)) {
+  for (const SurfacePoint& candidate : list_candidates(local, *without)) {
     if (is_over() || trials++ == kMostCandidates) return;
     if (std::find(refused_.begin(), refused_.end(), candidate) != refused_.end()) continue;
     const auto with = compute(local, {candidate});
@@ -125,12 +127,11 @@ void LocalChanges::unite(GeneratorId g, GeneratorId other) {
 }
 
 /// Points of the whole mesh, the likeliest ones first.
-std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local, const LocalDual::Result& without,
-                                                        const std::vector<GeneratorId>& removed) const {
+std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local,
+                                                        const LocalDual::Result& without) const {
   const Mesh& part = local.part().mesh();
   const Diagram& diagram = without.diagram;
   std::vector<SurfacePoint> points;
-  for (const GeneratorId g : removed) points.push_back(*local.part().to_part(diagram_.generators[g.index()]));
   CellFlags defective(diagram.cells.size(), 0);
   for (const DualDefect& defect : without.defects) {
     const auto proposed = propose_generators(part, diagram, {defect}, diagram.generators.size());
@@ -170,8 +171,7 @@ void LocalChanges::collect(std::vector<GeneratorId> removed, std::vector<Surface
 
 bool LocalChanges::apply() {
   const std::vector<SurfacePoint> before = diagram_.generators;
-  std::vector<std::size_t> made;
-  if (!collected_.empty()) decide(0, collected_.size(), before, made);
+  const std::vector<std::size_t> made = decide(before);
   CellFlags gone(before.size(), 0), tried;
   std::size_t added = 0;
   for (const std::size_t i : made) {
@@ -192,22 +192,28 @@ bool LocalChanges::apply() {
   return !made.empty();
 }
 
-/// Decides on the changes from `begin` to `end`, beside those already `made`, to which it appends the ones that it
-/// makes.
-void LocalChanges::decide(std::size_t begin, std::size_t end, const std::vector<SurfacePoint>& before,
-                          std::vector<std::size_t>& made) {
-  if (begin == end || is_over()) return;
-  std::vector<std::size_t> all = made;
-  for (std::size_t i = begin; i < end; ++i) all.push_back(i);
-  if (accept(before, all)) {
-    made = std::move(all);
-  } else if (end - begin > 1) {
-    decide(begin, (begin + end) / 2, before, made);
-    decide((begin + end) / 2, end, before, made);
-  } else if (!collected_[begin].added.empty()) {
-    refused_.push_back(collected_[begin].added.front());
-    for (const GeneratorId g : collected_[begin].removed) tried_[g] = 0;
+/// Decides on the collected changes, group by group. Returns those made. Where a group fails, the next one is a quarter
+/// of it; where one passes, the next is twice as large.
+std::vector<std::size_t> LocalChanges::decide(const std::vector<SurfacePoint>& before) {
+  std::vector<std::size_t> made;
+  std::size_t size = collected_.size();
+  for (std::size_t begin = 0; begin < collected_.size() && !is_over();) {
+    const std::size_t end = std::min(begin + size, collected_.size());
+    std::vector<std::size_t> all = made;
+    for (std::size_t i = begin; i < end; ++i) all.push_back(i);
+    const bool passes = accept(before, all);
+    if (passes) made = std::move(all);
+    if (!passes && end - begin == 1) refuse(collected_[begin]);
+    if (passes || end - begin == 1) begin = end;
+    size = passes ? 2 * size : std::max(std::size_t{1}, (end - begin) / 4);
   }
+  return made;
+}
+
+void LocalChanges::refuse(const Change& change) {
+  if (change.added.empty()) return;
+  refused_.push_back(change.added.front());
+  for (const GeneratorId g : change.removed) tried_[g] = 0;
 }
 
 bool LocalChanges::accept(const std::vector<SurfacePoint>& before, const std::vector<std::size_t>& changes) {

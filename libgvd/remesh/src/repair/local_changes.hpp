@@ -37,7 +37,7 @@ class LocalChanges {
 
   /// Collects the change that leaves out a generator, if the part keeps no defect.
   void leave_out(GeneratorId g);
-  /// Collects the change that leaves out two generators, or one of them, or puts a point in their place.
+  /// Collects the change that leaves out two generators, or puts a point in their place.
   void unite(GeneratorId g, GeneratorId other);
   /// Decides on the collected changes. Afterwards, trials near those made are worth repeating. Returns whether any was
   /// made.
@@ -52,10 +52,9 @@ class LocalChanges {
 
   void collect(std::vector<GeneratorId> removed, std::vector<SurfacePoint> added);
   std::optional<LocalDual::Result> compute(const LocalDual& local, const std::vector<SurfacePoint>& added);
-  std::vector<SurfacePoint> list_candidates(const LocalDual& local, const LocalDual::Result& without,
-                                            const std::vector<GeneratorId>& removed) const;
-  void decide(std::size_t begin, std::size_t end, const std::vector<SurfacePoint>& before,
-              std::vector<std::size_t>& made);
+  std::vector<SurfacePoint> list_candidates(const LocalDual& local, const LocalDual::Result& without) const;
+  std::vector<std::size_t> decide(const std::vector<SurfacePoint>& before);
+  void refuse(const Change& change);
   bool accept(const std::vector<SurfacePoint>& before, const std::vector<std::size_t>& changes);
 
   const Mesh& mesh_;

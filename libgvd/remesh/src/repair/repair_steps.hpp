@@ -11,7 +11,6 @@
 
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 #include "repair/cell_topology.hpp"
@@ -248,6 +247,7 @@ NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const 
 /// What a search among the generators of a right dual may do.
 struct GeneratorSearch {
   std::size_t kept = 0;          ///< the first generators, which stay
+  std::size_t least = 0;         ///< it ends with so many generators
   std::int64_t most_events = 0;  ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
   DiagramOptions diagram;
   /// Whether the dual of these generators is right. If so, it has made the diagram of the search theirs.
@@ -263,10 +263,11 @@ struct GeneratorSearch {
 /// `diagram`: without defects. Returns false where the search ended at its limit. Deterministic.
 bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
 
-/// Leaves out generators until `count` are left, where the surface is flattest for the distances between them.
+/// Leaves out generators until `search.least` are left, where the surface is flattest for the distances between them.
 ///
-/// `diagram`: without defects. Returns whether `count` are left; without success, as few as it came to. Deterministic.
-bool exchange_generators(const Mesh& mesh, const Diagram& diagram, std::size_t count, const GeneratorSearch& search);
+/// `diagram`: without defects. Returns whether so many are left; without success they are as few as it came to.
+/// Deterministic.
+bool exchange_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
 
 // repair_slivers.cpp
 
