@@ -284,8 +284,8 @@ FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target) {
   return systems;
 }
 
-std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
-                               const std::vector<VertexAnchor>& anchors, const Progress& progress) {
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems, const std::vector<VertexAnchor>& anchors,
+                               const Progress& progress) {
   VertexSystem system{{}, Eigen::VectorXd::Zero(3 * remesh.vertex_count())};
   add_samples(remesh, systems, system);
   add_springs(remesh, anchors, system);

@@ -156,8 +156,8 @@ FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target);
 /// The vertex positions with the least sum of the square distances `systems` and the stretch of the springs. `anchors`:
 /// one for each vertex. Gives the positions before where the system can't be solved.
 /// `progress`: of the step "fit"; may be empty. Cost: a sparse Cholesky factorisation.
-std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems,
-                               const std::vector<VertexAnchor>& anchors, const Progress& progress = {});
+std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems, const std::vector<VertexAnchor>& anchors,
+                               const Progress& progress = {});
 
 // raise_angles.cpp
 

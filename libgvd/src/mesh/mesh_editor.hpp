@@ -44,8 +44,8 @@ class MeshEditor {
   /// Makes h and t the two halfedges of edge e. On the boundary t is invalid.
   void link(HalfedgeId h, HalfedgeId t, EdgeId e);
   /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it. An
-  /// operation on other faces leaves the boundary halfedge alone. In the faces of an operation it is h or, where an edge
-  /// at v was split, the one before it: so nothing walks round v.
+  /// operation on other faces leaves the boundary halfedge alone. In the faces of an operation it is h or, where an
+  /// edge at v was split, the one before it: so nothing walks round v.
   void set_halfedge(VertexId v, HalfedgeId h);
 
   Mesh& mesh_;
