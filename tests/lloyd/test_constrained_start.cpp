@@ -65,7 +65,8 @@ TEST_CASE("constrained start: creases longer than the even spacing by any factor
   StartOptions options;
   options.crease_angle = 30;
   const ConstrainedStart start = constrain_start(stick, test::random_generators(stick, 30, 1), options);
-  CHECK(start.points.size() == 30);
+  CHECK(start.points.size() <= 30);  // on such a stick, free points may coincide with points of creases
+  CHECK(start.points.size() >= 25);
   CHECK(count(start, Freedom::on_crease) > 0);
   CHECK(count(start, Freedom::free) >= 6);
 }

@@ -193,7 +193,7 @@ TEST_CASE("every inherited pair has faces of the input under it that intersect, 
       }));
     }
   }
-  CHECK(inherited > 20);
+  CHECK(inherited > 10);
 }
 
 /// Two spheres of radius 1 and .93, whose coarse meshes intersect, and a small one across the outer one only.

@@ -98,7 +98,7 @@ struct RemeshResult {
 ///
 /// Properties: (1) the certificate of a result is ok; (2) with Placement::generator vertex i is at generator i, bit by
 /// bit; (3) deterministic.
-/// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators within kMaxRemeshRounds, without
+/// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators, kMaxRemeshRounds, without
 /// `refine`, or with `vertex_count`. It names the failing property and its position. Throws Error{invalid_option} for a
 /// negative `max_added`, and what check_placement and compute_diagram throw. Cost: one diagram a round, and some tens
 /// of rounds for the hardest surfaces.
