@@ -3,7 +3,7 @@
 #include <map>
 
 #include "region_topology.hpp"
-#include "segment/region_topology.hpp"
+#include "segment/plain_topology.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

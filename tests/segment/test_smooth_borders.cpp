@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "segment/region_topology.hpp"
+#include "segment/plain_topology.hpp"
 #include "segment/two_pieces.hpp"
 #include "segment_steps.hpp"
 #include "support/catch.hpp"

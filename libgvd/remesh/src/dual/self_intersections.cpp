@@ -162,8 +162,9 @@ struct PlacedPiece {
 std::vector<PlacedPiece> place_pieces(const Mesh& surface, const Diagram& diagram, FaceId f) {
   if (diagram.face_label[f].valid()) return {{diagram.face_label[f], face_box(surface, f)}};
   std::vector<PlacedPiece> pieces;
-  const auto [begin, end] = std::ranges::equal_range(diagram.pieces, f, {}, &FacePiece::face);
-  for (const FacePiece& piece : std::ranges::subrange(begin, end)) {
+  const auto first = std::ranges::lower_bound(diagram.pieces, f, {}, &FacePiece::face);
+  for (auto it = first; it != diagram.pieces.end() && it->face == f; ++it) {
+    const FacePiece& piece = *it;
     Box3 box;
     for (const auto& bary : piece.corners) box.extend(position(surface, {f, bary}));
     pieces.push_back({piece.generator, box});
