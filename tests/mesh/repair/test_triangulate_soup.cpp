@@ -132,11 +132,8 @@ TEST_CASE("polygons that are not flat") {
 }
 
 TEST_CASE("polygons on a line have no area and are kept") {
-  PolygonSoup soup = one_polygon({{0, 0, 0}, {1, 1, 0}, {3, 3, 0}, {2, 2, 0}, {0, 3, 0}, {3, 0, 0}});
-  soup.corners = {0, 1, 2, 3, 1, 0, 4, 0, 3, 5};
-  soup.first_corner = {0, 4, 7, 10};
-  const auto checked = build_mesh(soup);
-  CHECK(checked.mesh.face_count() == 4);
+  const auto checked = build_mesh(one_polygon({{0, 0, 0}, {1, 1, 0}, {3, 3, 0}, {2, 2, 0}}));
+  CHECK(checked.mesh.face_count() == 2);
   CHECK(checked.defects.zero_area_faces == 2);
 }
 
