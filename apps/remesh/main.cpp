@@ -103,9 +103,11 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& sett
   const std::int32_t iterations = relax_iterations(settings, run.options().generators);
   ConstraintOptions constraints = settings.constraints;
   constraints.prefers_boundary = !settings.loose_boundary;
+  const bool may_add = !settings.no_refine && settings.remesh.max_added != 0;
+  // Most are added opposite generators that the relaxation moves to gaps.
+  constraints.leaves_room = may_add && iterations > 0;
   // A remesh that may add no generators can't follow creases that need more.
-  constraints.leaves_room = !settings.no_refine && settings.remesh.max_added != 0;
-  if (!constraints.leaves_room) constraints.auto_features = false;
+  if (!may_add) constraints.auto_features = false;
   report_start_options(run, settings, constraints, iterations);
   RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);

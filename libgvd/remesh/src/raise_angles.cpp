@@ -35,12 +35,18 @@ constexpr double kLeastGain = 1e-9;
 /// degrees.
 constexpr double kForbidden = 0.1;
 
+/// The most that a vertex pays in square distances for all its thin triangles, against a cell's unit: that of a cell
+/// moved by a tenth of the root of its area. Where generators are not even, no place may have good triangles. Without
+/// the bound, vertices of the rotor with 500 unrelaxed generators went 4.5 % of the diagonal away, and with it 2.5 %.
+constexpr double kMostPaid = 0.01;
+
 class AngleRaiser {
  public:
   AngleRaiser(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions)
       : search_(search),
         price_(price),
         positions_(std::move(positions)),
+        fitted_(positions_),
         placed_(*search.mesh, positions_),
         faces_of_(positions_.size()) {
     for (const FaceId f : search.mesh->faces()) {
@@ -143,6 +149,8 @@ class AngleRaiser {
     const Form form = find_form(v);
     Vec3 best = positions_[v];
     double least = cost(v, form);
+    const double area = search_.plan->areas[v];
+    const double most = form.at(fitted_[v] - search_.mesh->positions()[v]) + kMostPaid * area * area;
     const double gain = kLeastGain * std::abs(least);
     bool has_moved = false;
     double step = kFirstStep;
@@ -152,6 +160,7 @@ class AngleRaiser {
         const double turn = 2 * std::numbers::pi * k / kDirections;
         positions_[v] = from + step * (std::cos(turn) * x + std::sin(turn) * y);
         positions_[v] += std::clamp(form.rise(move(v), z), -step, step) * z;
+        if (form.at(move(v)) > most) continue;
         const double now = cost(v, form);
         if (!(now < least - gain)) continue;
         best = positions_[v];
@@ -166,6 +175,7 @@ class AngleRaiser {
   const AngleSearch& search_;
   const AnglePrice& price_;
   std::vector<Vec3> positions_;
+  const std::vector<Vec3> fitted_;  // the positions before the search
   PlacedFaces placed_;
   std::vector<std::vector<FaceId>> faces_of_;
 };
