@@ -57,18 +57,20 @@ StartOptions start_options(Run& run, const CheckedMesh& input, const ConstraintO
 }
 
 /// Notes which curves the generators do not keep to although that is preferred, and how many generators would do.
-void note_left_curves(Run& run, const ConstrainedStart& start) {
-  if (start.left_loops > 0) {
+void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
+  if (start.unfollowed_loops > 0) {
     run.console().note(
         fmt::format("boundary: {} of {} not followed, because this would take more than half of the generators; "
-                    "-n {} follows all",
-                    start.left_loops, counted(start.loops, "loop is", "loops are"), start.enough_for_loops));
+                    "-n {} puts some on each",
+                    start.unfollowed_loops, counted(start.loops, "loop is", "loops are"), start.enough_for_loops));
   }
-  if (start.enough_for_creases > 0) {
+  if (start.leaves_creases) {
+    const std::string enough =
+        start.enough_for_creases > 0 ? fmt::format("-n {} or ", start.enough_for_creases) : std::string();
     run.console().note(
-        fmt::format("creases: not followed, because this would take too many of the generators; about -n {} or "
-                    "--features {} follows them",
-                    start.enough_for_creases, kUsualCreaseAngle));
+        fmt::format("creases: not followed, because this would take too many of the generators; {}--features {} "
+                    "follows them",
+                    enough, kUsualCreaseAngle));
   }
 }
 
@@ -79,7 +81,7 @@ WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<S
   Density density = choose_density(run, input, constraints, std::ssize(points));
   const StartOptions options = start_options(run, input, constraints);
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
-  note_left_curves(run, start);
+  note_unfollowed_curves(run, start);
   const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
   if (!start.freedom.empty()) {
     const char* const curves = options.crease_angle ? "creases or the boundary" : "the boundary";

@@ -146,8 +146,8 @@ void describe_intersections(const RemeshCertificate& certificate, std::vector<st
 
 /// A remesh whose Hausdorff distance exceeds this many spacings of its vertices is far from its input. An even
 /// triangulation has no point farther than 1 / sqrt(3) of a spacing from a vertex: beyond a whole one, a part of the
-/// input has no vertices. Measured with 100
-/// generators: at most .80 (cow) and .46 on 100 closed and open models, and 4.3 where 80 of 100 were on small holes.
+/// input has no vertices. Measured with 100 generators: at most .80 (cow) and .46 on 100 closed and open models, and
+/// 4.3 where 80 of 100 were on small holes.
 constexpr double kFarSpacings = 1;
 
 /// The larger Hausdorff distance, and the side of the triangles that as many even vertices would have; mesh units.
@@ -167,11 +167,13 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
   if (!(diagonal > 0)) return;
   const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
   if (const Nearness nearness = nearness_of(result); nearness.is_far()) {
+    std::string advice = "give more generators";
+    if (result.crease_length > 0) advice += ", or compare --features none";
+    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0) advice += " and --loose-boundary";
     lines.push_back(
         fmt::format("part of the input has too few vertices: its distance is {:.3g} times that between "
-                    "vertices, where at most {} is usual; give more generators, or compare --loose-boundary "
-                    "and --features none",
-                    nearness.hausdorff / nearness.spacing, kFarSpacings));
+                    "vertices, where at most {} is usual; {}",
+                    nearness.hausdorff / nearness.spacing, kFarSpacings, advice));
   }
   lines.push_back(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
                               100 * std::max(there.hausdorff, back.hausdorff) / diagonal,

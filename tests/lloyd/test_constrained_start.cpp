@@ -124,15 +124,15 @@ TEST_CASE("constrained start: boundaries take at most half of the samples, and s
     CHECK(std::ssize(start.points) == n);
     CHECK(count(start, Freedom::fixed) + count(start, Freedom::on_crease) <= n / 2);
     CHECK(start.loops == 17);
-    CHECK((start.left_loops == 0) == (start.enough_for_loops == 0));
-    if (start.left_loops == 0) continue;
-    CHECK(start.left_loops == 16);  // the outer loop is followed
+    CHECK((start.unfollowed_loops == 0) == (start.enough_for_loops == 0));
+    if (start.unfollowed_loops == 0) continue;
+    CHECK(start.unfollowed_loops == 16);  // the outer loop is followed
     CHECK(start.enough_for_loops > n);
     const auto enough = test::random_generators(plane, int(start.enough_for_loops), 1);
-    CHECK(constrain_start(plane, enough, prefers).left_loops == 0);
+    CHECK(constrain_start(plane, enough, prefers).unfollowed_loops == 0);
   }
-  CHECK(constrain_start(plane, test::random_generators(plane, 60, 1), prefers).left_loops == 16);
-  CHECK(constrain_start(plane, test::random_generators(plane, 400, 1), prefers).left_loops == 0);
+  CHECK(constrain_start(plane, test::random_generators(plane, 60, 1), prefers).unfollowed_loops == 16);
+  CHECK(constrain_start(plane, test::random_generators(plane, 400, 1), prefers).unfollowed_loops == 0);
 }
 
 TEST_CASE("constrained start: creases that are preferred are followed where at most half of the samples do it") {
@@ -153,8 +153,29 @@ TEST_CASE("constrained start: creases that are preferred are followed where at m
   // The thin box has about as many generators on creases, and as many again would be added.
   CHECK(doubled.creases.empty());
   CHECK(doubled.enough_for_creases > 200);
+  CHECK(few.leaves_creases);
+  CHECK_FALSE(start_of(box, int(few.enough_for_creases)).creases.empty());
   prefers.prefers_creases = false;
   CHECK_FALSE(start_of(thin, 200).creases.empty());
+}
+
+TEST_CASE("constrained start: creases that no usual number of generators follows are left, however long they are") {
+  const Mesh plate = test::make_plate(12, 0.5);
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const VertexId v : plate.vertices()) {
+    const Vec3& p = plate.position(v);
+    positions.push_back({p.x(), 1e-12 * p.y(), 1e-12 * p.z()});
+  }
+  for (const FaceId f : plate.faces()) faces.push_back(plate.vertices(f));
+  const Mesh needle(std::move(positions), std::move(faces));
+  StartOptions prefers;
+  prefers.crease_angle = 40;
+  prefers.prefers_creases = true;
+  const ConstrainedStart start = constrain_start(needle, test::random_generators(needle, 100, 1), prefers);
+  CHECK(start.creases.empty());
+  CHECK(start.leaves_creases);
+  CHECK(start.enough_for_creases == 0);
 }
 
 TEST_CASE("constrained start: samples leave room where generators will be added") {

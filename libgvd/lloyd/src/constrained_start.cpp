@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -27,6 +26,7 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {
@@ -73,6 +73,12 @@ constexpr double kSameCourse = 1.5;
 
 /// Samples of a curve for each spacing, where close curves are looked for.
 constexpr double kSamplesPerSpacing = 4;
+
+/// Most generators to advise for creases, by those asked for; users who ask for 100 do not want 100,000.
+constexpr double kMostAdvised = 10;
+
+/// Trials of a number to advise. Where corners are few, the first or second one fits.
+constexpr int kAdviceTrials = 6;
 
 /// Factor of their spacing from one attempt to the next.
 constexpr double kWiderSpacing = 1.1;
@@ -234,7 +240,7 @@ class CloseCurves {
       for (; i + 1 < curve.edges.size() && passed + mesh_.length(curve.edges[i]) < at; ++i) {
         passed += mesh_.length(curve.edges[i]);
       }
-      const double to_end = curve.closed ? std::numeric_limits<double>::infinity() : std::min(at, lengths_[c] - at);
+      const double to_end = curve.closed ? kInfinity : std::min(at, lengths_[c] - at);
       samples_.push_back(
           {position(mesh_, point_on_curve(mesh_, curve, i, at - passed)), c, at, to_end, lengths_[c] / parts});
     }
@@ -293,8 +299,7 @@ class Networks {
     }
   }
 
-  /// Of `edges`, those in networks that are at least kLeastNetwork long and have few dead ends, if any. Their curves
-  /// are as long as the spacing on average: noise has junctions every few edges.
+  /// Of `edges`, those in networks that are at least kLeastNetwork long and have few dead ends, if any.
   std::vector<EdgeId> long_ones(const std::vector<EdgeId>& edges, double spacing) {
     std::vector<EdgeId> kept;
     for (const EdgeId e : edges) {
@@ -399,7 +404,29 @@ void choose_loops(const Spaced& spaced, const std::vector<EdgeId>& others, std::
   const std::vector<EdgeId> all = std::move(boundary);
   boundary = loops.long_ones(all, spaced.spacing);
   if (!fits(boundary)) boundary.clear();
-  start.left_loops = start.loops - (boundary.empty() ? 0 : loops.count_long(spaced.spacing));
+  start.unfollowed_loops = start.loops - (boundary.empty() ? 0 : loops.count_long(spaced.spacing));
+}
+
+/// How many times as many generators as may be are needed on curves, if `count` are asked for.
+double find_excess(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
+  const double spacing = spacing_beside(compute_area(mesh), boundary, count), asked = static_cast<double>(count);
+  if (surely_exceeds_share(mesh, curves, spacing, static_cast<std::size_t>(count))) return kInfinity;
+  const double opposite = static_cast<double>(CloseCurves(mesh, curves, spacing).expected().size());
+  const double all = static_cast<double>(Spaced{mesh, spacing}.count(curves, spacing)) + opposite;
+  return std::max(all / (kFeatureShare * asked), opposite / (kOppositeShare * asked));
+}
+
+/// A number of generators that can follow creases, up to kMostAdvised times as many as asked for; 0 if none is found.
+/// The number on curves grows with the square root of that of all generators, but for corners.
+template <class Excess>
+std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Excess& excess_of) {
+  double count = static_cast<double>(asked);
+  for (int trial = 0; trial < kAdviceTrials && excess > 1; ++trial) {
+    count = std::ceil(count * excess * excess);
+    if (!(count <= kMostAdvised * static_cast<double>(asked))) return 0;
+    excess = excess_of(static_cast<std::int64_t>(count));
+  }
+  return excess > 1 ? 0 : static_cast<std::int64_t>(count);
 }
 
 /// Leaves out creases that are noise, and all if they would take too many generators.
@@ -410,14 +437,14 @@ void choose_creases(const Spaced& spaced, const std::vector<EdgeId>& boundary, s
   if (total_length(spaced.mesh, creases) < kLongShare * length) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);
-  const double asked = static_cast<double>(start.points.size());
-  const double opposite = static_cast<double>(CloseCurves(spaced.mesh, curves, spaced.spacing).expected().size());
-  const double all = static_cast<double>(spaced.count(curves, spaced.spacing)) + opposite;
-  const double excess = std::max(all / (kFeatureShare * asked), opposite / (kOppositeShare * asked));
+  const auto excess_of = [&, border = total_length(spaced.mesh, boundary)](std::int64_t count) {
+    return find_excess(spaced.mesh, curves, border, count);
+  };
+  const double excess = excess_of(std::ssize(start.points));
   if (excess <= 1) return;
   creases.clear();
-  // The number on curves grows with the square root of that of all generators.
-  start.enough_for_creases = static_cast<std::int64_t>(std::ceil(asked * excess * excess));
+  start.leaves_creases = true;
+  start.enough_for_creases = find_enough_for_creases(std::ssize(start.points), excess, excess_of);
 }
 
 /// Finds the creases and the boundary as far as they are asked for, or preferred and possible.

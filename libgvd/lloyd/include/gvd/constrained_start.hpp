@@ -30,9 +30,10 @@ struct ConstrainedStart {
   std::vector<EdgeId> creases;
   double corner_distance = 0;           ///< of the creases (place_on_creases), mesh units
   std::int64_t loops = 0;               ///< of the boundary, where it is preferred
-  std::int64_t left_loops = 0;          ///< of these, those that would take too many generators
-  std::int64_t enough_for_loops = 0;    ///< so many generators follow all loops; 0 where none is left
-  std::int64_t enough_for_creases = 0;  ///< about so many follow creases that are preferred and left; 0: none is left
+  std::int64_t unfollowed_loops = 0;    ///< of these, those that would take too many generators
+  std::int64_t enough_for_loops = 0;    ///< with so many generators some are on each loop; 0 where all are followed
+  bool leaves_creases = false;          ///< creases are preferred, and would take too many generators
+  std::int64_t enough_for_creases = 0;  ///< so many would follow them; 0 where no number up to ten times as many does
 };
 
 /// The start of a relaxation with fixed generators, and with generators on creases and on the boundary.
