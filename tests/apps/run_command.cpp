@@ -8,6 +8,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -51,18 +53,36 @@ bool handles_interrupt(pid_t process, const std::filesystem::path& program) {
   return true;
 }
 
-/// Reads the output of the child until it ends.
-CommandResult collect(pid_t child, int stream) {
+/// Reads the output of the child until it ends. `on_output` is called with all of it whenever there is more.
+CommandResult collect(pid_t child, int stream, const std::function<void(const std::string&)>& on_output = {}) {
   CommandResult result;
   char buffer[4096];
   for (ssize_t count = 0; (count = read(stream, buffer, sizeof buffer)) > 0;) {
     result.err.append(buffer, static_cast<std::size_t>(count));
+    if (on_output) on_output(result.err);
   }
   close(stream);
   int status = 0;
   waitpid(child, &status, 0);
   result.exit_code = exit_code_of(status);
   return result;
+}
+
+struct TerminalRun {
+  pid_t child;
+  int terminal;
+};
+
+TerminalRun start_on_terminal(const std::string& name, const std::vector<std::string>& arguments) {
+  const Arguments argv(binary(name), arguments);
+  winsize size{};
+  size.ws_row = 24;
+  size.ws_col = 80;
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+  if (child < 0) throw std::runtime_error("no terminal for the test");
+  if (child == 0) argv.execute();
+  return {child, terminal};
 }
 
 }  // namespace
@@ -77,15 +97,23 @@ CommandResult run_command(const std::string& name, const std::string& arguments)
 }
 
 CommandResult run_on_terminal(const std::string& name, const std::vector<std::string>& arguments) {
-  const Arguments argv(binary(name), arguments);
-  winsize size{};
-  size.ws_row = 24;
-  size.ws_col = 80;
-  int terminal = -1;
-  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
-  if (child < 0) throw std::runtime_error("no terminal for the test");
-  if (child == 0) argv.execute();
-  return collect(child, terminal);
+  const TerminalRun run = start_on_terminal(name, arguments);
+  return collect(run.child, run.terminal);
+}
+
+StoppedRun interrupt_at(const std::string& step, const std::string& name, const std::vector<std::string>& arguments) {
+  using Clock = std::chrono::steady_clock;
+  const TerminalRun run = start_on_terminal(name, arguments);
+  const std::string bar = "\r\x1b[K" + step + " ";
+  std::optional<Clock::time_point> sent;
+  StoppedRun stopped;
+  stopped.result = collect(run.child, run.terminal, [&](const std::string& output) {
+    if (sent || output.find(bar) == std::string::npos) return;
+    sent = Clock::now();
+    kill(run.child, SIGINT);
+  });
+  if (sent) stopped.seconds = std::chrono::duration<double>(Clock::now() - *sent).count();
+  return stopped;
 }
 
 CommandResult run_interrupted(const std::string& name, const std::vector<std::string>& arguments, int signal) {

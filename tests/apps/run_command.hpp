@@ -22,6 +22,16 @@ CommandResult run_command(const std::string& name, const std::string& arguments)
 /// Runs a built command with standard error on a terminal of 80 columns.
 CommandResult run_on_terminal(const std::string& name, const std::vector<std::string>& arguments);
 
+/// A run that was interrupted.
+struct StoppedRun {
+  CommandResult result;
+  double seconds = -1;  ///< from the signal to the end of the process; below 0 where no signal was sent
+};
+
+/// Runs a built command with standard error on a terminal, and sends it SIGINT once its bar shows this step. `TERM`
+/// must be such that bars are drawn.
+StoppedRun interrupt_at(const std::string& step, const std::string& name, const std::vector<std::string>& arguments);
+
 /// Runs a built command that waits for standard input, and sends it `signal` while it waits. Collects standard error.
 CommandResult run_interrupted(const std::string& name, const std::vector<std::string>& arguments, int signal);
 

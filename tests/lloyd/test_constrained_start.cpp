@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "gvd/constrained_start.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "support/catch.hpp"
+#include "support/featured_meshes.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
@@ -100,23 +100,8 @@ TEST_CASE("constrained start: the boundary is preferred where samples are left b
   CHECK(constrain_start(grid, test::random_generators(grid, 40, 1), prefers).freedom.empty());
 }
 
-/// A flat grid of 24 x 24 squares with 16 square holes, and its outer loop.
-Mesh make_plane_with_holes() {
-  const Mesh grid = test::make_grid(24, 24);
-  std::vector<Vec3> positions;
-  for (const VertexId v : grid.vertices()) positions.push_back(grid.position(v));
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : grid.faces()) {
-    const auto& [a, b, c] = grid.vertices(f);
-    const Vec3 at = (grid.position(a) + grid.position(b) + grid.position(c)) / 3;
-    const bool in_hole = int(std::floor(at.x())) % 6 == 3 && int(std::floor(at.y())) % 6 == 3;
-    if (!in_hole) faces.push_back({a, b, c});
-  }
-  return Mesh(std::move(positions), std::move(faces));
-}
-
 TEST_CASE("constrained start: boundaries take at most half of the samples, and small loops are left first") {
-  const Mesh plane = make_plane_with_holes();
+  const Mesh plane = test::make_plane_with_holes();
   StartOptions prefers;
   prefers.prefers_boundary = true;
   for (const int n : {60, 80, 100, 140, 200, 400}) {

@@ -6,39 +6,10 @@
 #include "gvd/lloyd.hpp"
 #include "gvd/sampling.hpp"
 #include "support/catch.hpp"
+#include "support/featured_meshes.hpp"
 #include "support/meshes.hpp"
 
 namespace gvd::test_extremities {
-
-constexpr int kAround = 12, kHalf = 30;
-constexpr double kStep = 0.1;
-
-/// A sphere of radius 1 with two pointed limbs of length 2 along the z axis. Their ends are vertices 0 and the last.
-Mesh make_spindle() {
-  const double length = kStep * kHalf;
-  std::vector<Vec3> positions{{0, 0, -length}};
-  for (int i = 1 - kHalf; i < kHalf; ++i) {
-    const double z = kStep * i;
-    const double radius = std::max(std::sqrt(std::max(0.0, 1 - z * z)), 0.15 * (length - std::abs(z)));
-    for (int j = 0; j < kAround; ++j) {
-      const double turn = 2 * std::numbers::pi * j / kAround;
-      positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
-    }
-  }
-  positions.emplace_back(0, 0, length);
-  const auto at = [](int i, int j) { return VertexId(1 + i * kAround + j % kAround); };
-  const int rings = 2 * kHalf - 1;
-  std::vector<std::array<VertexId, 3>> faces;
-  for (int j = 0; j < kAround; ++j) {
-    faces.push_back({VertexId(0), at(0, j + 1), at(0, j)});
-    faces.push_back({VertexId(positions.size() - 1), at(rings - 1, j), at(rings - 1, j + 1)});
-    for (int i = 0; i + 1 < rings; ++i) {
-      faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
-      faces.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
-    }
-  }
-  return {std::move(positions), std::move(faces)};
-}
 
 /// Euclidean distance from the nearest generator to the end of a limb that has the farther one, in radii of even cells.
 double farthest_end(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
@@ -68,7 +39,7 @@ LloydOptions relaxation(bool keeps_extremities) {
 }
 
 TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull off") {
-  const Mesh mesh = make_spindle();
+  const Mesh mesh = test::make_spindle();
   for (const int count : {60, 120}) {
     for (const std::uint64_t seed : {0, 1, 2}) {
       CAPTURE(count, seed);
@@ -98,7 +69,7 @@ TEST_CASE("extremities: where no limb ends, nothing changes") {
 }
 
 TEST_CASE("extremities: a generator that may not move stays") {
-  const Mesh mesh = make_spindle();
+  const Mesh mesh = test::make_spindle();
   const auto start = sample(mesh, 60);
   LloydOptions options = relaxation(true);
   options.freedom.assign(60, Freedom::fixed);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -99,6 +100,35 @@ TEST_CASE("minimum cut: a path of many nodes") {
   cut.run();
   CHECK(cut.is_source_side(kWeakest));
   CHECK_FALSE(cut.is_source_side(kWeakest + 1));
+}
+
+/// The sides of a path of 600 nodes, whose weakest edge is in its middle and whose last node prefers the sink. So many
+/// further nodes prefer the source, each joined to the path's first node: every one takes an augmenting path of its
+/// own, as long as the whole path.
+std::vector<bool> cut_comb(MinCut& cut, std::int32_t sources) {
+  constexpr std::int32_t kPath = 600, kWeakest = 300;
+  cut.begin(kPath + sources);
+  for (std::int32_t v = 0; v + 1 < kPath; ++v) cut.add_edges(v, v + 1, v == kWeakest ? sources - 1 : sources + 1, 0);
+  cut.add_preference(kPath - 1, -2 * sources);
+  for (std::int32_t v = kPath; v < kPath + sources; ++v) {
+    cut.add_preference(v, 1);
+    cut.add_edges(v, 0, 1, 0);
+  }
+  cut.run();
+  std::vector<bool> side;
+  for (std::int32_t v = 0; v < kPath + sources; ++v) side.push_back(cut.is_source_side(v));
+  return side;
+}
+
+TEST_CASE("minimum cut: where paths are too many and too long, no node changes its side, and the next graph is cut") {
+  MinCut cut;
+  const auto on_source_side = [&](std::int32_t sources) {
+    const std::vector<bool> side = cut_comb(cut, sources);
+    return std::count(side.begin(), side.end(), true);
+  };
+  CHECK(on_source_side(100) == 301 + 100);  // 60,000 arcs for 700 nodes; the weakest edge is cut
+  CHECK(on_source_side(3000) == 0);         // 1,800,000 for 3600
+  CHECK(on_source_side(100) == 301 + 100);
 }
 
 }  // namespace gvd::test_min_cut

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,17 @@ inline Mesh read_simple_obj(const std::filesystem::path& path) {
     }
   }
   return Mesh(std::move(positions), std::move(faces));
+}
+
+/// Writes an OBJ that `read_simple_obj` reads back bit by bit.
+inline void write_simple_obj(const std::filesystem::path& path, const Mesh& mesh) {
+  std::ofstream out(path);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  for (const Vec3& p : mesh.positions()) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const auto& [a, b, c] : mesh.face_vertices()) {
+    out << "f " << a.value() + 1 << ' ' << b.value() + 1 << ' ' << c.value() + 1 << '\n';
+  }
+  if (!out) throw Error(ErrorCode::unwritable_output, "no file " + path.string());
 }
 
 }  // namespace gvd::test

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "support/meshes.hpp"
+
+// Meshes with what generators keep to or leave: ends of limbs, creases, holes.
+namespace gvd::test {
+
+/// A sphere of radius 1 with two pointed limbs of length 2 along the z axis. Their ends are vertices 0 and the last.
+inline Mesh make_spindle() {
+  constexpr int kAround = 12, kHalf = 30;
+  constexpr double kStep = 0.1, kLength = kStep * kHalf;
+  std::vector<Vec3> positions{{0, 0, -kLength}};
+  for (int i = 1 - kHalf; i < kHalf; ++i) {
+    const double z = kStep * i;
+    const double radius = std::max(std::sqrt(std::max(0.0, 1 - z * z)), 0.15 * (kLength - std::abs(z)));
+    for (int j = 0; j < kAround; ++j) {
+      const double turn = 2 * std::numbers::pi * j / kAround;
+      positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+    }
+  }
+  positions.emplace_back(0, 0, kLength);
+  const auto at = [](int i, int j) { return VertexId(1 + i * kAround + j % kAround); };
+  const int rings = 2 * kHalf - 1;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int j = 0; j < kAround; ++j) {
+    faces.push_back({VertexId(0), at(0, j + 1), at(0, j)});
+    faces.push_back({VertexId(positions.size() - 1), at(rings - 1, j), at(rings - 1, j + 1)});
+    for (int i = 0; i + 1 < rings; ++i) {
+      faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+      faces.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+    }
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+/// A closed box of 1 x 1 x 0.5 whose two large sides bulge by 0.15. Its creases are the box's edges, of length 10 in
+/// all, with angles of 90 degrees or a little less.
+inline Mesh make_domed_box() {
+  const Mesh box = make_plate(16, 0.5);
+  std::vector<Vec3> positions = box.positions();
+  for (Vec3& p : positions) {
+    const double bulge = 0.15 * 16 * p.x() * (1 - p.x()) * p.y() * (1 - p.y());
+    p.z() += p.z() > 0 ? bulge : -bulge;
+  }
+  return {std::move(positions), box.face_vertices()};
+}
+
+/// A flat square of 24 x 24 unit squares without 16 of them: 17 boundary loops.
+inline Mesh make_plane_with_holes() {
+  const Mesh grid = make_grid(24, 24);
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : grid.faces()) {
+    const auto& [a, b, c] = grid.vertices(f);
+    const Vec3 at = (grid.position(a) + grid.position(b) + grid.position(c)) / 3;
+    const bool in_hole = int(std::floor(at.x())) % 6 == 3 && int(std::floor(at.y())) % 6 == 3;
+    if (!in_hole) faces.push_back({a, b, c});
+  }
+  return {grid.positions(), std::move(faces)};
+}
+
+}  // namespace gvd::test
