@@ -1,12 +1,14 @@
 // Distances of surfaces that are known, in both directions, and samples of them.
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_distance.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
 namespace gvd::test_surface_distance {
@@ -87,6 +89,28 @@ TEST_CASE("distances agree with a dense sampling, for any number of threads") {
       CHECK(again.hausdorff == measured.hausdorff);
       CHECK(again.hausdorff_bound == measured.hausdorff_bound);
     }
+  }
+}
+
+TEST_CASE("flat surfaces that agree have a small bound, whatever their edges are") {
+  const Mesh grid = test::make_grid(6, 6);
+  const Mesh two = test::make_mesh({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}}, {{0, 1, 3}, {1, 2, 3}});
+  const Mesh four = test::make_mesh({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {2.1, 3.7, 0}},
+                                    {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  for (const auto& [from, to] : {std::pair(&grid, &two), {&grid, &four}, {&two, &four}, {&four, &grid}}) {
+    CHECK(measure_surface_distance(*from, *to).hausdorff_bound <= 2e-6 * grid.bbox_diagonal());
+  }
+}
+
+TEST_CASE("the bound holds over folds, however sharp and wherever their edge ends") {
+  test::Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const auto point = [&] { return Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)); };
+    const Mesh fold = test::make_mesh({point(), point(), point(), point()}, {{0, 1, 2}, {1, 0, 3}});
+    const Mesh from = test::make_mesh({point(), point(), point()}, {{0, 1, 2}});
+    const SurfaceDistance found = measure_surface_distance(from, fold);
+    CHECK(sample_densely(from, fold, 60).hausdorff <= found.hausdorff_bound * (1 + 1e-12));
+    CHECK(found.hausdorff_bound <= found.hausdorff * (1 + kHausdorffTolerance) * (1 + 1e-12));
   }
 }
 

@@ -2,8 +2,11 @@
 //
 // Faces are cut into equal triangles, whose corners and centroids are samples. The largest distance is searched for by
 // branch and bound: over a triangle the distance from one face of the other surface is convex, so its largest value is
-// at a corner and bounds the distance from all faces. A triangle that may hold a farther point is cut in four. Sums and
-// pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
+// at a corner and bounds the distance from all faces. Where the closest points of the corners are in two faces, so does
+// the largest value at a corner, and how far the triangle of the closest points is from the two faces. Without that,
+// flat surfaces that agree would be cut as finely as can be along all edges. A triangle that may hold a farther point
+// is cut in four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the number of
+// threads.
 
 #include "gvd/surface_distance.hpp"
 
@@ -78,7 +81,7 @@ class DistanceMeasure {
  public:
   /// All arguments but `threads` must outlive this.
   DistanceMeasure(const Mesh& from, const Mesh& to, int threads, const Progress& progress)
-      : from_(from), tree_(to), parallel_(threads, progress) {
+      : from_(from), to_(to), tree_(to), parallel_(threads, progress) {
     triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
     absolute_tolerance_ = kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal());
   }
@@ -177,9 +180,54 @@ class DistanceMeasure {
     return farthest + std::max(kHausdorffTolerance * farthest, absolute_tolerance_);
   }
 
-  /// A bound on the distance of all points of the triangle. Over it, the distance from one face is convex, so the
-  /// largest value is at a corner. Among the faces nearest to the corners, the one with the least such value counts.
+  /// A bound on the distance of all points of the triangle.
   double upper_bound(const Corners& corners) const {
+    const double least = bound_by_one_face(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corners turned{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
+      const FaceId own = turned[0].nearest, other = turned[1].nearest;
+      if (own == other || turned[2].nearest != other) continue;
+      if (const HalfedgeId h = common_edge(own, other); h.valid()) return std::min(least, bound_by_two(turned, h));
+    }
+    return least;
+  }
+
+  /// The halfedge of a face whose twin is one of another face; invalid where they have none in common.
+  HalfedgeId common_edge(FaceId face, FaceId other) const {
+    for (const HalfedgeId h : to_.halfedges(face)) {
+      if (to_.twin(h).valid() && to_.face(to_.twin(h)) == other) return h;
+    }
+    return {};
+  }
+
+  /// The first corner is nearest to the face of h, the others are to that of its twin. The closest points of the
+  /// corners make a triangle. It is cut where it crosses the edge, best of all; its parts are as near to the faces as
+  /// the ends of the cut are to the edge. All maps between the three are linear in each part, so corners have the
+  /// largest values.
+  double bound_by_two(const Corners& corners, HalfedgeId h) const {
+    const Vec3 &start = to_.position(to_.from(h)), &end = to_.position(to_.to(h));
+    const auto closest = [&](const Sample& s) {
+      return gvd::position(to_, closest_point_on_face(to_, s.nearest, s.position).point);
+    };
+    const auto at = [&](double t) -> Vec3 { return start + t * (end - start); };
+    const auto height = [&](const Vec3& p) { return (p - at(foot_on_line(start, end, p))).norm(); };
+    const Vec3 single = closest(corners[0]);
+    double off_edge = 0, farthest = corners[0].distance;
+    for (const Sample& corner : {corners[1], corners[2]}) {
+      const Vec3 across = closest(corner);
+      const double here = height(single), there = height(across);
+      const Vec3 cut = here + there > 0 ? Vec3((there * single + here * across) / (here + there)) : single;
+      const double off = (cut - at(std::clamp(foot_on_line(start, end, cut), 0.0, 1.0))).norm();
+      if (!std::isfinite(off)) return kInfinity;  // the edge has no length
+      off_edge = std::max(off_edge, off);
+      farthest = std::max(farthest, corner.distance);
+    }
+    return farthest + off_edge;
+  }
+
+  /// Over the triangle, the distance from one face is convex, so the largest value is at a corner. Among the faces
+  /// nearest to the corners, the one with the least such value counts.
+  double bound_by_one_face(const Corners& corners) const {
     double least = kInfinity;
     for (const Sample& candidate : corners) {
       double largest = 0;
@@ -218,6 +266,7 @@ class DistanceMeasure {
   }
 
   const Mesh& from_;
+  const Mesh& to_;
   ClosestPointTree tree_;
   ParallelChunks parallel_;
   double absolute_tolerance_ = 0;  // mesh units
