@@ -31,8 +31,8 @@ class MinCut {
     std::int64_t capacity;  // that is left
   };
 
-  /// Arcs of augmenting paths for each node, after which `run` gives up: on a ring of 100,000 faces round one vertex
-  /// the paths grow so long that the cost would be quadratic, 4 s there.
+  /// Arcs of augmenting paths for each node, after which `run` gives up. On a ring of 100,000 faces round one vertex
+  /// the paths grow so long that the cost would be quadratic: 4 s.
   static constexpr std::int64_t kMostSteps = 200;
 
   bool find_levels();

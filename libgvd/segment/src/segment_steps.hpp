@@ -44,10 +44,10 @@ void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceSh
 /// Shortens the borders between the regions of `result`. Only free faces (see FreeFaces) change their label, and only
 /// to that of a cell with a share of the face.
 ///
-/// Properties: (1) the border does not become longer; (2) the regions keep their topology (see RegionTopology);
-/// (3) where no change was refused for (2), no region can lower the cost (see BorderCosts) by any set of free faces
-/// that it takes from others, nor can any two regions by an exchange; so with two regions it is the least of all.
-/// Counts `smoothed_faces`. Cost: O(n + k) for k shares in practice.
+/// Properties: (1) the border does not become longer; (2) the regions keep their topology (see RegionTopology); (3) no
+/// region can lower the cost (see BorderCosts) by any set of free faces that it takes from others; (4) no two regions
+/// can by an exchange. With two regions the cost is the least of all. (3) and (4) hold where no change was refused for
+/// (2), and no cut gave up (see MinCut). Counts `smoothed_faces`. Cost: O(n + k) for k shares in practice.
 void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
                     const Progress& progress = {});
 

@@ -3,16 +3,15 @@
 // Free faces are those that bisectors cross. One face of each generator keeps its label, so that no region vanishes and
 // none leaves its generator. The shortest borders are a minimum multiway cut, which is NP-hard with three labels or
 // more (E. Dahlhaus et al., The complexity of multiterminal cuts, 1994). The start is a forest (see BorderForest).
-// Then the regions expand in turn, until none gains: of all sets of free faces that a region can take from others, a
+// Then the regions expand in turn, until none gains. Of all sets of free faces that a region can take from others, a
 // minimum cut finds the one of least cost (Y. Boykov, O. Veksler and R. Zabih, Fast approximate energy minimization
-// via graph cuts, 2001). The cost is submodular in that set. So if A gains by no faces of B, nor B by any of A, then A
-// and B gain by no exchange either: for A's region X and any other one Z, cost(X) <= cost(X + Z) and
-// cost(X) <= cost(X * Z), whose sum is cost(X) + cost(Z) at most. With two regions the cost is the least of all.
+// via graph cuts, 2001). The cost is submodular in that set. So where no region gains by faces of others, no two gain
+// by an exchange, and with two regions the cost is the least of all.
 //
 // Topology is not in the cuts. Faces with a new label form clusters, whose effects on the border do not depend on each
-// other. In each cluster the faces change one by one, each only if the topology stays; else all of them together; else
-// the steps up to the least cost are kept, and a further cut leaves out the faces that could not change. Every kept
-// change lowers the cost, so the border never becomes longer. See docs/developer/segment-borders.md.
+// other. The faces of a cluster change one by one, each if the topology stays, or all together. Else the steps up to
+// the least cost are kept, and a further cut leaves out the faces that could not change. Every kept change lowers the
+// cost, so the border never becomes longer. docs/developer/segment-borders.md has the proofs.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -42,8 +41,8 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
   return held;
 }
 
-/// Forests before the cuts. Without any, borders of 100 regions and more are 0.2 to 0.7 % longer; with one, 0.1 to 0.2
-/// %.
+/// Forests before the cuts. Borders of 100 regions and more are 0.2 to 0.7 % longer without any, and 0.1 to 0.2 %
+/// longer with one.
 constexpr int kForests = 4;
 
 /// Cuts of one region in a row, each without the faces that topology held back before. The first one does nearly all.

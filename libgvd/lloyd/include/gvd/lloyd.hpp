@@ -116,15 +116,15 @@ struct LloydResult {
 /// the energy, generators that went too far shorten their own steps, and after that all do. A generator that would
 /// collide with another one does not move.
 ///
-/// An extremity is an inner vertex that is farther from its generator than all its neighbours, which are in the same
-/// cell: the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator goes to
+/// An extremity is an inner vertex that is farther from its generator than all its neighbours; these are in the same
+/// cell. It is the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator goes to
 /// the farthest one of its cell and stays there, if that is half the cell's radius away or more. If there is one, up to
 /// five iterations with the others follow. The energy may rise between these iterations and those before. Where they
 /// leave many more cells that are no discs or have fewer than three neighbours, these iterations do not count.
+///
 /// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
-/// its component;
-/// (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with the diagrams
-/// of the options.
+/// its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with
+/// the diagrams of the options.
 /// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.
 /// Throws Error{precondition} where `compute_diagram` does, without generators, and if the energy is no finite number.
 /// Cost: the windows of a diagram and O(n log n) for an early iteration, a diagram and O(n log n) for others.
