@@ -34,7 +34,8 @@ struct RemeshOptions {
   /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
   /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that
-  /// are added, given ones are left out where the dual can do without them, but none of the first `kept`.
+  /// are added, given ones are left out where the dual can do without them, but none of the first `kept` and
+  /// none that `placement` fixes.
   std::optional<std::int64_t> vertex_count;
   std::size_t kept = 0;
   /// Number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to that of
@@ -47,7 +48,8 @@ struct RemeshOptions {
   /// generators are added on them where cells of others come between, and where long edges would cut off bends of
   /// creases. `max_added` counts them, and at most one for each given generator and 100 more are added.
   std::vector<CreaseCurve> creases;
-  PlacementOptions placement;  ///< where the vertices are; its `threads` and `progress` are those of `diagram`
+  /// Where the vertices are. `fixed`: ids of given generators. Its `threads` and `progress` are those of `diagram`.
+  PlacementOptions placement;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
