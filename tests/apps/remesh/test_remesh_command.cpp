@@ -283,6 +283,27 @@ TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or ref
   CHECK_THAT(list.err, Contains("the dual of 2 generators is no valid mesh"));
 }
 
+TEST_CASE("gvd-remesh --exact-count: vertices at ends of limbs stay, and the report is that of the chosen start") {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "coarse.json", report_path = scratch / "report.json";
+  const CommandResult result = run_command(
+      "gvd-remesh", data_file("figure.obj") + " -n 75 --relax 3 --exact-count -o " + json + " --report " + report_path);
+  CAPTURE(result.err);
+  REQUIRE(result.exit_code == 0);
+  const auto report = nlohmann::json::parse(read_text(report_path)), content = nlohmann::json::parse(read_text(json));
+  const auto& results = report["results"];
+  CHECK(results["left_out_generators"] > 0);
+  CHECK(report["timings_ms"]["other start"] > 0);
+  // Begun with so many generators: max_added is ten for each, and 100 more, of a surface of one component and one handle.
+  const int begun = 75 + int(results["left_out_generators"]) - int(results["added_generators"]);
+  CHECK(report["options"]["max_added"] == 10 * (begun + 2) + 100);
+  const auto &vertices = content["remesh"]["vertices"], &generators = content["generators"];
+  int at_generators = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) at_generators += vertices[i] == generators[i]["position"] ? 1 : 0;
+  CHECK(results["relaxation"]["extremities"] > 0);
+  CHECK(at_generators >= results["relaxation"]["extremities"]);
+}
+
 TEST_CASE("gvd-remesh: a note says why generators were added") {
   const CommandResult one = run_command("gvd-remesh", data_file("torus.ply") + " -n 1");
   CHECK(one.exit_code == 0);
