@@ -195,7 +195,7 @@ Attempt choose_start(Run& run, const CheckedMesh& input, const Settings& setting
   const std::int64_t wanted = *first.options.vertex_count;
   const double exchanged = first.result ? double(first.result->left_out) : kFewerStart * double(wanted);
   const auto fewer = static_cast<std::int32_t>(double(wanted) - exchanged);
-  if (exchanged <= kFewExchanged * double(wanted)) return first;
+  if (exchanged <= kFewExchanged * double(wanted) || fewer < 1) return first;
   Attempt second = attempt(run, input, settings, fewer, wanted);
   const bool is_better = second.result && (!first.result || rms(*second.result) < rms(*first.result));
   if (is_better) std::swap(first, second);
