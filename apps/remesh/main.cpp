@@ -105,8 +105,8 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& sett
   ConstraintOptions constraints = settings.constraints;
   constraints.prefers_boundary = !settings.loose_boundary;
   const bool may_add = !settings.no_refine && settings.remesh.max_added != 0;
-  // Most are added opposite generators that the relaxation moves to gaps.
-  constraints.leaves_room = may_add && iterations > 0;
+  // Most are added opposite generators that the relaxation moves to gaps. With an exact number, there are none.
+  constraints.leaves_room = may_add && iterations > 0 && !settings.exact_count;
   // A remesh that may add no generators can't follow creases that need more.
   if (!may_add) constraints.auto_features = false;
   report_start_options(run, settings, constraints, iterations);

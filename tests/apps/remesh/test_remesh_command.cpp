@@ -279,6 +279,9 @@ TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or ref
     CHECK(exact["results"]["left_out_generators"] >= 0);
     CHECK(run_command("gvd-remesh", figure + " --no-refine -o " + path).exit_code == 5);
   }
+  // Close creases, on which none are added.
+  CHECK(report_of(data_file("plate.stl") + " -n 60 --features 40 --exact-count")["results"]["output"]["vertices"] ==
+        60);
   // A list stays as it is.
   const CommandResult list = run_command("gvd-remesh", torus + " --vertices 0,1 --exact-count -o " + path);
   CHECK(list.exit_code == 5);
@@ -296,7 +299,7 @@ TEST_CASE("gvd-remesh --exact-count: vertices at ends of limbs stay, and the rep
   const auto& results = report["results"];
   CHECK(results["left_out_generators"] > 0);
   CHECK(report["timings_ms"]["other start"] > 0);
-  // Begun with so many generators: max_added is ten for each, and 100 more, of a surface of one component and one handle.
+  // Begun with so many generators: max_added is ten for each, for the component and for the handle, and 100 more.
   const int begun = 75 + int(results["left_out_generators"]) - int(results["added_generators"]);
   CHECK(report["options"]["max_added"] == 10 * (begun + 2) + 100);
   const auto &vertices = content["remesh"]["vertices"], &generators = content["generators"];
