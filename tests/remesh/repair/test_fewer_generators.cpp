@@ -139,17 +139,20 @@ TEST_CASE("fewer generators: the search ends at its limit, says so, and what it 
 }
 
 TEST_CASE("exchange: exactly so many are left, the first ones stay, and the dual is right") {
+  int meshes = 0, successes = 0;
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const auto repaired = repair(mesh, test::random_generators(mesh, 40, 1));
     const std::size_t kept = 5, count = repaired.size() - 4;
     Diagram diagram = compute_diagram(mesh, repaired);
     const bool found = exchange_generators(mesh, diagram, make_search(mesh, diagram, kept, count));
-    CHECK(found == (diagram.generators.size() == count));
-    CHECK(diagram.generators.size() >= count);
+    ++meshes;
+    successes += found ? 1 : 0;
+    CHECK((found ? diagram.generators.size() == count : diagram.generators.size() > count));
     CHECK(is_right(mesh, diagram.generators));
     CHECK(std::equal(repaired.begin(), repaired.begin() + kept, diagram.generators.begin()));
   }
+  CHECK(10 * successes >= 9 * meshes);
 }
 
 TEST_CASE("exchange: fixed generators stay, wherever they are in the list") {
