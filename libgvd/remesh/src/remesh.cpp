@@ -214,22 +214,7 @@ class Remesher {
   RemeshResult run(Diagram&& first) {
     result_.diagram = std::move(first);
     events_ = result_.diagram.report.propagation_events * std::max(std::int64_t{1}, options_.earlier_diagrams);
-    while (true) {
-      ++result_.rounds;
-      enter(RemeshStage::dual);
-      RemeshRound round = maker_.build(result_.diagram, result_.rounds);
-      const bool follows_creases = follow_creases();
-      if (!follows_creases && round.defects.empty()) {
-        enter(RemeshStage::placement);
-        maker_.place(result_.diagram, round);
-      }
-      if (result_.rounds == 1) result_.given_defects = round.defects;
-      if (!follows_creases && round.defects.empty() && missing() <= 0) {
-        take(std::move(round));
-        break;
-      }
-      if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
-      if (!follows_creases) round.defects.empty() ? fill() : refine(round.defects);
+    while (!ends_with_round()) {
       enter(RemeshStage::diagram);
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
       events_ += result_.diagram.report.propagation_events;
@@ -249,6 +234,30 @@ class Remesher {
   void take(RemeshRound&& round) {
     result_.mesh = std::move(round.mesh);
     result_.face_points = std::move(round.face_points);
+  }
+
+  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators.
+  bool ends_with_round() {
+    ++result_.rounds;
+    enter(RemeshStage::dual);
+    RemeshRound round = maker_.build(result_.diagram, result_.rounds);
+    const bool follows_creases = follow_creases();
+    if (!follows_creases && round.defects.empty()) {
+      enter(RemeshStage::placement);
+      maker_.place(result_.diagram, round);
+    }
+    if (result_.rounds == 1) result_.given_defects = round.defects;
+    if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
+    if (follows_creases) return false;
+    if (!round.defects.empty()) {
+      refine(round.defects);
+    } else if (missing() > 0) {
+      fill();
+    } else {
+      take(std::move(round));
+      return true;
+    }
+    return false;
   }
 
   /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.

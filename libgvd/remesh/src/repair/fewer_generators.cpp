@@ -15,7 +15,8 @@
 namespace gvd {
 namespace {
 
-/// The other one of some generators that is nearest in space: along the surface it would cost a propagation.
+/// The other one of some generators that is nearest in space: along the surface it would cost a propagation. Cost:
+/// O(n), as that of the part for its trial.
 std::optional<GeneratorId> find_nearest(const Mesh& mesh, const Diagram& diagram, GeneratorId g,
                                         const std::vector<GeneratorId>& among) {
   Least<std::optional<GeneratorId>> nearest;
