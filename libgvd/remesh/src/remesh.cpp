@@ -208,6 +208,7 @@ class Remesher {
         creases_(mesh, options.creases, options.refine && !options.vertex_count ? max_on_creases(generators.size()) : 0,
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
+    stays_ = fixed_;
   }
 
   /// `first`: the diagram of the given generators.
@@ -264,6 +265,7 @@ class Remesher {
   bool follow_creases() {
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
     result_.crease_gap_length = creases_.gap_length();
+    stays_.insert(stays_.end(), points.begin(), points.end());
     append(points);
     return !points.empty();
   }
@@ -320,9 +322,9 @@ class Remesher {
 
   std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }
 
-  /// Whether fewer generators are looked for. With fewer of them, edges could leave creases that they follow.
+  /// Whether fewer generators are looked for. Those that were added on creases stay.
   bool is_worth_searching() const {
-    return options_.creases.empty() && double(result_.added) > kWorthSearching * double(given_count());
+    return double(result_.added - creases_.added()) > kWorthSearching * double(given_count());
   }
 
   /// `share`: of the work that the other diagrams take, for the search.
@@ -330,7 +332,7 @@ class Remesher {
     enter(RemeshStage::search);
     const auto least = std::size_t(options_.vertex_count.value_or(0));
     return {kept,
-            fixed_,
+            stays_,
             least,
             std::int64_t(share * double(events_)),
             options_.diagram,
@@ -418,6 +420,7 @@ class Remesher {
   const Mesh& mesh_;
   const RemeshOptions& options_;
   const std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
+  std::vector<SurfacePoint> stays_;        // in a search: the fixed ones, and those added on creases
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;

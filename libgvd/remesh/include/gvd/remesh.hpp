@@ -90,9 +90,10 @@ struct RemeshResult {
 /// While the dual of the generators is not a proper mesh, generators are added near its defects, and the diagram is
 /// computed again. check_dual, find_flipped_faces and find_self_intersections tell the defects; docs/guide/remesh.md
 /// says where they go. The vertices are moved off their generators as `placement` says. A search follows where more
-/// than a tenth of the given generators was added, and no creases are given. Added generators that the mesh can do
-/// without are left out again. One is put in the place of two where that will do. No given generator is moved, and none
-/// is removed without `vertex_count`. At last, generators are added where that leaves fewer slivers.
+/// than a tenth of the given generators was added, those on creases not counted. Added generators that the mesh can do
+/// without are left out again, but none on creases. One is put in the place of two where that will do. No given
+/// generator is moved, and none is removed without `vertex_count`. At last, generators are added where that leaves
+/// fewer slivers.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,
