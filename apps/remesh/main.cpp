@@ -12,6 +12,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -104,8 +105,8 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& sett
   ConstraintOptions constraints = settings.constraints;
   constraints.prefers_boundary = !settings.loose_boundary;
   const bool may_add = !settings.no_refine && settings.remesh.max_added != 0;
-  // Most are added opposite generators that the relaxation moves to gaps.
-  constraints.leaves_room = may_add && iterations > 0;
+  // Most are added opposite generators that the relaxation moves to gaps. With an exact number, there are none.
+  constraints.leaves_room = may_add && iterations > 0 && !settings.exact_count;
   // A remesh that may add no generators can't follow creases that need more.
   if (!may_add) constraints.auto_features = false;
   report_start_options(run, settings, constraints, iterations);
@@ -157,6 +158,8 @@ RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, Reme
 
 /// Generators and what became of them.
 struct Attempt {
+  std::unique_ptr<Run> run;        ///< reports on this attempt alone
+  std::vector<std::string> notes;  ///< on this attempt, to be printed if it is chosen
   RemeshOptions options;
   std::optional<RemeshResult> result;
   std::exception_ptr failure;  ///< where there is no result
@@ -167,16 +170,19 @@ struct Attempt {
 Attempt attempt(Run& run, const CheckedMesh& input, const Settings& settings, std::optional<std::int32_t> count,
                 std::optional<std::int64_t> wanted = {}) {
   Attempt made;
+  made.run = std::make_unique<Run>("", run.options(), run.console());
+  if (settings.exact_count) run.console().hold();
   try {
-    RelaxedStart start = make_start(run, input, settings, count);
-    made.options = remesh_options(run, input.mesh, start.constrained, settings);
+    RelaxedStart start = make_start(*made.run, input, settings, count);
+    made.options = remesh_options(*made.run, input.mesh, start.constrained, settings);
     if (wanted) made.options.vertex_count = wanted;
-    made.result = timed_remesh(run, input.mesh, std::move(start), made.options);
+    made.result = timed_remesh(*made.run, input.mesh, std::move(start), made.options);
   } catch (const Error& error) {
     const bool may_help = error.code() == ErrorCode::no_valid_result && made.options.vertex_count;
     if (!may_help && !(wanted && error.code() == ErrorCode::precondition)) throw;
     made.failure = std::current_exception();
   }
+  made.notes = run.console().take_held();
   return made;
 }
 
@@ -188,10 +194,13 @@ Attempt choose_start(Run& run, const CheckedMesh& input, const Settings& setting
   if (!first.options.vertex_count) return first;
   const std::int64_t wanted = *first.options.vertex_count;
   const double exchanged = first.result ? double(first.result->left_out) : kFewerStart * double(wanted);
-  if (exchanged <= kFewExchanged * double(wanted)) return first;
-  Attempt second = attempt(run, input, settings, std::int32_t(double(wanted) - exchanged), wanted);
+  const auto fewer = static_cast<std::int32_t>(double(wanted) - exchanged);
+  if (exchanged <= kFewExchanged * double(wanted) || fewer < 1) return first;
+  Attempt second = attempt(run, input, settings, fewer, wanted);
   const bool is_better = second.result && (!first.result || rms(*second.result) < rms(*first.result));
-  return is_better ? std::move(second) : std::move(first);
+  if (is_better) std::swap(first, second);
+  run.report().set_time("other start", second.run->report().total_time());
+  return first;
 }
 
 /// Generators and their remesh; `count` stands in for the number of the options.
@@ -199,7 +208,9 @@ RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& set
                          std::optional<std::int32_t> count) {
   const Mesh& mesh = input.mesh;
   Attempt made = choose_start(run, input, settings, attempt(run, input, settings, count));
+  for (const std::string& note : made.notes) run.console().note(note);
   if (!made.result) std::rethrow_exception(made.failure);
+  run.report().merge(made.run->report());
   RemeshResult& result = *made.result;
   report_remesh(run.report().results(), mesh, result);
   run.report().set_diagram(result.diagram);

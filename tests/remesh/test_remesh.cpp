@@ -293,10 +293,12 @@ TEST_CASE("remesh: the estimate of needed generators follows the defects") {
 
 TEST_CASE("remesh: exactly as many vertices as asked for, with the first generators in their places") {
   std::int64_t exchanged = 0, filled = 0;
+  int runs = 0, successes = 0;
   for (const auto& [name, mesh] : test::small_family()) {
     for (const auto& [count, more] : {std::pair(40, 0), std::pair(40, 3), std::pair(8, 10)}) {
       INFO(name << ", " << count << " and " << more << " more");
       const auto given = test::random_generators(mesh, count, 4);
+      ++runs;
       RemeshOptions options;
       options.vertex_count = std::ssize(given) + more;
       options.kept = 5;
@@ -306,6 +308,7 @@ TEST_CASE("remesh: exactly as many vertices as asked for, with the first generat
         CHECK(result.mesh.vertex_count() == *options.vertex_count);
         CHECK(std::equal(given.begin(), given.begin() + 5, result.generators.begin()));
         CHECK(std::ssize(given) + result.added - result.left_out == *options.vertex_count);
+        ++successes;
         exchanged += result.left_out;
         filled += more > 0 && result.added > 0;
       } catch (const Error& error) {
@@ -314,6 +317,8 @@ TEST_CASE("remesh: exactly as many vertices as asked for, with the first generat
       }
     }
   }
+  CAPTURE(successes, runs);
+  CHECK(4 * successes >= 3 * runs);
   CHECK(exchanged > 0);
   CHECK(filled > 0);
 }

@@ -81,14 +81,13 @@ std::string describe_need(const Mesh& mesh, std::size_t generators, const Repair
               fmt::format("no valid mesh of {} was found: {}", counted(count, "vertex", "vertices"), why));
 }
 
-/// The number of the first points that are left among others, which have the same order.
-std::int64_t count_left(const std::vector<SurfacePoint>& points, std::int64_t first,
-                        const std::vector<SurfacePoint>& others) {
-  auto at = others.begin();
-  for (auto point = points.begin(); point != points.begin() + first && at != others.end(); ++point) {
-    if (*at == *point) ++at;
-  }
-  return at - others.begin();
+/// The points of some generators, in the order of their ids.
+std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generators, std::vector<GeneratorId> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<SurfacePoint> points;
+  for (const GeneratorId g : ids) points.push_back(generators[g.index()]);
+  return points;
 }
 
 /// The mesh that the generators of a diagram give, and the defects in the way.
@@ -101,8 +100,9 @@ struct RemeshRound {
 
 class RoundMaker {
  public:
-  /// Both must outlive this.
-  RoundMaker(const Mesh& mesh, const RemeshOptions& options) : mesh_(mesh), options_(options) {}
+  /// `fixed`: the points of generators whose vertices stay, in their order. All must outlive this.
+  RoundMaker(const Mesh& mesh, const RemeshOptions& options, const std::vector<SurfacePoint>& fixed)
+      : mesh_(mesh), options_(options), fixed_(fixed) {}
 
   /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
   /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
@@ -128,6 +128,7 @@ class RoundMaker {
     PlacementOptions options = options_.placement;
     options.threads = options_.diagram.threads;
     options.progress = options_.diagram.progress;
+    options.fixed = find_in_order(fixed_, diagram.generators);
     if (options.method != Placement::generator) {
       round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
     }
@@ -190,6 +191,7 @@ class RoundMaker {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
+  const std::vector<SurfacePoint>& fixed_;
   std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
 };
 
@@ -201,32 +203,19 @@ class Remesher {
   Remesher(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options)
       : mesh_(mesh),
         options_(options),
+        fixed_(list_points(generators, options.placement.fixed)),
         max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), generators.size()))),
         creases_(mesh, options.creases, options.refine && !options.vertex_count ? max_on_creases(generators.size()) : 0,
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
+    stays_ = fixed_;
   }
 
   /// `first`: the diagram of the given generators.
   RemeshResult run(Diagram&& first) {
     result_.diagram = std::move(first);
     events_ = result_.diagram.report.propagation_events * std::max(std::int64_t{1}, options_.earlier_diagrams);
-    while (true) {
-      ++result_.rounds;
-      enter(RemeshStage::dual);
-      RemeshRound round = maker_.build(result_.diagram, result_.rounds);
-      const bool follows_creases = follow_creases();
-      if (!follows_creases && round.defects.empty()) {
-        enter(RemeshStage::placement);
-        maker_.place(result_.diagram, round);
-      }
-      if (result_.rounds == 1) result_.given_defects = round.defects;
-      if (!follows_creases && round.defects.empty() && missing() <= 0) {
-        take(std::move(round));
-        break;
-      }
-      if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
-      if (!follows_creases) round.defects.empty() ? fill() : refine(round.defects);
+    while (!ends_with_round()) {
       enter(RemeshStage::diagram);
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
       events_ += result_.diagram.report.propagation_events;
@@ -248,10 +237,35 @@ class Remesher {
     result_.face_points = std::move(round.face_points);
   }
 
+  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators.
+  bool ends_with_round() {
+    ++result_.rounds;
+    enter(RemeshStage::dual);
+    RemeshRound round = maker_.build(result_.diagram, result_.rounds);
+    const bool follows_creases = follow_creases();
+    if (!follows_creases && round.defects.empty()) {
+      enter(RemeshStage::placement);
+      maker_.place(result_.diagram, round);
+    }
+    if (result_.rounds == 1) result_.given_defects = round.defects;
+    if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
+    if (follows_creases) return false;
+    if (!round.defects.empty()) {
+      refine(round.defects);
+    } else if (missing() > 0) {
+      fill();
+    } else {
+      take(std::move(round));
+      return true;
+    }
+    return false;
+  }
+
   /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.
   bool follow_creases() {
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
     result_.crease_gap_length = creases_.gap_length();
+    stays_.insert(stays_.end(), points.begin(), points.end());
     append(points);
     return !points.empty();
   }
@@ -308,16 +322,20 @@ class Remesher {
 
   std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }
 
-  /// Whether fewer generators are looked for. With fewer of them, edges could leave creases that they follow.
+  /// Whether fewer generators are looked for. Those that were added on creases stay.
   bool is_worth_searching() const {
-    return options_.creases.empty() && double(result_.added) > kWorthSearching * double(given_count());
+    return double(result_.added - creases_.added()) > kWorthSearching * double(given_count());
   }
 
   /// `share`: of the work that the other diagrams take, for the search.
   GeneratorSearch search(std::size_t kept, double share) {
     enter(RemeshStage::search);
     const auto least = std::size_t(options_.vertex_count.value_or(0));
-    return {kept, least, std::int64_t(share * double(events_)), options_.diagram,
+    return {kept,
+            stays_,
+            least,
+            std::int64_t(share * double(events_)),
+            options_.diagram,
             [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 
@@ -333,7 +351,8 @@ class Remesher {
     const std::int64_t given = given_count(), count = *options_.vertex_count;
     exchange_generators(mesh_, result_.diagram, search(options_.kept, kExchangeShare));
     if (missing() < 0) refuse_count(count, fmt::format("{} would do", result_.generators.size()));
-    const std::int64_t left = count_left(before, given, result_.generators);
+    const std::vector<SurfacePoint> first(before.begin(), before.begin() + given);
+    const std::int64_t left = std::ssize(find_in_order(result_.generators, first));
     result_.left_out = given - left;
     result_.added = count - left;
   }
@@ -400,12 +419,14 @@ class Remesher {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
+  const std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
+  std::vector<SurfacePoint> stays_;        // in a search: the fixed ones, and those added on creases
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
   RepairHistory history_;
   std::int64_t events_ = 0;  // windows propagated in all diagrams but those of searches
-  RoundMaker maker_{mesh_, options_};
+  RoundMaker maker_{mesh_, options_, fixed_};
 };
 
 }  // namespace

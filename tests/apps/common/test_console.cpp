@@ -11,6 +11,19 @@ namespace gvd::test_console {
 using namespace app;
 using Catch::Matchers::Contains;
 
+/// What a call prints on standard error.
+template <class Call>
+std::string stderr_of(Call call) {
+  const test::ScratchFolder scratch;
+  const int kept = ::dup(STDERR_FILENO);
+  REQUIRE(std::freopen((scratch / "err").c_str(), "w", stderr) != nullptr);
+  call();
+  std::fflush(stderr);
+  ::dup2(kept, STDERR_FILENO);
+  ::close(kept);
+  return test::read_text(scratch / "err");
+}
+
 TEST_CASE("a bar fits its terminal") {
   for (int width = 1; width < 200; ++width) {
     for (const double fraction : {-1.0, 0.0, 0.333, 1.0, 2.0}) {
@@ -42,19 +55,28 @@ TEST_CASE("without bars, a line of progress tells the same once in each interval
   CHECK(describe_progress({"sampling", "", 0.459, {}}) == "sampling: 45 %");
   CHECK(describe_progress({"relaxation", "12, energy 0.5", 0.5, 41.5}) ==
         "relaxation: 50 %, 12, energy 0.5, 42 s left");
-  const test::ScratchFolder scratch;
-  const auto printed = [&](std::chrono::milliseconds interval, bool quiet) {
-    const int kept = ::dup(STDERR_FILENO);
-    REQUIRE(std::freopen((scratch / "err").c_str(), "w", stderr) != nullptr);
-    Console("gvd-test", {false, false, 80, interval}, quiet, false).bar("sampling", 0.25);
-    std::fflush(stderr);
-    ::dup2(kept, STDERR_FILENO);
-    ::close(kept);
-    return test::read_text(scratch / "err");
+  const auto printed = [](std::chrono::milliseconds interval, bool quiet) {
+    return stderr_of([&] { Console("gvd-test", {false, false, 80, interval}, quiet, false).bar("sampling", 0.25); });
   };
   CHECK(printed(std::chrono::milliseconds(0), false) == "gvd-test: sampling: 25 %\n");
   CHECK(printed(std::chrono::milliseconds(0), true).empty());
   CHECK(printed(std::chrono::seconds(10), false).empty());
+}
+
+TEST_CASE("held notes are those that would be printed, and are printed at the end if nothing takes them") {
+  const auto printed = [](bool takes, bool quiet) {
+    return stderr_of([&] {
+      Console console("gvd-test", {}, quiet, false);
+      console.hold();
+      console.note("one");
+      console.detail("only where verbose");
+      if (takes) CHECK(console.take_held() == std::vector<std::string>(quiet ? 0 : 1, "one"));
+      console.error("two");
+    });
+  };
+  CHECK(printed(true, false) == "gvd-test: error: two\n");
+  CHECK(printed(false, false) == "gvd-test: error: two\ngvd-test: one\n");
+  CHECK(printed(true, true) == "gvd-test: error: two\n");
 }
 
 TEST_CASE("the time left is that of the part that is left") {

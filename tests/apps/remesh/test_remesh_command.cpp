@@ -260,27 +260,50 @@ TEST_CASE("gvd-remesh: what can't be certified is refused in one line, and nothi
 TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or refuses") {
   const ScratchFolder scratch;
   const std::string torus = data_file("torus.ply"), path = scratch / "coarse.ply";
-  CHECK(run_command("gvd-remesh", torus + " -n 2 --exact-count -o " + path).exit_code == 5);
+  const CommandResult one = run_command("gvd-remesh", torus + " -n 1 --exact-count -o " + path);
+  CHECK(one.exit_code == 5);
+  CHECK_THAT(one.err, Contains("no valid mesh of 1 vertex was found"));
   CHECK(!std::filesystem::exists(path));
-  const auto json = report_of(torus + " -n 100 --exact-count");
+  const auto json = report_of(torus + " -n 24 --exact-count");
   CHECK(json["options"]["no_refine"] == false);
   CHECK(json["options"]["exact_count"] == true);
-  CHECK(json["results"]["output"]["vertices"] == 100);
-  const CommandResult both = run_command("gvd-remesh", torus + " -n 100 --exact-count --no-refine");
+  CHECK(json["results"]["output"]["vertices"] == 24);
+  const CommandResult both = run_command("gvd-remesh", torus + " -n 24 --exact-count --no-refine");
   CHECK(both.exit_code == 2);
-  // Limbs for which generators have to be added.
-  for (const char* n : {"30", "60"}) {
-    const std::string figure = data_file("figure.obj") + " -n " + n;
-    CHECK(report_of(figure)["results"]["added_generators"] > 0);
-    const auto exact = report_of(figure + " --exact-count");
-    CHECK(exact["results"]["output"]["vertices"] == std::stoi(n));
-    CHECK(exact["results"]["left_out_generators"] >= 0);
-    CHECK(run_command("gvd-remesh", figure + " --no-refine -o " + path).exit_code == 5);
-  }
+  // Generators have to be added.
+  CHECK(report_of(torus + " -n 18")["results"]["added_generators"] > 0);
+  const auto exact = report_of(torus + " -n 18 --exact-count");
+  CHECK(exact["results"]["output"]["vertices"] == 18);
+  CHECK(exact["results"]["left_out_generators"] > 0);
+  CHECK(run_command("gvd-remesh", torus + " -n 18 --no-refine -o " + path).exit_code == 5);
+  // Close creases, on which none are added.
+  CHECK(report_of(data_file("plate.stl") + " -n 60 --features 40 --exact-count")["results"]["output"]["vertices"] ==
+        60);
   // A list stays as it is.
   const CommandResult list = run_command("gvd-remesh", torus + " --vertices 0,1 --exact-count -o " + path);
   CHECK(list.exit_code == 5);
   CHECK_THAT(list.err, Contains("the dual of 2 generators is no valid mesh"));
+}
+
+TEST_CASE("gvd-remesh --exact-count: vertices at ends of limbs stay, and the report is that of the chosen start") {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "coarse.json", report_path = scratch / "report.json";
+  const CommandResult result = run_command(
+      "gvd-remesh", data_file("figure.obj") + " -n 75 --relax 3 --exact-count -o " + json + " --report " + report_path);
+  CAPTURE(result.err);
+  REQUIRE(result.exit_code == 0);
+  const auto report = nlohmann::json::parse(read_text(report_path)), content = nlohmann::json::parse(read_text(json));
+  const auto& results = report["results"];
+  CHECK(results["left_out_generators"] > 0);
+  CHECK(report["timings_ms"]["other start"] > 0);
+  // Begun with so many generators: max_added is ten for each, for the component and for the handle, and 100 more.
+  const int begun = 75 + int(results["left_out_generators"]) - int(results["added_generators"]);
+  CHECK(report["options"]["max_added"] == 10 * (begun + 2) + 100);
+  const auto &vertices = content["remesh"]["vertices"], &generators = content["generators"];
+  int at_generators = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) at_generators += vertices[i] == generators[i]["position"] ? 1 : 0;
+  CHECK(results["relaxation"]["extremities"] > 0);
+  CHECK(at_generators >= results["relaxation"]["extremities"]);
 }
 
 TEST_CASE("gvd-remesh: a note says why generators were added") {

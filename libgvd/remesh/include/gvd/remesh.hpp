@@ -34,7 +34,8 @@ struct RemeshOptions {
   /// The largest number of generators to add, >= 0. Without a value: default_max_added.
   std::optional<std::int64_t> max_added;
   /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that
-  /// are added, given ones are left out where the dual can do without them, but none of the first `kept`.
+  /// are added, given ones are left out where the dual can do without them, but none of the first `kept` and
+  /// none that `placement` fixes.
   std::optional<std::int64_t> vertex_count;
   std::size_t kept = 0;
   /// Number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to that of
@@ -47,7 +48,8 @@ struct RemeshOptions {
   /// generators are added on them where cells of others come between, and where long edges would cut off bends of
   /// creases. `max_added` counts them, and at most one for each given generator and 100 more are added.
   std::vector<CreaseCurve> creases;
-  PlacementOptions placement;  ///< where the vertices are; its `threads` and `progress` are those of `diagram`
+  /// Where the vertices are. `fixed`: ids of given generators. Its `threads` and `progress` are those of `diagram`.
+  PlacementOptions placement;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
@@ -88,9 +90,10 @@ struct RemeshResult {
 /// While the dual of the generators is not a proper mesh, generators are added near its defects, and the diagram is
 /// computed again. check_dual, find_flipped_faces and find_self_intersections tell the defects; docs/guide/remesh.md
 /// says where they go. The vertices are moved off their generators as `placement` says. A search follows where more
-/// than a tenth of the given generators was added, and no creases are given. Added generators that the mesh can do
-/// without are left out again. One is put in the place of two where that will do. No given generator is moved, and none
-/// is removed without `vertex_count`. At last, generators are added where that leaves fewer slivers.
+/// than a tenth of the given generators was added, those on creases not counted. Added generators that the mesh can do
+/// without are left out again, but none on creases. One is put in the place of two where that will do. No given
+/// generator is moved, and none is removed without `vertex_count`. At last, generators are added where that leaves
+/// fewer slivers.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,

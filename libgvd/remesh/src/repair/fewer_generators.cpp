@@ -15,21 +15,27 @@
 namespace gvd {
 namespace {
 
-/// The generator from `first` on that is nearest in space: along the surface it would cost a propagation.
-std::optional<GeneratorId> find_nearest(const Mesh& mesh, const Diagram& diagram, GeneratorId g, std::size_t first) {
+/// The other one of some generators that is nearest in space: along the surface it would cost a propagation. Cost:
+/// O(n), as that of the part for its trial.
+std::optional<GeneratorId> find_nearest(const Mesh& mesh, const Diagram& diagram, GeneratorId g,
+                                        const std::vector<GeneratorId>& among) {
   Least<std::optional<GeneratorId>> nearest;
   const Vec3 at = position(mesh, diagram.generators[g.index()]);
-  for (std::size_t i = first; i < diagram.generators.size(); ++i) {
-    const double distance = (position(mesh, diagram.generators[i]) - at).norm();
-    if (i != g.index()) nearest.offer(distance, GeneratorId(i));
+  for (const GeneratorId other : among) {
+    const double distance = (position(mesh, diagram.generators[other.index()]) - at).norm();
+    if (other != g) nearest.offer(distance, other);
   }
   return nearest.value;
 }
 
-/// Ids from `first` on, the last one first.
-std::vector<GeneratorId> list_backwards(const Diagram& diagram, std::size_t first) {
+/// The generators that may go, the last one first.
+std::vector<GeneratorId> list_free(const Diagram& diagram, const GeneratorSearch& search) {
+  CellFlags stays(diagram.generators.size(), 0);
+  for (const GeneratorId g : find_in_order(search.fixed, diagram.generators)) stays[g] = 1;
   std::vector<GeneratorId> ids;
-  for (std::size_t i = diagram.generators.size(); i-- > first;) ids.emplace_back(i);
+  for (std::size_t i = diagram.generators.size(); i-- > search.kept;) {
+    if (!stays[GeneratorId(i)]) ids.emplace_back(i);
+  }
   return ids;
 }
 
@@ -54,10 +60,10 @@ std::vector<double> measure_bends(const Mesh& mesh, const Diagram& diagram) {
   return bends;
 }
 
-/// Ids from `first` on, the one with the least bend first.
-std::vector<GeneratorId> list_by_bend(const Mesh& mesh, const Diagram& diagram, std::size_t first) {
+/// The generators that may go, the one with the least bend first.
+std::vector<GeneratorId> list_by_bend(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search) {
   const std::vector<double> bends = measure_bends(mesh, diagram);
-  std::vector<GeneratorId> ids = list_backwards(diagram, first);
+  std::vector<GeneratorId> ids = list_free(diagram, search);
   std::stable_sort(ids.begin(), ids.end(),
                    [&](GeneratorId g, GeneratorId h) { return bends[g.index()] < bends[h.index()]; });
   return ids;
@@ -81,11 +87,21 @@ void repeat(LocalChanges& changes, std::size_t least, List list, Try try_generat
 
 }  // namespace
 
+std::vector<GeneratorId> find_in_order(const std::vector<SurfacePoint>& points,
+                                       const std::vector<SurfacePoint>& generators) {
+  std::vector<GeneratorId> ids;
+  for (std::size_t i = 0; i < generators.size() && ids.size() < points.size(); ++i) {
+    if (generators[i] == points[ids.size()]) ids.emplace_back(i);
+  }
+  return ids;
+}
+
 bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search) {
   LocalChanges changes(mesh, diagram, search);
-  const auto list = [&] { return list_backwards(diagram, search.kept); };
+  std::vector<GeneratorId> free;
+  const auto list = [&]() -> const std::vector<GeneratorId>& { return free = list_free(diagram, search); };
   repeat(changes, std::max(search.kept, search.least), list, [&](GeneratorId g) {
-    const auto other = find_nearest(mesh, diagram, g, search.kept);
+    const auto other = find_nearest(mesh, diagram, g, free);
     if (!other) return changes.leave_out(g);
     if (!changes.is_near_change(*other)) changes.unite(g, *other);
   });
@@ -96,7 +112,7 @@ bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const Gen
 
 bool exchange_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search) {
   LocalChanges changes(mesh, diagram, search);
-  const auto list = [&] { return list_by_bend(mesh, diagram, search.kept); };
+  const auto list = [&] { return list_by_bend(mesh, diagram, search); };
   repeat(changes, search.least, list, [&](GeneratorId g) { changes.leave_out(g); });
   return diagram.generators.size() == search.least;
 }

@@ -163,13 +163,17 @@ std::optional<LocalDual::Result> LocalChanges::compute(const LocalDual& local, c
 }
 
 void LocalChanges::collect(std::vector<GeneratorId> removed, std::vector<SurfacePoint> added) {
-  CellFlags near = grow_rings(diagram_, removed, kNearRings);
-  for (const Cell& cell : diagram_.cells) near_change_[cell.generator] |= near[cell.generator];
+  const CellFlags in_rings = grow_rings(diagram_, removed, kNearRings);
+  std::vector<GeneratorId> near;
+  for (const Cell& cell : diagram_.cells) {
+    if (in_rings[cell.generator]) near.push_back(cell.generator);
+  }
+  for (const GeneratorId g : near) near_change_[g] = 1;
   if (removed.size() > 1 && added.empty()) ++both_;
   collected_.push_back({std::move(removed), std::move(added), std::move(near)});
 }
 
-bool LocalChanges::apply() {
+void LocalChanges::apply() {
   const std::vector<SurfacePoint> before = diagram_.generators;
   const std::vector<std::size_t> made = decide(before);
   CellFlags gone(before.size(), 0), tried;
@@ -177,9 +181,7 @@ bool LocalChanges::apply() {
   for (const std::size_t i : made) {
     for (const GeneratorId g : collected_[i].removed) gone[g] = 1;
     added += collected_[i].added.size();
-    for (std::size_t g = 0; g < before.size(); ++g) {
-      if (collected_[i].near[GeneratorId(g)]) tried_[GeneratorId(g)] = 0;
-    }
+    for (const GeneratorId g : collected_[i].near) tried_[g] = 0;
   }
   for (std::size_t g = 0; g < before.size(); ++g) {
     if (!gone[GeneratorId(g)]) tried.push_back(tried_[GeneratorId(g)]);
@@ -189,7 +191,6 @@ bool LocalChanges::apply() {
   near_change_ = CellFlags(tried_.size(), 0);
   collected_.clear();
   both_ = 0;
-  return !made.empty();
 }
 
 /// Decides on the collected changes, group by group. Returns those made. Where a group fails, the next one is a quarter

@@ -17,14 +17,13 @@ namespace gvd {
 /// Changes that leave a dual right with fewer generators: one is left out, or one takes the place of two.
 ///
 /// Each change is tried on a part of the mesh. Those that pass and are apart from each other are collected. `apply`
-/// then decides on the whole mesh, on all of them at once; where they fail together, on each half.
+/// then decides on the whole mesh: on all of them at once, and where they fail together, on smaller groups.
 class LocalChanges {
  public:
   /// `diagram`: without defects. All must outlive this. Cost: O(n).
   LocalChanges(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search)
       : mesh_(mesh), diagram_(diagram), search_(search), tried_(diagram.generators.size(), 0), near_change_(tried_) {}
 
-  const Diagram& diagram() const { return diagram_; }
   /// The number of generators after the collected changes.
   std::size_t count() const { return diagram_.generators.size() - collected_.size() - both_; }
   /// Whether all diagrams so far exceed the limit.
@@ -39,15 +38,14 @@ class LocalChanges {
   void leave_out(GeneratorId g);
   /// Collects the change that leaves out two generators, or puts a point in their place.
   void unite(GeneratorId g, GeneratorId other);
-  /// Decides on the collected changes. Afterwards, trials near those made are worth repeating. Returns whether any was
-  /// made.
-  bool apply();
+  /// Decides on the collected changes. Afterwards, trials near those made are worth repeating.
+  void apply();
 
  private:
   struct Change {
     std::vector<GeneratorId> removed;
     std::vector<SurfacePoint> added;
-    CellFlags near;  // cells whose trials it may alter
+    std::vector<GeneratorId> near;  // cells whose trials it may alter
   };
 
   void collect(std::vector<GeneratorId> removed, std::vector<SurfacePoint> added);

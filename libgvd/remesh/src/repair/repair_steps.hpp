@@ -244,11 +244,17 @@ NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const 
 
 // fewer_generators.cpp
 
+/// The ids of the first `points`, as many as a list holds, perhaps among others, in the same order. No two generators
+/// coincide, so a point tells one also where ids have changed. Cost: O(n).
+std::vector<GeneratorId> find_in_order(const std::vector<SurfacePoint>& points,
+                                       const std::vector<SurfacePoint>& generators);
+
 /// What a search among the generators of a right dual may do.
 struct GeneratorSearch {
-  std::size_t kept = 0;          ///< the first generators, which stay
-  std::size_t least = 0;         ///< it ends with so many generators
-  std::int64_t most_events = 0;  ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
+  std::size_t kept = 0;             ///< the first generators, which stay
+  std::vector<SurfacePoint> fixed;  ///< of other generators that stay, too, in their order
+  std::size_t least = 0;            ///< it ends with so many generators
+  std::int64_t most_events = 0;     ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
   DiagramOptions diagram;
   /// Whether the dual of these generators is right. If so, it has made the diagram of the search theirs.
   std::function<bool(const std::vector<SurfacePoint>&)> accept;
