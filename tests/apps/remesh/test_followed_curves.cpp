@@ -118,7 +118,7 @@ TEST_CASE("gvd-remesh --features: 'none' follows no crease, and an angle those t
   CHECK(length("95") == 0);
 }
 
-TEST_CASE("gvd-remesh: holes take no more than their share of the generators, and the note says which -n puts some on each") {
+TEST_CASE("gvd-remesh: holes take no more than their share of the generators, and a note says which -n suffices") {
   const Remesher plane(make_plane_with_holes());
   const Outcome few = plane.run("-n 60");
   const std::vector<int> left = few.numbers(kLeftLoops), placed = few.numbers(kPlaced);
