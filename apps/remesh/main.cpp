@@ -124,7 +124,6 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   for (std::size_t i = 0; i < start.freedom.size(); ++i) {
     if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
   }
-  if (!options.max_added) options.max_added = default_max_added(compute_mesh_summary(mesh), start.points.size());
   const bool listed = run.options().generators.are_listed();
   options.refine = !settings.no_refine && !(settings.exact_count && listed);
   if (settings.exact_count && !listed) options.vertex_count = std::ssize(start.points);
@@ -135,7 +134,6 @@ RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& st
   Json& reported = run.report().options();
   reported["place"] = name_in(kPlacements, options.placement.method);
   reported["shape"] = options.placement.method == Placement::fit ? Json(options.placement.shape) : nullptr;
-  reported["max_added"] = *options.max_added;
   reported["allow_intersections"] = options.allow_intersections;
   reported["no_refine"] = settings.no_refine;
   reported["exact_count"] = settings.exact_count;
@@ -177,6 +175,8 @@ Attempt attempt(Run& run, const CheckedMesh& input, const Settings& settings, st
     made.options = remesh_options(*made.run, input.mesh, start.constrained, settings);
     if (wanted) made.options.vertex_count = wanted;
     made.result = timed_remesh(*made.run, input.mesh, std::move(start), made.options);
+    made.options.max_added = made.result->max_added;
+    made.run->report().options()["max_added"] = made.result->max_added;
   } catch (const Error& error) {
     const bool may_help = error.code() == ErrorCode::no_valid_result && made.options.vertex_count;
     if (!may_help && !(wanted && error.code() == ErrorCode::precondition)) throw;

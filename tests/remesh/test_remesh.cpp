@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "base/least.hpp"
 #include "gvd/check.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -278,6 +279,36 @@ TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   CHECK_THAT(refusal(loose, first, few).what(),
              Catch::Matchers::Contains("20 generators were added") &&
                  Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones"));
+}
+
+/// The mesh's vertices nearest to planes of constant x, evenly apart.
+std::vector<SurfacePoint> points_along_x(const Mesh& mesh, double half_length, int count) {
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < count; ++k) {
+    const double x = half_length * ((2.0 * k + 1) / count - 1);
+    Least<VertexId> nearest;
+    for (const VertexId v : mesh.vertices()) nearest.offer(std::abs(mesh.position(v).x() - x), v);
+    points.push_back(vertex_point(mesh, nearest.value));
+  }
+  return points;
+}
+
+TEST_CASE("remesh: the default limit is raised where that is likely to do, a given one is not") {
+  const Mesh sphere = test::make_sphere(3);
+  std::vector<Vec3> positions;
+  for (const VertexId v : sphere.vertices()) positions.push_back(sphere.position(v).cwiseProduct(Vec3(150, 1, 1)));
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : sphere.faces()) faces.push_back(sphere.vertices(f));
+  const Mesh needle(std::move(positions), std::move(faces));
+  const auto given = points_along_x(needle, 150, 20);
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  const std::int64_t usual = default_max_added(compute_mesh_summary(needle), given.size());
+  const RemeshResult result = remesh(needle, given, options);
+  CHECK(result.added > usual);
+  CHECK(result.max_added == 3 * usual);
+  options.max_added = usual;
+  CHECK_THAT(refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
 }
 
 TEST_CASE("remesh: the estimate of needed generators follows the defects") {

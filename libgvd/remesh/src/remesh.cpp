@@ -34,6 +34,9 @@ std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::in
 /// The fraction of the given generators that may be added without a search for fewer.
 constexpr double kWorthSearching = 0.1;
 
+/// The default of max_added is raised so many times where that is likely to do.
+constexpr std::int64_t kRaisedLimit = 3;
+
 /// The work of a search, by that of the other diagrams.
 constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 1;
 
@@ -289,6 +292,7 @@ class Remesher {
 
   void refine(const std::vector<DualDefect>& defects) {
     if (!options_.refine) refuse(defects, "give more generators there, or set refine");
+    if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
       refuse(defects, fmt::format("{} added in {}{}: give more or other ones{}",
@@ -307,6 +311,15 @@ class Remesher {
     append(points);
     append(nearby.points);
     events_ += nearby.events;
+  }
+
+  /// Raises the default limit, once, if the raised one is likely to do.
+  void raise_limit() {
+    const MeshSummary summary = compute_mesh_summary(mesh_);
+    const std::int64_t usual = default_max_added(summary, given_count());
+    if (options_.max_added || max_added_ > usual) return;
+    const auto need = estimate_added(summary, result_.generators.size(), history_);
+    if (need && *need <= kRaisedLimit * usual) max_added_ = kRaisedLimit * usual;
   }
 
   std::string all_generators() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
@@ -409,6 +422,7 @@ class Remesher {
                   fmt::format("the remesh of {} can't be certified: {}; give other generators", all_generators(),
                               result_.certificate.first_failure()));
     }
+    result_.max_added = max_added_;
     result_.added_on_creases = creases_.added();
     result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);

@@ -31,7 +31,8 @@ enum class RemeshStage {
 struct RemeshOptions {
   DiagramOptions diagram;  ///< its progress callback serves the whole run
   bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
-  /// The largest number of generators to add, >= 0. Without a value: default_max_added.
+  /// The largest number of generators to add, >= 0. Without a value: default_max_added, and three times as many where
+  /// the numbers of defects so far let these be enough.
   std::optional<std::int64_t> max_added;
   /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that
   /// are added, given ones are left out where the dual can do without them, but none of the first `kept` and
@@ -69,6 +70,7 @@ struct RemeshResult {
   std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
   std::int64_t added = 0;                 ///< number of generators added
   std::int64_t left_out = 0;              ///< number of given generators left out (`vertex_count`)
+  std::int64_t max_added = 0;             ///< the largest number that might be added
   bool search_cut_short = false;          ///< the search for fewer generators ended at its limit
   std::vector<DualDefect> given_defects;  ///< of the dual of the given generators: why others were added
   std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
