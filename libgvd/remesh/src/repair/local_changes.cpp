@@ -22,6 +22,9 @@ namespace {
 /// trials left one to three.
 constexpr std::size_t kMostDefects = 4;
 
+/// Work of a decision on the whole mesh, in diagrams: the placement of all vertices takes about as long as one.
+constexpr std::int64_t kWorkOfDecision = 2;
+
 /// Number of vertices of a part that are candidates, in the cells with defects. With twice as many the search took half
 /// as long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
 constexpr std::int32_t kVertexCandidates = 60;
@@ -230,7 +233,8 @@ bool LocalChanges::accept(const std::vector<SurfacePoint>& before, const std::ve
     generators.insert(generators.end(), collected_[i].added.begin(), collected_[i].added.end());
   }
   const bool is_right = search_.accept(generators);
-  events_ += diagram_.report.propagation_events;  // of one with about as many generators, where it is not right
+  // The events of a diagram with about as many generators, where it is not right.
+  events_ += kWorkOfDecision * diagram_.report.propagation_events;
   return is_right;
 }
 
