@@ -38,7 +38,7 @@ constexpr double kWorthSearching = 0.1;
 constexpr std::int64_t kRaisedLimit = 3;
 
 /// The work of a search, by that of the other diagrams.
-constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 1;
+constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 2;
 
 /// Rounding of a length of creases that edges do not follow, by the length of all.
 constexpr double kGapTolerance = 1e-9;
