@@ -117,10 +117,11 @@ struct LloydResult {
 /// collide with another one does not move.
 ///
 /// An extremity is an inner vertex that is farther from its generator than all its neighbours; these are in the same
-/// cell. It is the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator goes to
-/// the farthest one of its cell and stays there, if that is half the cell's radius away or more. If there is one, up to
-/// five iterations with the others follow. The energy may rise between these iterations and those before. Where they
-/// leave many more cells that are no discs or have fewer than three neighbours, these iterations do not count.
+/// cell. It is the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator
+/// goes to the farthest one of its cell and stays there, if that is half the cell's radius away or more. If there is
+/// one, up to five iterations with the others follow. The energy may rise between these iterations and those before.
+/// Where they leave many more cells that are no discs or have fewer than three neighbours, these iterations do not
+/// count.
 ///
 /// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
 /// its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with
