@@ -65,8 +65,8 @@ constexpr std::int32_t kExtremityIterations = 5;
 /// (armadillo, 100), they add .20, and the Hausdorff distance grows.
 constexpr double kLargestPoorShare = 0.04;
 
-/// Largest share of generators on extremities. Surfaces with limbs have 1 to 6 % there. A rough one has an end in 61 of
-/// 100 cells, and its remesh would lie outside of it.
+/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there. A rough one has an end in 61 of
+/// 100 cells: with them its remesh took 3,524 vertices, and without 1,448.
 constexpr double kLargestExtremityShare = 0.2;
 
 /// The share of the progress before generators go to extremities.

@@ -2,11 +2,11 @@
 //
 // Faces are cut into equal triangles, whose corners and centroids are samples. The largest distance is searched for by
 // branch and bound: over a triangle the distance from one face of the other surface is convex, so its largest value is
-// at a corner and bounds the distance from all faces. Where the closest points of the corners are in two faces, so does
-// the largest value at a corner, and how far the triangle of the closest points is from the two faces. Without that,
-// flat surfaces that agree would be cut as finely as can be along all edges. A triangle that may hold a farther point
-// is cut in four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the number of
-// threads.
+// at a corner and bounds the distance from all faces. The closest points of the corners may be in two faces. Then the
+// bound is the largest distance of a corner, and how far the triangle of the closest points leaves the faces. Without
+// it, flat surfaces that agree would be cut as finely as can be along all edges. A triangle that may hold a farther
+// point is cut in four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the
+// number of threads.
 
 #include "gvd/surface_distance.hpp"
 
