@@ -21,9 +21,13 @@ constexpr int kNewtonSteps = 4;
 /// show three quarters of the height of a curve, and half of that of a corner at least.
 constexpr double kShown = 0.5;
 
-/// Corners that are lower than this fraction of the tolerance are not looked for. A curve that passes the samples is at
-/// most 2 / 3 of the tolerance high, so the sum stays below the tolerance.
-constexpr double kHiddenCorner = 0.1;
+/// Distance from the bisector, as a fraction of the tolerance, up to which corners between two samples are not looked
+/// for: that of the curve, which is at most so many times that of the samples, and the heights of the corners.
+constexpr double kWithCorners = 0.95, kCurveHeight = 4.0 / 3;
+
+/// The same where the samples leave nothing: the ends of an arc may lie beside the bisector, if its distances do not
+/// agree in two faces.
+constexpr double kLowCorner = 0.05;
 
 /// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
 /// a curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
@@ -53,13 +57,10 @@ constexpr double kBandWidth = 0.05;
 /// Most steps of the search for the corner at which a path changes.
 constexpr int kMostChangeSteps = 8;
 
-/// The change of a path between two samples, if it may have a corner higher than `hidden`, mesh units. It has none
-/// where its two sources are openings for one image: its distance is that of one straight path.
+/// The change of a path between two samples; none where both have the same source.
 PathChange change_between(const PlaneSegment& segment, const SourceDistances::Nearest& a,
-                          const SourceDistances::Nearest& b, double hidden) {
-  if (a.source == b.source) return {};
-  const double apart = (a.source->image - b.source->image).norm() + std::abs(a.source->offset - b.source->offset);
-  return apart > hidden ? PathChange(segment, a, b) : PathChange();
+                          const SourceDistances::Nearest& b) {
+  return a.source == b.source ? PathChange() : PathChange(segment, a, b);
 }
 
 }  // namespace
@@ -131,18 +132,20 @@ bool ArcRefiner::is_near(const BisectorSample& sample) const {
 }
 
 /// The same for the segment between two samples that are near enough. The bisector has a corner where a path changes
-/// from one source to another. So the segment is sampled where paths change, unless the corner can't be high.
-/// Cost: a few paths for each change, and samples where the corner may be high.
+/// from one source to another. So the segment is sampled where paths change, unless the corners can't be high: no
+/// distance is larger than those from the sources at the two ends.
+/// Cost: two paths for each change, and samples where the corners may be high.
 bool ArcRefiner::is_near_between(const BisectorSample& a, const BisectorSample& b, int splits) const {
   if (a.left.source == b.left.source && a.right.source == b.right.source) return true;
   if (splits == 0 || (b.point - a.point).squaredNorm() <= tolerance_ * tolerance_) return true;
-  // Two changes, of the left and of the right path, may add up.
-  const double hidden = 0.5 * kHiddenCorner * tolerance_ * std::min(a.gradient().norm(), b.gradient().norm());
-  const PathChange left = change_between({a.point, b.point}, a.left, b.left, hidden);
-  const PathChange right = change_between({a.point, b.point}, a.right, b.right, hidden);
+  const double whole = tolerance_ * std::min(a.gradient().norm(), b.gradient().norm());
+  const double curve = kCurveHeight * std::max(std::abs(a.error()), std::abs(b.error()));
+  const double hidden = std::max(kWithCorners * whole - curve, kLowCorner * whole);
+  const PathChange left = change_between({a.point, b.point}, a.left, b.left);
+  const PathChange right = change_between({a.point, b.point}, a.right, b.right);
+  if (left.height() + right.height() <= hidden) return true;
   PathChange change = left.height() > right.height() ? left : right;
-  if (change.height() <= hidden) return true;
-  const BisectorSample between = sample(a.point + change.find(hidden) * (b.point - a.point));
+  const BisectorSample between = sample(a.point + change.find(0.25 * hidden) * (b.point - a.point));
   return is_near(between) && is_near_between(a, between, splits - 1) && is_near_between(between, b, splits - 1);
 }
 
