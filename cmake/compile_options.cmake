@@ -3,7 +3,7 @@ add_library(gvd_compile_options INTERFACE)
 target_compile_options(gvd_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   # The same input gives the same bytes on every machine, so no implicit fused multiply-add.
-  -ffp-contract=off)
+  -ffp-contract=off -fno-math-errno)
 if(GVD_WARNINGS_AS_ERRORS)
   target_compile_options(gvd_compile_options INTERFACE -Werror)
 endif()
