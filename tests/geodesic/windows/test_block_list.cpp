@@ -1,3 +1,4 @@
+#include <span>
 #include <vector>
 
 #include "geodesic/windows/block_list.hpp"
@@ -32,7 +33,7 @@ TEST_CASE("a block queue gives its items back in order, a block at a time") {
   std::vector<int> taken;
   while (!queue.empty()) {
     const std::size_t before = taken.size();
-    queue.take_block([&](int i) { taken.push_back(i); });
+    queue.take_block([&](std::span<const int> items) { taken.insert(taken.end(), items.begin(), items.end()); });
     CHECK(taken.size() - before == static_cast<std::size_t>(queue.empty() ? 10 : block));
   }
   REQUIRE(taken.size() == static_cast<std::size_t>(2 * block + 10));
@@ -42,14 +43,15 @@ TEST_CASE("a block queue gives its items back in order, a block at a time") {
 TEST_CASE("items that are added while a block is taken come after it") {
   BlockQueue<int> queue;
   for (int i = 0; i < 5; ++i) queue.push_back(i);
-  std::vector<int> taken, seen_ahead;
-  const auto take = [&](int i) {
-    taken.push_back(i);
-    if (i < 2) queue.push_back(100 + i);
+  std::vector<int> taken;
+  const auto take = [&](std::span<const int> items) {
+    for (const int i : items) {
+      taken.push_back(i);
+      if (i < 2) queue.push_back(100 + i);
+    }
   };
-  queue.take_block(take, [&](int i) { seen_ahead.push_back(i); });
+  queue.take_block(take);
   CHECK(taken == std::vector<int>{0, 1, 2, 3, 4});
-  CHECK(seen_ahead.empty());  // the block is too short
   queue.take_block(take);
   CHECK(taken == std::vector<int>{0, 1, 2, 3, 4, 100, 101});
   CHECK(queue.empty());

@@ -57,16 +57,16 @@ TEST_CASE("a window that crosses a face keeps the distances to the points that i
       }
     };
     if (!apex.all_right()) {
-      check(cross_left(w, f, 0, apex), {0, 0, 0}, tip);
+      check(cross_left(w, left_exit(f, 0), apex), {0, 0, 0}, tip);
       ++left_count;
     }
     if (!apex.all_left()) {
-      check(cross_right(w, f, 0, apex), tip, {1, 0, 0});
+      check(cross_right(w, f.length[0], right_exit(f, 0), apex), tip, {1, 0, 0});
       ++right_count;
     }
     if (apex.covered()) {
-      CHECK(cross_left(w, f, 0, apex).end == f.length[2]);
-      CHECK(cross_right(w, f, 0, apex).begin == 0);
+      CHECK(cross_left(w, left_exit(f, 0), apex).end == f.length[2]);
+      CHECK(cross_right(w, f.length[0], right_exit(f, 0), apex).begin == 0);
       CHECK(apex.squared_image_distance(w) ==
             Approx((tip.x() - w.x) * (tip.x() - w.x) + (tip.y() + w.depth) * (tip.y() + w.depth)));
     }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,44 +74,40 @@ class BlockQueue {
   bool empty() const { return blocks_.empty(); }
   std::size_t block_count() const { return blocks_.size(); }
 
-  /// Returns whether the last block was full before.
-  bool push_back(const T& value) {
+  /// Returns whether the last block was full before. Always inlined: it belongs to the innermost loop.
+  [[gnu::always_inline]] bool push_back(const T& value) {
     const bool full = end_ == kBlock;
-    if (full || blocks_.empty()) {
-      if (spare_.empty()) spare_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
-      blocks_.push_back(std::move(spare_.back()));
-      spare_.pop_back();
-      end_ = 0;
-    }
-    blocks_.back()[end_++] = value;
+    if (full || blocks_.empty()) [[unlikely]]
+      add_block();
+    last_[end_++] = value;
     return full;
   }
-  /// Calls visit(const T&) for the items of the oldest block and removes them; `visit` may add items. Calls
-  /// look_ahead(const T&) some items earlier, which may prefetch what `visit` will read.
-  template <class Visit, class LookAhead>
-  void take_block(Visit visit, LookAhead look_ahead) {
+  /// Removes the oldest block and calls visit(std::span<const T>) with its items; `visit` may add items.
+  template <class Visit>
+  void take_block(Visit visit) {
     std::unique_ptr<T[]> block = std::move(blocks_.front());
     const std::size_t count = blocks_.size() == 1 ? end_ : kBlock;
     blocks_.pop_front();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i + kAhead < count) look_ahead(block[i + kAhead]);
-      visit(block[i]);
-    }
+    visit(std::span<const T>(block.get(), count));
     if (spare_.size() < kSpare) spare_.push_back(std::move(block));
-  }
-  template <class Visit>
-  void take_block(Visit visit) {
-    take_block(visit, [](const T&) {});
   }
 
  private:
-  static constexpr std::size_t kAhead = 8;
   /// Number of blocks that are kept for use again. More would take memory that other queues need.
   static constexpr std::size_t kSpare = 2;
 
+  [[gnu::noinline]] void add_block() {
+    if (spare_.empty()) spare_.push_back(std::make_unique_for_overwrite<T[]>(kBlock));
+    blocks_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+    last_ = blocks_.back().get();
+    end_ = 0;
+  }
+
   std::deque<std::unique_ptr<T[]>> blocks_;
   std::vector<std::unique_ptr<T[]>> spare_;
-  std::size_t end_ = 0;  // in the last block
+  T* last_ = nullptr;    // the last block
+  std::size_t end_ = 0;  // in it
 };
 
 }  // namespace gvd

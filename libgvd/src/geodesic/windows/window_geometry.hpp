@@ -73,6 +73,18 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
 
+/// Whether the apex is so far beside the window that it can't be grazed: most are, and this costs less to find out.
+/// `longest`: square of the longest side of the face.
+///
+/// Proof: the squares of the two limits in is_grazed add up to at most longest times (kGrazingAngle^2 q +
+/// kPositionRounding^2 (depth + y)^2), with the squared distance q of the image from the interval's end; and
+/// (depth + y)^2 <= 2 q + 2 longest.
+inline bool is_far_beside(const Window& w, const ApexView& apex, double longest) {
+  const double t = apex.all_right() ? w.begin : w.end;
+  const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
+  return beyond * beyond > 2 * kGrazingAngle * kGrazingAngle * longest * (w.squared_image_distance(t) + longest);
+}
+
 /// Whether the window misses the apex, which is not covered, by no more than the angle `drift` at its image. The path
 /// over the end of the interval must be as long as the straight one, up to rounding.
 ///
@@ -91,23 +103,39 @@ inline bool is_in_gap(const Window& w, const ApexView& apex, double drift) {
   return squared_miss <= 2 * kPositionRounding * std::sqrt(squared_to_end * squared_step) && forwards > 0;
 }
 
-/// The sub-window of a window on edge i of a face that leaves it by the left side, from the edge's start to the apex.
-inline Window cross_left(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
+/// A side by which windows leave a face, as seen from the corner that it shares with the edge by which they enter.
+struct ExitSide {
+  double cosine, sine;  ///< of the angle at that corner
+  double length;
+  HalfedgeId twin;
+};
+
+/// The left side of a face that windows enter by edge i, from the edge's start to the apex.
+inline ExitSide left_exit(const FaceFrame& f, std::size_t i) {
   const std::size_t side = (i + 2) % 3;
-  const SideView view(f.cosine[i], f.sine[i], w.x, w.depth);
-  const double length = f.length[side];
-  const double end = apex.all_left() ? std::min(length, view.hit(w.end)) : length;
-  return {std::max(0.0, view.hit(w.begin)), end, view.along, view.depth, w.offset, w.generator, f.twin[side]};
+  return {f.cosine[i], f.sine[i], f.length[side], f.twin[side]};
+}
+/// The right side, from the apex to the edge's end.
+inline ExitSide right_exit(const FaceFrame& f, std::size_t i) {
+  const std::size_t side = (i + 1) % 3;
+  return {f.cosine[side], f.sine[side], f.length[side], f.twin[side]};
 }
 
-/// The sub-window that leaves the face by the right side, from the apex to the edge's end.
-inline Window cross_right(const Window& w, const FaceFrame& f, std::size_t i, const ApexView& apex) {
-  const std::size_t side = (i + 1) % 3;
-  const double base = f.length[i], length = f.length[side];
-  const SideView view(f.cosine[side], f.sine[side], base - w.x, w.depth);
+/// The sub-window of a window that leaves the face by the left side.
+[[gnu::always_inline]] inline Window cross_left(const Window& w, const ExitSide& side, const ApexView& apex) {
+  const SideView view(side.cosine, side.sine, w.x, w.depth);
+  const double end = apex.all_left() ? std::min(side.length, view.hit(w.end)) : side.length;
+  return {std::max(0.0, view.hit(w.begin)), end, view.along, view.depth, w.offset, w.generator, side.twin};
+}
+
+/// The sub-window that leaves the face by the right side. `base`: length of the edge by which the window enters.
+[[gnu::always_inline]] inline Window cross_right(const Window& w, double base, const ExitSide& side,
+                                                 const ApexView& apex) {
+  const SideView view(side.cosine, side.sine, base - w.x, w.depth);
+  const double length = side.length;
   const double begin = apex.all_right() ? std::max(0.0, length - view.hit(base - w.begin)) : 0;
   const double end = std::min(length, length - view.hit(base - w.end));
-  return {begin, end, length - view.along, view.depth, w.offset, w.generator, f.twin[side]};
+  return {begin, end, length - view.along, view.depth, w.offset, w.generator, side.twin};
 }
 
 }  // namespace gvd

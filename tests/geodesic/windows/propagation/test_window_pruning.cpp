@@ -22,7 +22,9 @@ struct Setup {
       state.labels.label[VertexCopyId(v)] = GeneratorId(mesh.position(VertexId(v)).x() < 2.5 ? 0 : 1);
     }
   }
-  void add(HalfedgeId h, double settled = kNever) { pruning.add({0, 1, 0, 1, 0, GeneratorId(0), h}, {}, settled); }
+  void add(HalfedgeId h, double settled = kNever) {
+    pruning.add({0, 1, 0, 1, 0, GeneratorId(0), h}, {}, pruning.place(h), settled);
+  }
   void add_to_all(double settled = kNever) {
     for (std::int32_t h = 0; h < mesh.halfedge_count(); ++h) add(HalfedgeId(h), settled);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,18 +47,35 @@ inline WindowEdge exit_edge(const FaceFrame& f, HalfedgeId behind, std::size_t s
   return {f.length[side], f.vertex[next], f.vertex[side], behind};
 }
 
-/// The halfedge by which windows enter a face, and the corners of the face as seen from there.
+/// The halfedge by which windows enter a face, and the face as seen from there. Many windows enter by one halfedge, one
+/// after the other: what they have in common is computed once.
 struct FaceEntry {
   const FaceFrame& frame;
   HalfedgeId halfedge;
   std::size_t start, end, top;  ///< corners; the halfedge leads from `start` to `end`, and the apex is at `top`
+  double base;                  ///< length of the halfedge
+  double longest;               ///< square of the longest side of the face
+  double apex_x, apex_y;        ///< in the frame of the windows on the halfedge
+  bool has_flat_apex;
+  ExitSide left, right;
+  WindowEdge left_edge, right_edge;
 
   FaceEntry(const FaceFrames& frames, HalfedgeId h)
       : frame(frames.frame[Mesh::face(h)]),
         halfedge(h),
         start(Mesh::corner(h)),
         end((start + 1) % 3),
-        top((start + 2) % 3) {}
+        top((start + 2) % 3),
+        base(frame.length[start]),
+        longest(std::max(
+            {frame.length[0] * frame.length[0], frame.length[1] * frame.length[1], frame.length[2] * frame.length[2]})),
+        apex_x(frame.length[top] * frame.cosine[start]),
+        apex_y(frame.length[top] * frame.sine[start]),
+        has_flat_apex(frames.kind[frame.vertex[top]] == VertexKind::flat),
+        left(left_exit(frame, start)),
+        right(right_exit(frame, start)),
+        left_edge(exit_edge(frame, leaving(top), top, start)),
+        right_edge(exit_edge(frame, leaving(end), end, top)) {}
 
   /// The halfedge of the face that leaves a corner.
   HalfedgeId leaving(std::size_t corner) const {
@@ -81,8 +99,7 @@ class FaceCrossing {
         apex_path_(apex_path),
         has_needles_(frames.has_needles),
         has_thin_faces_(frames.has_thin_faces),
-        drift_(kPositionRounding / frames.least_sine),
-        kinds_(frames.kind) {}
+        drift_(kPositionRounding / frames.least_sine) {}
 
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
   /// target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for each of the two sides that the
@@ -92,9 +109,9 @@ class FaceCrossing {
   [[gnu::always_inline]] void cross(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
     const Window& w = entering.window;
     const FaceFrame& f = entry.frame;
-    const ApexView apex(w, f.length[entry.top] * f.cosine[entry.start], f.length[entry.top] * f.sine[entry.start]);
+    const ApexView apex(w, entry.apex_x, entry.apex_y);
     Exits exits{!apex.all_right(), !apex.all_left()};
-    if (apex.covered() || is_grazed(w, apex, f.length[entry.start]) ||
+    if (apex.covered() || (!is_far_beside(w, apex, entry.longest) && is_grazed(w, apex, entry.base)) ||
         (has_thin_faces_ && is_in_gap(w, apex, drift_))) {
       const double image_distance = std::sqrt(apex.squared_image_distance(w));
       reach_apex(entering, entry, apex, image_distance, target);
@@ -107,11 +124,10 @@ class FaceCrossing {
  private:
   /// Hands the sub-windows on. If the apex is flat and splits the window, the two may be joined again behind it.
   template <class Target>
-  void leave(const PropagatedWindow& entering, const FaceEntry& entry, const ApexView& apex, const Exits& exits,
-             Target& target) {
+  [[gnu::always_inline]] void leave(const PropagatedWindow& entering, const FaceEntry& entry, const ApexView& apex,
+                                    const Exits& exits, Target& target) {
     constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
-    const FaceFrame& f = entry.frame;
-    const std::uint32_t split = kinds_[f.vertex[entry.top]] == VertexKind::flat ? kBegin | kEnd : 0;
+    const std::uint32_t split = entry.has_flat_apex ? kBegin | kEnd : 0;
     const std::uint32_t joinable = entering.history.joinable_ends;
     WindowHistory history = entering.history;
     if (has_thin_faces_ && is_cycle_check_step(++history.crossed_faces)) {
@@ -122,15 +138,13 @@ class FaceCrossing {
       if (turns) history.departure = entering.history.departure + angles_.corner(entry.leaving(entry.start));
       const std::uint32_t at_end = apex.all_left() ? joinable : split;
       history.joinable_ends = ((joinable & kBegin) | (at_end & kEnd)) & 3u;
-      target.enqueue_on_edge(cross_left(entering.window, f, entry.start, apex), history,
-                             exit_edge(f, entry.leaving(entry.top), entry.top, entry.start));
+      target.enqueue_on_edge(cross_left(entering.window, entry.left, apex), history, entry.left_edge);
     }
     if (exits.right) {
       if (turns) history.departure = entering.history.departure - angles_.corner(entry.leaving(entry.end));
       const std::uint32_t at_begin = apex.all_right() ? joinable : split;
       history.joinable_ends = ((at_begin & kBegin) | (joinable & kEnd)) & 3u;
-      target.enqueue_on_edge(cross_right(entering.window, f, entry.start, apex), history,
-                             exit_edge(f, entry.leaving(entry.end), entry.end, entry.top));
+      target.enqueue_on_edge(cross_right(entering.window, entry.base, entry.right, apex), history, entry.right_edge);
     }
   }
 
@@ -188,7 +202,6 @@ class FaceCrossing {
   bool has_needles_;     // other meshes keep no ApexPath
   bool has_thin_faces_;  // other meshes count no faces and look for no gaps
   double drift_;         // of the directions of paths by rounding, radians
-  const IdVector<VertexCopyId, VertexKind>& kinds_;
 };
 
 }  // namespace gvd

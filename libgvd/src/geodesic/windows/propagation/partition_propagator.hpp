@@ -139,7 +139,7 @@ class PartitionPropagator {
 
   /// From FaceCrossing, PseudoSources and the exchange: a window that comes to an edge. It is queued or handed to the
   /// partition beyond the edge, unless the filters show that it holds no shortest path.
-  void enqueue_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
+  [[gnu::always_inline]] void enqueue_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
     const bool by_start = is_beaten_by_start(w, labels_.distance[edge.start]);
     const bool by_end = is_beaten_by_end(w, labels_.distance[edge.end], edge.length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be predicted cost more
@@ -147,7 +147,8 @@ class PartitionPropagator {
     if (!w.halfedge.valid()) {
       Window ending = w;
       ending.halfedge = edge.behind;
-      keep(ending, history.departure, edge.start, edge.end);
+      KeepingEdge kept{edge.behind, edge.start, edge.end, pruning_.place(edge.behind)};
+      keep({ending, history}, kept);
       return;
     }
     const double key = w.offset + w.least_image_distance();
@@ -167,17 +168,18 @@ class PartitionPropagator {
     if (is_shorter_by_rounding || labels_.is_improved_by(v, path.distance, path.generator)) take_path(v, path);
   }
   void receive_window(const PropagatedWindow& received) {
-    const FaceEntry entry(frames_, received.window.halfedge);
-    const FaceFrame& f = entry.frame;
+    const HalfedgeId h = received.window.halfedge;
+    const FaceFrame& f = frames_.frame[Mesh::face(h)];
+    const std::size_t start = Mesh::corner(h);
     enqueue_on_edge(received.window, received.history,
-                    {f.length[entry.start], f.vertex[entry.start], f.vertex[entry.end], HalfedgeId()});
+                    {f.length[start], f.vertex[start], f.vertex[(start + 1) % 3], h});
   }
 
  private:
   /// Prefetches what the next items of the queue will need: first the addresses, then what they lead to. Without it,
   /// half of the time would be spent waiting for memory.
   void look_ahead() const {
-    constexpr std::size_t kFar = 6, kNear = 3;
+    constexpr std::size_t kFar = 8, kNear = 4;
     if (const QueueItem* far = queue_.ahead(kFar); far != nullptr && far->is_halfedge()) {
       const FaceFrame& f = frames_.frame[Mesh::face(far->halfedge())];
       waiting_.prefetch_list(far->halfedge());
@@ -195,11 +197,13 @@ class PartitionPropagator {
   }
 
   void cross_halfedge(HalfedgeId h) {
+    if (!waiting_.waits(h)) return;  // it was queued with a smaller key too
     const FaceEntry entry(frames_, h);
     const std::int32_t faces = frames_.frame.count();
+    KeepingEdge kept{h, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end], pruning_.place(h)};
     const auto cross = [&](const PropagatedWindow& entering) __attribute__((always_inline)) {
       if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
-      keep(entering.window, entering.history.departure, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end]);
+      keep(entering, kept);
       ++carried_;
       crossing_.cross(entering, entry, *this);
     };
@@ -237,11 +241,22 @@ class PartitionPropagator {
                               w.squared_image_distance(w.begin)));
   }
 
-  /// Keeps a window on the edge between two vertex copies, if the options ask for that.
-  [[gnu::always_inline]] void keep(const Window& w, Departure departure, VertexCopyId start, VertexCopyId end) {
-    const bool other_start = labels_.has_other_label(start, w.generator);
-    if (labels_.has_other_label(end, w.generator) || other_start) pruning_.mark_edge(w.halfedge);
-    pruning_.add(w, departure, settled_);
+  /// The edge of a halfedge whose windows are kept, and where.
+  struct KeepingEdge {
+    HalfedgeId halfedge;
+    VertexCopyId start, end;
+    WindowPruning::Place place;
+  };
+
+  /// Keeps a window on its edge, if the options ask for that.
+  [[gnu::always_inline]] void keep(const PropagatedWindow& w, KeepingEdge& edge) {
+    const GeneratorId generator = w.window.generator;
+    const bool other_start = labels_.has_other_label(edge.start, generator);
+    if (labels_.has_other_label(edge.end, generator) || other_start) {
+      pruning_.mark_edge(edge.halfedge);
+      edge.place = pruning_.place(edge.halfedge);
+    }
+    pruning_.add(w.window, w.history.departure, edge.place, settled_);
   }
 
   void release() {

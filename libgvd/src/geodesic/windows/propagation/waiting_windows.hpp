@@ -40,36 +40,39 @@ class WaitingWindows {
     added.offset = w.offset;
     added.generator = w.generator;
     added.history = history;
-    added.key = static_cast<float>(key * key_unit_);
     if (head < 0) {
-      added.next = -1;
+      links_[slot] = {-1, static_cast<float>(key * key_unit_)};
       head = slot;
       return true;
     }
-    Entry& first = at(head);
-    added.next = first.next;
-    first.next = slot;
+    links_[slot].next = links_[head].next;
+    links_[head].next = slot;
     return lower_key(head, key);
   }
 
+  bool waits(HalfedgeId h) const { return first_[h.value()] >= 0; }
+
   void prefetch_list(HalfedgeId h) const { prefetch(first_ + h.value()); }
+  /// Prefetches the first windows of a list.
   void prefetch_windows(HalfedgeId h) const {
-    if (first_[h.value()] >= 0) prefetch(&at(first_[h.value()]));
+    std::int32_t slot = first_[h.value()];
+    for (int i = 0; i < kAhead && slot >= 0; ++i) slot = prefetched(slot);
   }
 
   /// Removes the windows of halfedge h and calls visit(const PropagatedWindow&) for each; `visit` may add windows to
   /// other halfedges. Always inlined, like `add`.
   template <class Visit>
   [[gnu::always_inline]] void take(HalfedgeId h, Visit visit) {
-    std::int32_t slot = first_[h.value()];
+    std::int32_t slot = first_[h.value()], ahead = slot;
     first_[h.value()] = -1;
+    for (int i = 0; i < kAhead && ahead >= 0; ++i) ahead = links_[ahead].next;
     while (slot >= 0) {
-      Entry& entry = at(slot);
+      if (ahead >= 0) ahead = prefetched(ahead);
+      const Entry& entry = at(slot);
       const PropagatedWindow taken{{entry.begin, entry.end, entry.x, entry.depth, entry.offset, entry.generator, h},
                                    entry.history};
-      const std::int32_t next = entry.next;
-      if (next >= 0) prefetch(&at(next));
-      entry.next = free_;
+      const std::int32_t next = links_[slot].next;
+      links_[slot].next = free_;
       free_ = slot;
       visit(taken);
       slot = next;
@@ -79,7 +82,7 @@ class WaitingWindows {
   /// Gives the memory back. No window may wait.
   void release() {
     blocks_ = std::vector<std::unique_ptr<Entry[]>>();
-    used_ = 0;
+    links_ = std::vector<Link>();
     free_ = -1;
   }
 
@@ -89,36 +92,52 @@ class WaitingWindows {
     double begin, end, x, depth, offset;
     GeneratorId generator;
     WindowHistory history;
-    std::int32_t next;  // in the list, or -1
-    float key;          // in the first entry of a list: that of the halfedge in the queue, times key_unit_
   };
   static_assert(sizeof(Entry) == 64);
 
+  /// A list in a table of its own: the nearest cache holds all links, so that lists can be followed far ahead.
+  struct Link {
+    std::int32_t next;  ///< in the list, or -1
+    float key;          ///< in the first link of a list: that of the halfedge in the queue, times key_unit_
+  };
+
+  /// Windows that are prefetched before they are taken: a line from memory takes as long as some windows.
+  static constexpr int kAhead = 4;
   static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
   /// Interval ends that differ by less than this fraction of the edge are the same.
   static constexpr double kSameEnd = 1e-9;
 
-  const Entry& at(std::int32_t i) const { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
-  Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
+  [[gnu::always_inline]] const Entry& at(std::int32_t i) const {
+    return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask];
+  }
+  [[gnu::always_inline]] Entry& at(std::int32_t i) { return blocks_[static_cast<std::size_t>(i) >> kShift][i & kMask]; }
 
-  std::int32_t take_slot() {
-    if (free_ >= 0) {
-      const std::int32_t slot = free_;
-      free_ = at(slot).next;
-      return slot;
-    }
-    if ((used_ & kMask) == 0) add_block();
-    return used_++;
+  /// Prefetches a window, and returns the next one of its list.
+  std::int32_t prefetched(std::int32_t slot) const {
+    prefetch(&at(slot));
+    return links_[slot].next;
   }
 
-  void add_block() {
-    check_window_count(used_, kMask + 1);
+  [[gnu::always_inline]] std::int32_t take_slot() {
+    if (free_ < 0) [[unlikely]]
+      add_block();
+    const std::int32_t slot = free_;
+    free_ = links_[slot].next;
+    return slot;
+  }
+
+  /// Adds a block of slots, the first one of which is the first to be taken.
+  [[gnu::noinline]] void add_block() {
+    const auto begin = static_cast<std::int32_t>(links_.size()), end = begin + kMask + 1;
+    check_window_count(links_.size(), kMask + 1);
     blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
+    for (std::int32_t slot = begin; slot < end; ++slot) links_.push_back({slot + 1 < end ? slot + 1 : -1, 0});
+    free_ = begin;
   }
 
-  bool lower_key(std::int32_t head, double key) {
-    float& queued = at(head).key;
+  [[gnu::always_inline]] bool lower_key(std::int32_t head, double key) {
+    float& queued = links_[head].key;
     if (!((key + key_step_) * key_unit_ < static_cast<double>(queued))) return false;
     queued = static_cast<float>(key * key_unit_);
     return true;
@@ -129,7 +148,7 @@ class WaitingWindows {
   bool join(std::int32_t head, const Window& w, const WindowHistory& history, double length) {
     constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
     const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
-    for (std::int32_t i = head; i >= 0; i = at(i).next) {
+    for (std::int32_t i = head; i >= 0; i = links_[i].next) {
       Entry& known = at(i);
       if (known.generator != w.generator || known.offset != w.offset) continue;
       if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
@@ -160,7 +179,8 @@ class WaitingWindows {
 
   std::int32_t* first_;  // [halfedge] slot of the first entry, or -1
   std::vector<std::unique_ptr<Entry[]>> blocks_;
-  std::int32_t used_ = 0, free_ = -1;
+  std::vector<Link> links_;  // [slot]; of a slot without a window, the list of those
+  std::int32_t free_ = -1;
   double key_step_;
   double key_unit_;  // a power of two that brings the step near 1, so that keys neither vanish nor overflow as floats
 };

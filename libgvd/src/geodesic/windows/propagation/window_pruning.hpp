@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
@@ -31,20 +33,27 @@ class WindowPruning {
         state_(state.face_state.raw().data()),
         exchange_(exchange) {}
 
+  /// Where the windows on an edge go: nowhere, or to the list of those that are kept, that are decided about while no
+  /// other partition runs, or that are decided about soon.
+  enum class Place : std::uint8_t { none, kept, on_border, recent };
+
+  Place place(HalfedgeId h) const {
+    if (keep_ == KeepWindows::none) return Place::none;
+    if (keep_ == KeepWindows::all || state(Mesh::face(h)) == FaceState::multi_label) return Place::kept;
+    const HalfedgeId twin = fan_.twin(h);
+    return twin.valid() && !exchange_.is_own(twin) ? Place::on_border : Place::recent;
+  }
+
   /// Adds a window on its edge. `departure`: kept if the state has angles, which asks for all windows. `settled`: no
   /// window to come holds a distance below it.
-  [[gnu::always_inline]] void add(const Window& w, Departure departure, double settled) {
-    if (keep_ == KeepWindows::none) return;
-    if (keeps_departures_) kept_.departures.push_back(departure);
-    if (keep_ == KeepWindows::all || state(Mesh::face(w.halfedge)) == FaceState::multi_label) {
+  [[gnu::always_inline]] void add(const Window& w, Departure departure, Place place, double settled) {
+    if (place == Place::recent) {
+      if (recent_.windows.push_back(w)) review(recent_, settled);
+    } else if (place == Place::kept) {
+      if (keeps_departures_) kept_.departures.push_back(departure);
       kept_.windows.push_back(w);
-      return;
-    }
-    const HalfedgeId twin = fan_.twin(w.halfedge);
-    if (twin.valid() && !exchange_.is_own(twin)) {
+    } else if (place == Place::on_border) {
       on_border_.windows.push_back(w);
-    } else if (recent_.windows.push_back(w)) {
-      review(recent_, settled);
     }
   }
 
@@ -78,14 +87,12 @@ class WindowPruning {
 
   /// Decides about all other windows, and returns those that are kept. After the propagation in all partitions.
   KeptWindows finish() {
-    HalfedgeId last;
-    bool stays = false;
-    const auto decide = [&](const Window& w) {
-      if (w.halfedge != last) stays = is_edge_multi_label_at_end(last = w.halfedge);
-      if (stays) kept_.windows.push_back(w);
+    const auto decide = [&](HalfedgeId h, std::span<const Window> windows) {
+      if (!is_edge_multi_label_at_end(h)) return;
+      for (const Window& w : windows) kept_.windows.push_back(w);
     };
     for (Undecided* list : {&recent_, &on_border_}) {
-      while (!list->windows.empty()) list->windows.take_block(decide);  // adds nothing
+      while (!list->windows.empty()) visit_edges(list->windows, decide);  // adds nothing
     }
     return std::move(kept_);
   }
@@ -114,24 +121,37 @@ class WindowPruning {
 
   std::size_t review_block(BlockQueue<Window>& windows, double settled) {
     std::size_t undecided = 0;
-    HalfedgeId last;
-    FaceState decision = FaceState::open;
-    const auto decide = [&](const Window& w) {
-      if (w.halfedge != last) decision = decide_edge(last = w.halfedge, settled);
-      if (decision == FaceState::open) {
-        windows.push_back(w);
-        ++undecided;
-      } else if (decision == FaceState::multi_label) {
-        kept_.windows.push_back(w);
+    visit_edges(windows, [&](HalfedgeId h, std::span<const Window> on_edge) {
+      const FaceState decision = decide_edge(h, settled);
+      if (decision == FaceState::single_label) return;
+      if (decision == FaceState::multi_label) {
+        for (const Window& w : on_edge) kept_.windows.push_back(w);
+      } else {
+        for (const Window& w : on_edge) windows.push_back(w);
+        undecided += on_edge.size();
       }
-    };
-    windows.take_block(decide, [&](const Window& w) {
-      const FaceId f = Mesh::face(w.halfedge);
-      prefetch(&state(f));
-      prefetch(frames_.frame[f].length.data());
-      prefetch(frames_.frame[f].vertex.data());
     });
     return undecided;
+  }
+
+  /// Takes the oldest block and calls visit(HalfedgeId, std::span<const Window>) for each run of windows on one edge.
+  template <class Visit>
+  void visit_edges(BlockQueue<Window>& windows, const Visit& visit) const {
+    constexpr std::size_t kAhead = 8;
+    windows.take_block([&](std::span<const Window> block) {
+      for (std::size_t begin = 0, end = 0; begin < block.size(); begin = end) {
+        const HalfedgeId h = block[begin].halfedge;
+        while (end < block.size() && block[end].halfedge == h) ++end;
+        prefetch_face(Mesh::face(block[std::min(end + kAhead, block.size() - 1)].halfedge));
+        visit(h, block.subspan(begin, end - begin));
+      }
+    });
+  }
+
+  void prefetch_face(FaceId f) const {
+    prefetch(state_ + f.value());
+    prefetch(frames_.frame[f].length.data());
+    prefetch(frames_.frame[f].vertex.data());
   }
 
   FaceState& state(FaceId f) { return state_[f.value()]; }
