@@ -26,7 +26,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures figures test fuzz soups battery test-runs build bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures figures test fuzz soups battery test-runs build count bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -38,6 +38,7 @@ help:
 	@echo "make battery   hostile meshes through the commands: BATTERY_SEEDS ($(BATTERY_SEEDS)), BATTERY_CORPUS=FOLDER"
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the three commands"
+	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make bench-lloyd  time relaxations and measure their energies, beside the goals: LLOYD_BENCH_FLAGS"
 	@echo "make bench-remesh  measure remeshes, beside the figures of other programs: REMESH_BENCH_FLAGS"
@@ -106,6 +107,13 @@ test-runs:
 	@ctest --test-dir $(BUILD) -R "corpus: unpack" --output-on-failure
 	@GVD_RUNS_FIRST=$(RUNS_FIRST) GVD_RUNS_COUNT=$(RUNS_COUNT) \
 	  GVD_UNPACKED_CORPUS=$(BUILD)/tests/corpus/data/meshes $(BUILD)/bin/test_corpus "[.by-hand]"
+
+# COUNT_FLAGS='--write "REASON"' writes the figures that have changed. 77: those of another compiler or system, so nothing is compared.
+count:
+	@$(install_deps) build bench
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench
+	@scripts/count_instructions.py $(BUILD)/bin $(COUNT_FLAGS) || [ $$? -eq 77 ]
 
 bench:
 	@$(install_deps) build

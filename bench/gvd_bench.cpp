@@ -9,7 +9,6 @@
 //   bytes/face       the peak of what the diagram holds, without the input mesh, counted in a run of its own
 //   1 thread ms ...  with --threads T, wall-clock times of one thread and of T, measured in turns, and their ratio
 // --peers adds a table with the cost of CGAL's geodesic distances, which yield neither labels nor bisectors.
-// The last line is the resident memory of the process, which the largest mesh and CGAL decide.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -171,7 +170,6 @@ void run_all(const Settings& settings) {
     for (const std::string& method : settings.methods) measure(input, count, method, settings);
   });
   if (settings.peers) run_peers(settings);
-  std::cout << fmt::format("peak resident memory of the whole run: {:.1f} MB\n", double(peak_resident_bytes()) / 1e6);
 }
 
 int run(int argc, char** argv) {

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <fstream>
 #include <new>
-#include <string>
 
 namespace {
 
@@ -64,15 +62,5 @@ HeapMeter::HeapMeter() {
 HeapMeter::~HeapMeter() { g_counting.store(false); }
 
 std::int64_t HeapMeter::peak() const { return g_peak.load(); }
-
-std::int64_t peak_resident_bytes() {
-  // Not ru_maxrss: a new process begins with the peak of the one that started it there.
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    std::int64_t kibibytes = 0;
-    if (word == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
-  }
-  return 0;
-}
 
 }  // namespace gvd::bench

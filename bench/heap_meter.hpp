@@ -18,7 +18,4 @@ class HeapMeter {
   std::int64_t peak() const;
 };
 
-/// Largest resident memory of this process so far, in bytes; 0 where the system does not tell (it is Linux's VmHWM).
-std::int64_t peak_resident_bytes();
-
 }  // namespace gvd::bench

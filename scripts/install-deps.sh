@@ -15,11 +15,11 @@ packages_of() {
     build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
                 libfmt-dev libcli11-dev libtomlplusplus-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 python3-jsonschema ;;
-    bench) echo ;;
+    bench) echo valgrind ;;
     pictures) echo $(unless_found chromium chromium) ;;
     fuzz)  echo clang libclang-rt-14-dev ;;
     lint)  echo clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
-    ci)    echo clang clang-format libclang-rt-14-dev ccache chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 $(unless_found python3 python3) ;;
+    ci)    echo clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 $(unless_found python3 python3) ;;
     *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures fuzz lint ci)" >&2; exit 2 ;;
   esac
 }
