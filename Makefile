@@ -26,7 +26,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures figures test fuzz soups battery test-runs build count bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -39,6 +39,7 @@ help:
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the three commands"
 	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
+	@echo "make performance  measure the tables of docs/developer/performance.md again, and write them"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
 	@echo "make bench-lloyd  time relaxations and measure their energies, beside the goals: LLOYD_BENCH_FLAGS"
 	@echo "make bench-remesh  measure remeshes, beside the figures of other programs: REMESH_BENCH_FLAGS"
@@ -114,6 +115,13 @@ count:
 	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench
 	@scripts/count_instructions.py $(BUILD)/bin $(COUNT_FLAGS) || [ $$? -eq 77 ]
+
+# Meshes that are not in data/ are found as scripts/figures.py tells.
+performance:
+	@$(install_deps) build
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-bench
+	@scripts/make_performance.py $(BUILD)/bin
 
 bench:
 	@$(install_deps) build

@@ -24,6 +24,7 @@
 #include "command_line.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "heap_meter.hpp"
 #ifdef GVD_HAS_PEERS
 #include "peers.hpp"
@@ -46,6 +47,7 @@ struct Settings {
   double chord_tolerance = DiagramOptions{}.chord_tolerance;  ///< mean edge lengths
   int threads = 1;                                            ///< above 1: compared with one
   bool peers = false;
+  std::string save;  ///< file for the last refinement; empty: none
 };
 
 /// The largest heap of a run without clocks, less than what was there before it.
@@ -136,6 +138,7 @@ void for_each_row(const Settings& settings, const Visit& visit) {
       if (level > 0) input = {fmt::format("{} /{}", stem, 1 << 2 * level), refine_flat(input.mesh)};
       for (const int count : settings.generator_counts) visit(input, count);
     }
+    if (!settings.save.empty()) write_mesh(settings.save, {input.mesh});
   }
 }
 
@@ -181,6 +184,7 @@ int run(int argc, char** argv) {
   app.add_option("--refine", settings.refinements,
                  "also measure the mesh with every face cut in four, up to this many times")
       ->check(CLI::Range(0, 6));
+  app.add_option("--save", settings.save, "write the last of these meshes to this file");
   app.add_option("--seed", settings.seed, "seed for drawing the generators");
   add_choice(app, "--method", settings.methods, {"exact", "gbgvd", "paper"},
              "exact, gbgvd, paper, or several (default: exact and gbgvd)");

@@ -61,17 +61,15 @@ ABILITIES = "AVX,AVX2,AVX512F,AVX512VL,AVX512BW,BMI1,BMI2,ERMS,FMA,FMA4,FSRM,LZC
 HWCAPS = ",".join(f"-{ability}" for ability in ABILITIES.split(","))
 
 
-def describe_toolchain(bin_folder):
-    """What the counts depend on, apart from the sources."""
+def describe_build(bin_folder):
+    """Compiler, flags and system."""
     build = bin_folder.parent
     cache = dict(re.findall(r"^(\w+):\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.M))
     compiler = next(build.glob("CMakeFiles/*/CMakeCXXCompiler.cmake")).read_text()
     name, version = (re.search(rf'CMAKE_CXX_COMPILER_{key} "(.*)"', compiler)[1] for key in ("ID", "VERSION"))
     kind = cache["CMAKE_BUILD_TYPE"]
     flags = " ".join(f"{cache['CMAKE_CXX_FLAGS']} {cache['CMAKE_CXX_FLAGS_' + kind.upper()]}".split())
-    valgrind = subprocess.check_output(["valgrind", "--version"], text=True).strip()
-    return ", ".join([f"{name} {version} {flags}", f"unity {cache['GVD_UNITY']}", os.confstr("CS_GNU_LIBC_VERSION"),
-                      platform.machine(), valgrind])
+    return f"{name} {version} {flags}, unity {cache['GVD_UNITY']}, {os.confstr('CS_GNU_LIBC_VERSION')}, {platform.machine()}"
 
 
 def count_run(bin_folder, name):
@@ -160,7 +158,8 @@ def main():
     parser.add_argument("--figures", type=pathlib.Path, default=FIGURES_FILE, help=argparse.SUPPRESS)  # for its test
     given = parser.parse_args()
     bin_folder = given.bin_folder.resolve()
-    toolchain = describe_toolchain(bin_folder)
+    valgrind = subprocess.check_output(["valgrind", "--version"], text=True).strip()
+    toolchain = f"{describe_build(bin_folder)}, {valgrind}"
     known, rows = read_figures(given.figures)
     if known != toolchain and given.write is None:
         print(f"instructions NOT COMPARED, another toolchain:\n  figures: {known}\n  here:    {toolchain}")
