@@ -108,7 +108,8 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
 }
 
 const char* name_of(LloydStop stop) {
-  constexpr std::array<const char*, 5> kNames{"centroids", "energy", "no descent", "iterations", "time limit"};
+  constexpr std::array<const char*, 6> kNames{"centroids",  "energy",     "no descent",
+                                              "prediction", "iterations", "time limit"};
   return kNames[static_cast<std::size_t>(stop)];
 }
 

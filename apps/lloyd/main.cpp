@@ -73,9 +73,10 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
              fmt::format("Largest number of iterations (default: {}; {} with --accelerate none)",
                          max_iterations(options), max_iterations(plain)));
   add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
-             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it (default: {}; {} "
-                         "with --accelerate none); 1e-5 takes about half the time",
-                         energy_tolerance(options), energy_tolerance(plain)));
+             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it; 1e-8 is near the "
+                         "limit (default: stop once the next five iterations would lower it by less than {:g} %, as "
+                         "predicted; {} with --accelerate none)",
+                         100 * kSettledFall, *energy_tolerance(plain)));
   add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
              fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
                          "radius (default: {})",
@@ -91,9 +92,10 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
 }
 
 const char* describe(LloydStop stop) {
-  constexpr std::array<const char*, 5> kSentences{
+  constexpr std::array<const char*, 6> kSentences{
       "every generator is at its centroid", "the energy falls by less than the tolerance",
-      "no step lowers the energy any more", "the iterations are used up", "the time is over"};
+      "no step lowers the energy any more", "hardly any decrease of the energy is left",
+      "the iterations are used up",         "the time is over"};
   return kSentences[static_cast<std::size_t>(stop)];
 }
 
@@ -140,7 +142,8 @@ void report_own_options(Json& reported, const OwnOptions& own) {
   reported["accelerate"] = name_in(kAccelerations, options.acceleration);
   reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
-  reported["tolerance"] = energy_tolerance(options);
+  const std::optional<double> tolerance = energy_tolerance(options);
+  reported["tolerance"] = tolerance ? Json(*tolerance) : Json();
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
   report_constraints(reported, own.constraints);

@@ -18,7 +18,7 @@ std::vector<BisectorSegment> random_segments(int count, int cells, unsigned seed
   for (int i = 0; i < count; ++i) {
     const auto left = static_cast<std::int64_t>(random.real(0, cells - 1.001));
     const auto right = static_cast<std::int64_t>(random.real(static_cast<double>(left) + 1, cells));
-    segments.push_back({GeneratorId(left), GeneratorId(right), Vec3::Zero(), Vec3::Zero(), double(i), 1});
+    segments.push_back({GeneratorId(left), GeneratorId(right), double(i)});
   }
   return segments;
 }

@@ -3,11 +3,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/sampling.hpp"
+#include "lloyd/states.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -332,9 +335,17 @@ TEST_CASE("lloyd: cancelling throws") {
 
 TEST_CASE("lloyd: a relaxation that ends by its tolerance has told so before") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
-  for (const auto& [tolerance, stop] : {std::pair{0.0, LloydStop::energy}, {0.01, LloydStop::centroids}}) {
+  struct End {
+    std::optional<double> energy_tolerance;
+    double move_tolerance;
+    LloydStop stop;
+  };
+  for (const auto& [energy, move, stop] : {End{1e-6, 0, LloydStop::energy},
+                                           {1e-8, 0.01, LloydStop::centroids},
+                                           {std::nullopt, 0, LloydStop::prediction}}) {
     LloydOptions options;
-    options.move_tolerance = tolerance;
+    options.energy_tolerance = energy;
+    options.move_tolerance = move;
     double last = 0;
     options.progress = [&](std::string_view, double fraction) {
       last = fraction;
@@ -344,6 +355,56 @@ TEST_CASE("lloyd: a relaxation that ends by its tolerance has told so before") {
     REQUIRE(result.stop == stop);
     CHECK(std::ssize(result.iterations) < max_iterations(options) / 2);
     CHECK(last > 0.7);
+  }
+}
+
+TEST_CASE("lloyd: by default it ends where hardly anything is left, within 0.5 % of the limit") {
+  for (const int count : {20, 60, 150}) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      for (const Mesh& mesh : {test::make_bumpy_sphere(4, seed), test::make_sphere(4), test::make_grid(30, 30)}) {
+        CAPTURE(count, seed, mesh.face_count());
+        const LloydResult result = relax_generators(mesh, test::random_generators(mesh, count, seed));
+        CHECK((result.stop == LloydStop::prediction || result.stop == LloydStop::centroids));
+        LloydOptions to_the_limit;
+        to_the_limit.energy_tolerance = 1e-8;
+        const LloydResult limit = relax_generators(mesh, result.generators, to_the_limit);
+        CHECK(limit.stop != LloydStop::no_descent);
+        CHECK(result.final_energy < 1.005 * limit.final_energy);
+      }
+    }
+  }
+}
+
+TEST_CASE("lloyd: from its own result it ends at once") {
+  const Mesh mesh = test::make_bumpy_sphere(4, 1);
+  const LloydResult first = relax_generators(mesh, test::random_generators(mesh, 50, 2));
+  const LloydResult again = relax_generators(mesh, first.generators);
+  CHECK(again.iterations.size() <= 2);
+  CHECK(again.final_energy <= first.final_energy);
+}
+
+TEST_CASE("lloyd: near the end the ways to the centroids fall quickly, without Lloyd's steps") {
+  for (const Mesh& mesh : {test::make_sphere(4), test::make_grid(24, 24)}) {
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      CAPTURE(mesh.face_count(), seed);
+      LloydOptions options;
+      options.energy_tolerance = 0;
+      std::vector<std::vector<SurfacePoint>> passed;
+      options.on_iteration = [&](std::int64_t, double, const std::vector<SurfacePoint>& points) {
+        if (passed.empty() || points != passed.back()) passed.push_back(points);
+      };
+      const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 24, seed), options);
+      REQUIRE(result.stop == LloydStop::centroids);
+      CHECK(std::ranges::all_of(
+          result.iterations, [](const LloydIteration& i) { return i.relocated > 0 || i.by == Acceleration::lbfgs; }));
+      std::vector<double> residuals;
+      for (auto points = passed.end() - std::min<std::ptrdiff_t>(5, std::ssize(passed)); points != passed.end();
+           ++points) {
+        residuals.push_back(test::evaluate_state(mesh, *points).residual);
+      }
+      INFO(Catch::StringMaker<std::vector<double>>::convert(residuals));
+      CHECK(residuals.back() < 0.3 * residuals.front());
+    }
   }
 }
 

@@ -1,109 +1,33 @@
 // Better steps than Lloyd's, by L-BFGS with the Hessian of the energy or by Anderson's mixing.
 //
-// L-BFGS begins with an approximate Hessian: exact in the plane, and on surfaces in the limit of small cells. Its
-// inverse comes from a Lanczos process on the matrix relative to the masses, with the absolute values of its
-// eigenvalues, so that every step lowers the energy if it is short enough. Sources are with EnergyHessian and in
-// optimiser.hpp. Generators at vertices take no part: there the gradient jumps, and they take Lloyd's step or rest.
+// L-BFGS begins with the Hessian of the energy (energy_hessian.hpp). Small eigenvalues allow long steps: the least one
+// that counts falls while the model predicts what happens, and rises where it does not, as the radius of a trust region
+// would. Sources are in optimiser.hpp. Generators at vertices take no part: there the gradient jumps, and they take
+// Lloyd's step or rest.
 #include "accelerator.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gvd/geodesic_tracing.hpp"
-#include "gvd/surface_point.hpp"
-
 namespace gvd {
 namespace {
 
-/// Least absolute eigenvalue relative to the masses: no step is more than ten times as long as Lloyd's by the Hessian
-/// alone. With 0.05, 0.2 and 0.3 runs on the bunny take as many iterations or more.
-constexpr double kLeastEigenvalue = 0.1;
+/// Least absolute eigenvalue relative to the masses. Steps are up to the inverse as long as Lloyd's, as far as the
+/// model has told the truth: where the energy fell by .7 to 1.6 of its prediction, half as much is allowed, and twice
+/// as much where it fell by less than .3. With .1 for all iterations, runs on the bunny with 100 generators take 72 and
+/// 58 diagrams to their centroids instead of 41 and 40.
+constexpr double kLeastEigenvalue = 0.01;
+constexpr std::pair<double, double> kGoodRatio{0.7, 1.6};
+constexpr double kPoorRatio = 0.3;
 
-/// Steps of the Lanczos process. With 40 runs do not take fewer iterations.
-constexpr int kLanczosSteps = 20;
+/// Longer steps are only allowed where the prediction is below this fraction of the energy. Far from the end the
+/// valleys bend, and longer steps cost remeshes with 15 iterations a diagram.
+constexpr double kNearEnd = 1e-3;
 
-/// Distance of the points of Gauss' quadrature from the middle of an interval of length 1: 1 / sqrt(12).
-constexpr double kGaussPoint = 0.28867513459481287;
-
-/// The tangent plane at a point, in space.
-struct TangentFrame {
-  Vec3 origin, x, y;
-
-  Vec2 project(const Vec3& p) const { return {(p - origin).dot(x), (p - origin).dot(y)}; }
-};
-
-TangentFrame make_frame(const Mesh& mesh, const SurfacePoint& point) {
-  HalfedgeId h = Mesh::halfedge(point.face, 0);
-  if (point.kind() == SurfacePoint::Kind::edge) h = halfedge(point);
-  if (point.kind() == SurfacePoint::Kind::vertex) h = mesh.halfedge(vertex(mesh, point));
-  const Vec3 normal = surface_normal(mesh, point), along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
-  const Vec3 x = (along - along.dot(normal) * normal).normalized();
-  return {position(mesh, point), x, normal.cross(x)};
-}
-
-/// The integral over a segment, by the two points of Gauss: exact for the quadratic integrand.
-Eigen::Matrix4d integrate(const BisectorSegment& segment, const TangentFrame& left, const TangentFrame& right) {
-  Eigen::Matrix4d form = Eigen::Matrix4d::Zero();
-  const double between = (left.origin - right.origin).norm();
-  if (!(between > 0)) return form;
-  for (const double share : {0.5 - kGaussPoint, 0.5 + kGaussPoint}) {
-    const Vec3 at = segment.from + share * (segment.to - segment.from);
-    Eigen::Vector4d v;
-    v << left.project(at), -right.project(at);
-    form += segment.density * segment.length / between * v * v.transpose();
-  }
-  return form;
-}
-
-/// Each vector divided by the root of its mass.
-TangentField divided_by_roots(TangentField field, const std::vector<double>& masses) {
-  for (std::size_t i = 0; i < field.size(); ++i) field[i] /= std::sqrt(masses[i]);
-  return field;
-}
-
-}  // namespace
-
-EnergyHessian::EnergyHessian(const Mesh& mesh, const RelaxationState& state) : masses_(cell_masses(state)) {
-  std::vector<TangentFrame> frames;
-  for (const SurfacePoint& p : state.generators) frames.push_back(make_frame(mesh, p));
-  for (const BisectorSegment& segment : state.segments) {
-    const std::size_t left = segment.left.index(), right = segment.right.index();
-    if (couplings_.empty() || couplings_.back().left != left || couplings_.back().right != right) {
-      couplings_.push_back({left, right, Eigen::Matrix4d::Zero()});
-    }
-    couplings_.back().form += integrate(segment, frames[left], frames[right]);
-  }
-}
-
-TangentField EnergyHessian::multiply_couplings(const TangentField& field) const {
-  TangentField product(field.size(), Vec2::Zero());
-  for (const Coupling& c : couplings_) {
-    Eigen::Vector4d both;
-    both << field[c.left], field[c.right];
-    const Eigen::Vector4d part = c.form * both;
-    product[c.left] += part.head<2>();
-    product[c.right] += part.tail<2>();
-  }
-  return product;
-}
-
-TangentField EnergyHessian::multiply(const TangentField& field) const {
-  TangentField product = multiply_couplings(field);
-  for (std::size_t i = 0; i < field.size(); ++i) product[i] = masses_[i] * field[i] - product[i];
-  return product;
-}
-
-TangentField EnergyHessian::solve(const TangentField& right) const {
-  const auto relative_couplings = [&](const TangentField& field) {
-    return divided_by_roots(multiply_couplings(divided_by_roots(field, masses_)), masses_);
-  };
-  const auto inverse = [](double coupling) { return 1 / std::max(std::abs(1 - coupling), kLeastEigenvalue); };
-  return divided_by_roots(
-      apply_matrix_function(relative_couplings, inverse, divided_by_roots(right, masses_), kLanczosSteps), masses_);
-}
-
-namespace {
+/// Vertices nearer to a generator than this, in mean cell radii, count as if they were that far away: steps are longer
+/// than the way past them.
+constexpr double kNearVertex = 0.02;
 
 /// Pairs that are kept. With 5, 10 and 20 pairs of L-BFGS runs on the bunny take as many iterations, within 5 %.
 constexpr std::size_t kLbfgsMemory = 7;
@@ -138,6 +62,7 @@ Accelerator::Accelerator(const Mesh& mesh, const GeneratorConstraints& constrain
     : mesh_(mesh),
       constraints_(constraints),
       kind_(kind),
+      defects_(kind == Acceleration::lbfgs ? angle_defects(mesh) : IdVector<VertexId, double>()),
       history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
 
 std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) const {
@@ -147,7 +72,7 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
   for (std::size_t i = 0; i < gradient.size(); ++i) {
     if (is_at_kink(state, i)) smooth[i] = Vec2::Zero();
   }
-  ProposedSteps proposed{direction(state, smooth), 0};
+  ProposedSteps proposed{direction(state, smooth), 0, 0};
   for (std::size_t i = 0; i < gradient.size(); ++i) {
     Vec2& step = proposed.steps[i];
     const double longest = kLongestStep * std::max(state.mean_cell_radius, state.to_centroids[i].norm());
@@ -157,18 +82,31 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
     step = constraints_.project(mesh_, i, state.generators[i], step);
   }
   proposed.slope = dot(gradient, proposed.steps);
+  proposed.prediction = -0.5 * proposed.slope;
   if (!(proposed.slope < 0)) return std::nullopt;
   return proposed;
 }
 
 TangentField Accelerator::direction(const RelaxationState& state, const TangentField& gradient) const {
   if (kind_ == Acceleration::anderson) return anderson_step(history_, state.to_centroids);
-  const EnergyHessian hessian(mesh_, state);
-  return lbfgs_direction(history_, gradient, [&](const TangentField& field) { return hessian.solve(field); });
+  const EnergyHessian hessian(state, defects_, kNearVertex * state.mean_cell_radius);
+  return lbfgs_direction(history_, gradient,
+                         [&](const TangentField& field) { return hessian.solve(field, least_eigenvalue_); });
+}
+
+void Accelerator::adapt(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
+  if (!(move.prediction > 0)) return;
+  const double ratio = (before.energy - after.energy) / move.prediction;
+  const bool is_near_end = move.prediction < kNearEnd * before.energy;
+  if (is_near_end && move.scale == 1 && ratio > kGoodRatio.first && ratio < kGoodRatio.second) {
+    least_eigenvalue_ = std::max(kLeastEigenvalue, 0.5 * least_eigenvalue_);
+  }
+  if (ratio < kPoorRatio) least_eigenvalue_ = std::min(1.0, 2 * least_eigenvalue_);
 }
 
 void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
   if (kind_ == Acceleration::none) return;
+  adapt(before, move, after);
   history_.transport(move.turns);
   const bool by_gradient = kind_ == Acceleration::lbfgs;
   const TangentField start = by_gradient ? energy_gradient(before) : before.to_centroids;

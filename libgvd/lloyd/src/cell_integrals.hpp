@@ -9,6 +9,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "geodesic/windows/window_queries.hpp"
 #include "gvd/cell_moments.hpp"
@@ -78,17 +79,15 @@ class CellSums {
   std::vector<PathSample> samples_;
 };
 
-/// A straight piece of the bisector of two cells.
+/// A straight piece of the bisector of two cells, in one face, as the Hessian of the energy needs it.
 struct BisectorSegment {
   GeneratorId left, right;  ///< the lesser one first
-  Vec3 from, to;
-  double length = 0;   ///< of the bisector that it stands for, mesh units
-  double density = 1;  ///< mean over the segment
+  double length = 0;        ///< mesh units
+  /// Integral of the density along it, divided by the distance of the generators' images in the plane of the face.
+  double weight = 0;
+  /// Logarithms of its two Gauss points at the generators, mesh units.
+  std::array<Vec2, 2> at_left{Vec2(0, 0), Vec2(0, 0)}, at_right{Vec2(0, 0), Vec2(0, 0)};
 };
-
-/// The segments of all bisectors of a diagram between different cells, bisector by bisector, sorted by their cells.
-/// Cost: O(points), and sorting.
-std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density = {});
 
 /// Sorts segments by their cells, and keeps the order of those with the same cells. Cost: O(segments + cells).
 void sort_by_cells(std::vector<BisectorSegment>& segments);
@@ -123,6 +122,17 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
 CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
                               const Progress& progress = {});
 
+/// Calls read(working, field) with the windows of these generators, and their departures.
+template <class Read>
+auto read_windows(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads, const Progress& progress,
+                  const Read& read) {
+  const WorkingMesh working(mesh, generators, progress);
+  PropagationOptions propagation;
+  propagation.departures = true;
+  propagation.threads = threads;
+  return read(working, propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress));
+}
+
 // measured_cells.cpp
 
 /// The sides of the triangle itself, where no other function follows.
@@ -155,11 +165,23 @@ class LowerEnvelope {
   std::vector<double> excess_;           // the other function less the part's, at its corners
 };
 
-/// What the relaxation needs to know of the cells.
+/// Where the cells are: what the relaxation needs to know of them beside their integrals.
+struct CellGeometry {
+  std::vector<BisectorSegment> segments;       ///< of all bisectors, sorted by cells
+  IdVector<VertexId, GeneratorId> label;       ///< the nearest generator; invalid where none reaches
+  IdVector<VertexId, double> vertex_distance;  ///< to the nearest generator, mesh units; infinity where none reaches
+  IdVector<VertexId, Vec2> log;                ///< of the vertices at their nearest generators, mesh units
+};
+
+/// The geometry of the cells, from windows with departures.
+/// Cost: O(n), and O(windows) of faces at bisectors.
+CellGeometry find_geometry(const WorkingMesh& working, const WindowField& windows,
+                           const std::vector<SurfacePoint>& generators, const Density& density,
+                           const ParallelChunks& parallel);
+
 struct MeasuredCells {
   CellIntegrals integrals;
-  std::vector<BisectorSegment> segments;       ///< straight pieces of bisectors, one face each
-  IdVector<VertexId, double> vertex_distance;  ///< mesh units; infinity where no generator reaches
+  CellGeometry geometry;
 };
 
 /// Integrates over the cells, face by face and without a diagram.

@@ -72,6 +72,9 @@ std::vector<std::size_t> find_colliding(const std::vector<Vec3>& positions, cons
   return colliding;
 }
 
+/// Iterations for which a generator is not sent to a vertex again where it did not rest.
+constexpr std::size_t kRestPause = 10;
+
 /// A generator at distance D from all others saves about this factor of D^4: a disc of radius D / 2 comes from about
 /// 3/4 D on the average to its centre.
 constexpr double kSplitGain = 0.34;
@@ -121,7 +124,7 @@ class PoorCells {
         order_(moments_.ids().begin(), moments_.ids().end()),
         hole_(moments_.size(), 0),
         neighbours_(moments_.size()) {
-    for (const auto& [left, right] : neighbouring_cells(state.segments)) {
+    for (const auto& [left, right] : neighbouring_cells(state.geometry.segments)) {
       neighbours_[left].push_back(right);
       neighbours_[right].push_back(left);
     }
@@ -177,8 +180,8 @@ class FarVertices {
       least_distance_.push_back(kLeastDistance * std::sqrt(size / std::numbers::pi));
     }
     for (const VertexId v : mesh.vertices()) {
-      if (!mesh.halfedge(v).valid() || !std::isfinite(state.vertex_distance[v])) continue;
-      const double distance = scale(v) * state.vertex_distance[v];
+      if (!mesh.halfedge(v).valid() || !std::isfinite(state.geometry.vertex_distance[v])) continue;
+      const double distance = scale(v) * state.geometry.vertex_distance[v];
       const int component = face_component[vertex_point(mesh, v).face];
       if (distance > least_distance_[component]) places_[component].push_back({distance, v});
     }
@@ -262,6 +265,24 @@ GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, co
     if (move.to[i] == from[i]) undo_path(i, move);
   }
   return move;
+}
+
+bool RefusedRests::note(std::size_t iterations, const RelaxationState& moved, RelaxationState& state) {
+  bool is_any = false;
+  refusals_.resize(state.rest.size());
+  for (std::size_t i = 0; i < state.rest.size(); ++i) {
+    if (!state.rest[i] || moved.is_resting[i] || moved.generators[i].kind() != SurfacePoint::Kind::vertex) continue;
+    refusals_[i] = {state.rest[i], iterations + kRestPause};
+    state.rest[i].reset();
+    is_any = true;
+  }
+  return is_any;
+}
+
+void RefusedRests::apply(std::size_t iterations, RelaxationState& state) const {
+  for (std::size_t i = 0; i < refusals_.size(); ++i) {
+    if (state.rest[i] == refusals_[i].vertex && iterations < refusals_[i].end) state.rest[i].reset();
+  }
 }
 
 std::vector<Relocation> plan_relocations(const Mesh& mesh, const Density& density, const RelaxationState& state,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "optimiser.hpp"
@@ -18,6 +19,7 @@ struct GeneratorMove {
   TangentField step;                     ///< of the paths, in the tangent planes at their ends
   std::vector<Turn> turns;               ///< parallel transport along the paths
   double scale = 1;                      ///< factor of all steps
+  double prediction = 0;                 ///< decrease of the energy by the whole steps, as predicted; 0: none was
   std::int32_t held = 0;                 ///< generators that stay because they would collide
   std::int32_t relocated = 0;            ///< generators that left their place for a distant one
   Acceleration by = Acceleration::none;  ///< what proposed the steps
@@ -40,6 +42,24 @@ enum class GoToRest { no, yes };
 /// Cost: O(faces crossed) and O(m log m).
 GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, const TangentField& steps,
                               const GeneratorConstraints& constraints = {}, GoToRest rests = GoToRest::no);
+
+/// Vertices at which generators seemed to rest, but did not. A generator that goes there jumps, however short the steps
+/// are, and so does the energy: no step would be accepted while it is sent there again.
+class RefusedRests {
+ public:
+  /// Notes the vertices where `moved` has generators of `state` that would go on, after so many iterations, and forgets
+  /// them as rests of `state`. Returns whether there are any.
+  bool note(std::size_t iterations, const RelaxationState& moved, RelaxationState& state);
+  /// Forgets the rests of `state` that were refused a few iterations ago.
+  void apply(std::size_t iterations, RelaxationState& state) const;
+
+ private:
+  struct Refusal {
+    std::optional<VertexId> vertex;
+    std::size_t end = 0;  // the iteration up to which it holds
+  };
+  std::vector<Refusal> refusals_;  // of each generator, or empty
+};
 
 /// A generator that leaves its place for another one.
 struct Relocation {

@@ -44,6 +44,12 @@ struct IterationRecord {
     return std::accumulate(falls.end() - window, falls.end(), 0.0);
   }
 
+  /// The largest fall of the last `window` iterations, or of all; 0 if there are none.
+  double largest_fall(std::ptrdiff_t window) const {
+    return std::accumulate(falls.end() - std::min(window, std::ssize(falls)), falls.end(), 0.0,
+                           [](double a, double b) { return std::max(a, b); });
+  }
+
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
   /// measured now count as one with the iteration before them.
   void restate(double energy, const Precision& precision) {

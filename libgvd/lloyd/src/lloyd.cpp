@@ -39,6 +39,13 @@ constexpr double kEarlyFall = 3e-5;
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
 constexpr int kStallWindow = 5;
 
+/// Iterations that the default rule looks ahead.
+constexpr int kIterationsAhead = 5;
+
+/// Where early levels have ended because little is left, exact cells may predict so many times more of it. A relaxation
+/// that goes on there costs a diagram for hardly more than the rounding of the rule.
+constexpr double kDoubt = 2;
+
 /// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
 constexpr double kClearFall = 0.99;
 
@@ -72,14 +79,18 @@ constexpr double kLargestExtremityShare = 0.2;
 /// The share of the progress before generators go to extremities.
 constexpr double kShareBefore = 0.75;
 
+/// Error of differences of energies, as a fraction. In exact diagrams it is that of the integrals over triangles that
+/// ridges cross. Without a diagram, parts of needles come and go: energies of a scan with needles jumped by .0024.
+constexpr double kEnergyError = 1e-6, kSampledError = 0.003;
+
 /// Bounds of the factor by which a generator shortens its own step.
 constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
 
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
   if (max_iterations(o) < 0) refuse("the number of iterations must not be negative");
-  if (!(energy_tolerance(o) >= 0) || !std::isfinite(energy_tolerance(o)))
-    refuse("the energy tolerance must be 0 or more");
+  const double tolerance = energy_tolerance(o).value_or(0);
+  if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
   check_diagram_options(o.diagram);  // early levels compute no diagram
@@ -107,6 +118,23 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
+/// The rise of the energy along a move, from its slopes at both ends of the paths.
+double rise_by_slopes(const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved) {
+  const double first = dot(turned(next.turns, energy_gradient(state)), next.step);
+  return 0.5 * (first + dot(energy_gradient(moved), next.step));
+}
+
+/// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
+/// their slopes at both ends of the paths decide, which are more exact (the approximate Wolfe conditions of Hager and
+/// Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005).
+bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved,
+               const Precision& precision) {
+  if (moved.energy < limit) return true;
+  const double error = precision.skips_diagram ? kSampledError : kEnergyError;
+  if (next.relocated > 0 || moved.energy > state.energy * (1 + error)) return false;
+  return rise_by_slopes(state, next, moved) < limit - state.energy;
+}
+
 /// How far a figure has come from its largest value to a tolerance, in orders of magnitude.
 class Decline {
  public:
@@ -124,6 +152,7 @@ class Decline {
 };
 
 /// The rules of the iteration: what is tried, what is taken, and when to end.
+/// Long because all rules share the record, the levels and the accelerator.
 class Relaxer {
  public:
   /// All arguments have to outlive this.
@@ -162,13 +191,14 @@ class Relaxer {
 
  private:
   /// Iterates until a rule holds at the last level, or the iterations or the time are used up. Where another rule holds
-  /// before, the next level follows.
+  /// before, the next level follows, or the last one where little is left.
   LloydStop iterate(RelaxationState& state) {
     while (true) {
       const std::optional<LloydStop> stop = advance(state);
       if (!stop) continue;
       const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
       if (is_used_up || states_.is_last_level()) return *stop;
+      if (*stop == LloydStop::prediction) states_.skip_early_levels();
       state = raise_level(state);
     }
   }
@@ -176,16 +206,29 @@ class Relaxer {
   /// One iteration, and the reason to end after it or instead of it.
   std::optional<LloydStop> advance(RelaxationState& state) {
     if (is_at_centroids(state)) return LloydStop::centroids;
-    if (std::ssize(record_.iterations) >= max_iterations(options_)) return LloydStop::max_iterations;
+    if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
     if (relocate(state)) return std::nullopt;
-    if (!descend_accelerated(state) && !descend(state)) return LloydStop::no_descent;
-    const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, energy_tolerance(options_));
+    const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
+    if (proposed && is_settled(state, *proposed)) return LloydStop::prediction;
+    if (!(proposed && descend_accelerated(state, *proposed))) {
+      if (!states_.is_last_level() || !descend(state)) return LloydStop::no_descent;
+    }
+    const double tolerance = energy_tolerance(options_).value_or(0);
+    const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, tolerance);
     const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
     const std::optional<double> fall = record_.sum_falls(window);
-    if (fall) energy_decline_.note(*fall / (window * energy_tolerance(options_)));
+    if (fall) energy_decline_.note(*fall / (window * tolerance));
     if (!fall || *fall >= least * window) return std::nullopt;
     return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
+  }
+
+  /// Whether the default rule ends the relaxation: the steps and the last two iterations tell that little is left.
+  bool is_settled(const RelaxationState& state, const ProposedSteps& proposed) {
+    if (energy_tolerance(options_)) return false;
+    const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
+    energy_decline_.note(ahead / kSettledFall);
+    return ahead < (states_.is_last_level() ? kDoubt : 1) * kSettledFall;
   }
 
   bool is_at_centroids(const RelaxationState& state) {
@@ -220,7 +263,9 @@ class Relaxer {
   }
 
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
-    return states_.evaluate(generators, [this](double fraction) { report(fraction); });
+    RelaxationState state = states_.evaluate(generators, [this](double fraction) { report(fraction); });
+    refused_rests_.apply(record_.falls.size(), state);
+    return state;
   }
 
   /// One iteration that relocates generators, if it promises more than the last iteration gave. If the energy does not
@@ -239,18 +284,21 @@ class Relaxer {
 
   /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
   /// steps, or it never does; then the accelerator begins anew.
-  bool descend_accelerated(RelaxationState& state) {
-    const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
-    if (!proposed) return false;
+  bool descend_accelerated(RelaxationState& state, const ProposedSteps& proposed) {
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
-      GeneratorMove next = move_generators(mesh_, state, scaled(proposed->steps, scale), constraints_, GoToRest::yes);
+      GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, GoToRest::yes);
       next.scale = scale;
+      next.prediction = proposed.prediction;
       next.by = options_.acceleration;
-      const double before = state.energy, limit = before + kSufficientFall * scale * proposed->slope;
+      const double before = state.energy, limit = before + kSufficientFall * scale * proposed.slope;
       const std::optional<RelaxationState> rejected = take_if_below(limit, state, next);
       if (!rejected) return true;
-      scale = shorter_scale(scale, proposed->slope, rejected->energy - before);
+      if (refused_rests_.note(record_.falls.size(), *rejected, state) &&
+          rise_by_slopes(state, next, *rejected) < limit - before)
+        continue;
+      accelerator_.distrust();
+      scale = shorter_scale(scale, proposed.slope, rejected->energy - before);
     }
     accelerator_.forget();
     return false;
@@ -277,8 +325,10 @@ class Relaxer {
   std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
     if (next.to == state.generators) return state;
     RelaxationState moved = evaluate(next.to);
-    if (!(moved.energy < limit)) return moved;
+    if (!is_better(limit, state, next, moved, states_.precision())) return moved;
+    refused_rests_.note(record_.falls.size(), moved, state);
     record_.add(next, state.energy, moved.energy, states_.precision());
+    record_.restate(moved.energy, states_.precision());
     report_iteration(moved);
     if (next.relocated > 0) {
       accelerator_.forget();
@@ -308,6 +358,7 @@ class Relaxer {
   const std::vector<SurfacePoint>& start_;
   const GeneratorConstraints constraints_;
   StateEvaluator states_;
+  RefusedRests refused_rests_;
   Accelerator accelerator_;
   IterationRecord record_;
   std::size_t next_relocation_ = 0;  // iterations before the next attempt
@@ -362,6 +413,8 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
     kept.push_back(g);
   }
   if (kept.empty() || double(kept.size()) > kLargestExtremityShare * double(start.size())) return;
+  // Few generators have moved, so that the model predicts little: all iterations are made.
+  again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
   LloydResult second = Relaxer(mesh, start, again).run();
   const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));

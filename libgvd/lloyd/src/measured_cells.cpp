@@ -13,7 +13,6 @@
 
 #include "base/plane.hpp"
 #include "cell_integrals.hpp"
-#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -130,9 +129,16 @@ struct Field {
   const WorkingMesh& working;
   const WindowField& windows;
   const Departures& departures;
-  IdVector<VertexId, Vec2> log;  // of the vertices
+  const IdVector<VertexId, Vec2>& log;  // of the vertices
   const Integrand& integrand;
 };
+
+/// Distance of the points of Gauss' quadrature from the middle of an interval of length 1: 1 / sqrt(12).
+constexpr double kGaussPoint = 0.28867513459481287;
+
+/// The middle of a segment stands for both Gauss points where it is shorter than this, in distances from its
+/// generators. The square of a logarithm is then off by less than 1 / 1200.
+constexpr double kShort = 0.1;
 
 /// Measures the parts of cells in faces of the working mesh, one face after the other.
 class FaceMeasurer {
@@ -154,6 +160,17 @@ class FaceMeasurer {
     find_images();
     if (images_.empty()) return;
     for (const EnvelopePart& part : envelope_.compute(square_distances())) add(part);
+  }
+
+  /// Adds the segments of bisectors in a face, and nothing to the sums. Faces with one label at their corners have
+  /// hardly any.
+  void add_segments_only(FaceId face) {
+    face_ = face;
+    if (has_one_label()) return;
+    paths_.enter(face);
+    find_images();
+    if (images_.empty()) return;
+    for (const EnvelopePart& part : envelope_.compute(square_distances())) add_sides(part);
   }
 
   CellSums sums;
@@ -241,10 +258,16 @@ class FaceMeasurer {
     if (!(polygon.area > 0)) return;
     const NearestPath path = paths_.from(images_[part.function], paths_.position(polygon.centroid));
     sums.add(g, polygon.area, polygon.area * density_at(polygon.centroid), path, polygon.spread);
+    add_sides(part);
+  }
+
+  void add_sides(const EnvelopePart& part) {
     for (std::size_t i = 0; i < part.corners.size(); ++i) {
       if (part.across[i] == kTriangleSide) continue;
-      const GeneratorId other = paths_.generator(images_[part.across[i]]);
-      if (g < other) add_segment(g, other, part.corners[i], part.corners[(i + 1) % part.corners.size()]);
+      const std::size_t left = images_[part.function], right = images_[part.across[i]];
+      if (!(paths_.generator(left) < paths_.generator(right))) continue;
+      add_segment(left, right, paths_.position(part.corners[i]),
+                  paths_.position(part.corners[(i + 1) % part.corners.size()]));
     }
   }
 
@@ -276,9 +299,25 @@ class FaceMeasurer {
     return polygon;
   }
 
-  void add_segment(GeneratorId a, GeneratorId b, const Bary& from, const Bary& to) {
-    const Vec3 p = position(mesh_, {face_, from}), q = position(mesh_, {face_, to});
-    segments.push_back({a, b, p, q, (q - p).norm(), density_at(kProbes[0])});
+  /// Adds the segment from p to q of the bisector of two images. The difference of their square distances tells how far
+  /// they are apart: its slope is twice that.
+  void add_segment(std::size_t left, std::size_t right, const Vec2& p, const Vec2& q) {
+    const auto excess = [&](const Vec2& at) {
+      return paths_.square_distance(left, at) - paths_.square_distance(right, at);
+    };
+    const Vec2 middle = 0.5 * (p + q), aside = 0.5 * Vec2(p.y() - q.y(), q.x() - p.x());
+    const double rise = std::abs(excess(middle + aside) - excess(middle - aside));
+    BisectorSegment segment{paths_.generator(left), paths_.generator(right), (q - p).norm()};
+    const bool is_short = (q - p).squaredNorm() < kShort * kShort * paths_.square_distance(left, middle);
+    for (std::size_t k = 0; k < (is_short ? 1 : 2); ++k) {
+      const double share = is_short ? 0 : k == 0 ? -kGaussPoint : kGaussPoint;
+      const Vec2 at = middle + share * (q - p);
+      segment.at_left[k] = paths_.from(left, at).log;
+      segment.at_right[k] = paths_.from(right, at).log;
+    }
+    if (is_short) segment.at_left[1] = segment.at_left[0], segment.at_right[1] = segment.at_right[0];
+    if (rise > 0) segment.weight = density_at(kProbes[0]) * 2 * (q - p).squaredNorm() / rise;
+    segments.push_back(segment);
   }
 
   const Field& field_;
@@ -301,32 +340,66 @@ IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures&
   return logs;
 }
 
-}  // namespace
-
-MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const Integrand& integrand,
-                            int threads, const Progress& progress) {
-  const WorkingMesh working(mesh, generators, progress);
-  PropagationOptions propagation;
-  propagation.departures = true;
-  propagation.threads = threads;
-  const WindowField windows =
-      propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress);
-  const Departures departures(working, generators);
-  const Field field{working, windows, departures, vertex_logs(windows, departures), integrand};
-  const auto faces = cut_into_chunks(working.mesh().face_count(), kScanChunk);
-  std::vector<CellSums> sums(faces.size(), CellSums(integrand.watched));
+/// Runs measure(measurer, face) for all faces of the working mesh, in parts that do not depend on the threads.
+/// Returns the sums of the parts, and adds their segments to the geometry.
+template <class Measure>
+std::vector<CellSums> measure_faces(const Field& field, const ParallelChunks& parallel, const Measure& measure,
+                                    CellGeometry& geometry) {
+  const auto faces = cut_into_chunks(field.working.mesh().face_count(), kScanChunk);
+  std::vector<CellSums> sums(faces.size(), CellSums(field.integrand.watched));
   std::vector<std::vector<BisectorSegment>> segments(faces.size());
-  ParallelChunks(threads, progress).run(faces.size(), {steps::kCells}, [&](std::size_t i) {
+  parallel.run(faces.size(), {steps::kCells}, [&](std::size_t i) {
     FaceMeasurer measurer(field);
-    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measurer.add(FaceId(f));
+    for (std::size_t f = faces[i].begin; f < faces[i].end; ++f) measure(measurer, FaceId(f));
     sums[i] = std::move(measurer.sums);
     segments[i] = std::move(measurer.segments);
   });
-  MeasuredCells cells{CellSums::join(generators.size(), sums), {}, windows.distance};
-  cells.vertex_distance.resize(mesh.vertex_count());  // the working mesh has the input's vertices first
-  for (const auto& part : segments) cells.segments.insert(cells.segments.end(), part.begin(), part.end());
-  sort_by_cells(cells.segments);
-  return cells;
+  for (const auto& part : segments) geometry.segments.insert(geometry.segments.end(), part.begin(), part.end());
+  sort_by_cells(geometry.segments);
+  return sums;
+}
+
+/// The geometry without segments, of the vertices of the working mesh: the input's come first.
+CellGeometry begin_geometry(const WindowField& windows, const Departures& departures) {
+  return {{}, windows.label, windows.distance, vertex_logs(windows, departures)};
+}
+
+void cut_to_input(const WorkingMesh& working, CellGeometry& geometry) {
+  const std::size_t count = working.input().vertex_count();
+  geometry.label.resize(count);
+  geometry.vertex_distance.resize(count);
+  geometry.log.resize(count, Vec2(0, 0));
+}
+
+}  // namespace
+
+CellGeometry find_geometry(const WorkingMesh& working, const WindowField& windows,
+                           const std::vector<SurfacePoint>& generators, const Density& density,
+                           const ParallelChunks& parallel) {
+  const Departures departures(working, generators);
+  CellGeometry geometry = begin_geometry(windows, departures);
+  const WatchedGenerators none;
+  const Integrand integrand{density, none};
+  measure_faces(
+      {working, windows, departures, geometry.log, integrand}, parallel,
+      [](FaceMeasurer& measurer, FaceId f) { measurer.add_segments_only(f); }, geometry);
+  cut_to_input(working, geometry);
+  return geometry;
+}
+
+MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const Integrand& integrand,
+                            int threads, const Progress& progress) {
+  const auto read = [&](const WorkingMesh& working, const WindowField& windows) {
+    const Departures departures(working, generators);
+    MeasuredCells cells{{}, begin_geometry(windows, departures)};
+    const auto sums = measure_faces(
+        {working, windows, departures, cells.geometry.log, integrand}, ParallelChunks(threads, progress),
+        [](FaceMeasurer& measurer, FaceId f) { measurer.add(f); }, cells.geometry);
+    cells.integrals = CellSums::join(generators.size(), sums);
+    cut_to_input(working, cells.geometry);
+    return cells;
+  };
+  return read_windows(mesh, generators, threads, progress, read);
 }
 
 }  // namespace gvd

@@ -100,18 +100,18 @@ CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, co
                                 RelaxationState& state) {
   const DiagramOptions& options = precision.diagram;
   CellIntegrals integrals;
+  const ParallelChunks parallel(options.threads, options.progress);
+  const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
+    integrals = integrate_over_windows(working, field, diagram, {integrand}, parallel);
+    state.geometry = find_geometry(working, field, diagram.generators, integrand.density, parallel);
+  };
   if (options.method == Method::exact) {
-    const ParallelChunks parallel(options.threads, options.progress);
-    const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
-      integrals = integrate_over_windows(working, field, diagram, {integrand}, parallel);
-    };
     state.diagram = compute_diagram_and_read(mesh, state.generators, options, read);
   } else {
     state.diagram = compute_diagram(mesh, state.generators, options);
-    integrals = integrate_cells(mesh, state.diagram, {integrand}, options.threads, options.progress);
+    read_windows(mesh, state.generators, options.threads, options.progress,
+                 [&](const WorkingMesh& working, const WindowField& field) { read(working, field, state.diagram); });
   }
-  state.segments = bisector_segments(mesh, state.diagram, integrand.density);
-  state.vertex_distance = state.diagram.vertex_distance;
   return integrals;
 }
 
@@ -120,8 +120,7 @@ CellIntegrals integrate_faces(const Mesh& mesh, const Precision& precision, cons
                               RelaxationState& state) {
   MeasuredCells cells =
       measure_cells(mesh, state.generators, integrand, precision.diagram.threads, precision.diagram.progress);
-  state.segments = std::move(cells.segments);
-  state.vertex_distance = std::move(cells.vertex_distance);
+  state.geometry = std::move(cells.geometry);
   return std::move(cells.integrals);
 }
 

@@ -91,8 +91,7 @@ struct RelaxationState {
   std::vector<SurfacePoint> generators;
   Diagram diagram;  ///< empty if the precision skips it
   IdVector<GeneratorId, CellMoments> moments;
-  std::vector<BisectorSegment> segments;       ///< of all bisectors, sorted by cells
-  IdVector<VertexId, double> vertex_distance;  ///< to the nearest generator, mesh units; infinity where none reaches
+  CellGeometry geometry;
   double energy = 0;
   /// The ways to the centroids, projected to where the generators may go; at a vertex the steepest way. Mesh units.
   TangentField to_centroids;

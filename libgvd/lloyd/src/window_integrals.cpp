@@ -17,7 +17,6 @@
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
 #include "cell_integrals.hpp"
-#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
@@ -179,22 +178,6 @@ CellIntegrals CellSums::join(std::size_t cells, const std::vector<CellSums>& par
   return all;
 }
 
-std::vector<BisectorSegment> bisector_segments(const Mesh& mesh, const Diagram& diagram, const Density& density) {
-  std::vector<BisectorSegment> segments;
-  for (const Bisector& bisector : diagram.bisectors) {
-    if (bisector.left == bisector.right) continue;
-    for (std::size_t k = 0; k + 1 < bisector.points.size(); ++k) {
-      const SurfacePoint &from = bisector.points[k], &to = bisector.points[k + 1];
-      const Vec3 p = position(mesh, from), q = position(mesh, to);
-      const double mean_density = 0.5 * (density.at(from.face, from.bary) + density.at(to.face, to.bary));
-      const auto [first, second] = std::minmax(bisector.left, bisector.right);
-      segments.push_back({first, second, p, q, (q - p).norm(), mean_density});
-    }
-  }
-  sort_by_cells(segments);
-  return segments;
-}
-
 void sort_by_cells(std::vector<BisectorSegment>& segments) {
   sort_by(&BisectorSegment::right, segments);
   sort_by(&BisectorSegment::left, segments);
@@ -229,13 +212,10 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
 
 CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
                               const Progress& progress) {
-  const WorkingMesh working(mesh, diagram.generators, progress);
-  PropagationOptions propagation;
-  propagation.departures = true;
-  propagation.threads = threads;
-  const WindowField field =
-      propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress);
-  return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
+  return read_windows(
+      mesh, diagram.generators, threads, progress, [&](const WorkingMesh& working, const WindowField& field) {
+        return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
+      });
 }
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,

@@ -30,7 +30,8 @@ struct LloydOptions {
   Acceleration acceleration = Acceleration::lbfgs;
   std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration
   /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
-  /// if they are accelerated. >= 0; without a value 1e-8, or 1e-5 without acceleration.
+  /// if they are accelerated. >= 0; 1e-8 is near the limit. Without a value, an accelerated relaxation ends where
+  /// little is left (LloydStop::prediction), and another one by 1e-5.
   std::optional<double> energy_tolerance;
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
@@ -58,12 +59,18 @@ struct LloydOptions {
   std::function<bool()> is_time_over;
 };
 
-/// The largest number of iterations, and the energy tolerance: those of the options or their defaults.
+/// The default end of accelerated relaxations: the decrease of the energy that the next five iterations are predicted
+/// to give is below this fraction of it.
+inline constexpr double kSettledFall = 1e-3;
+
+/// The largest number of iterations, and the energy tolerance if it ends the relaxation: those of the options or their
+/// defaults.
 inline std::int32_t max_iterations(const LloydOptions& options) {
   return options.max_iterations.value_or(options.acceleration == Acceleration::none ? 100 : 300);
 }
-inline double energy_tolerance(const LloydOptions& options) {
-  return options.energy_tolerance.value_or(options.acceleration == Acceleration::none ? 1e-5 : 1e-8);
+inline std::optional<double> energy_tolerance(const LloydOptions& options) {
+  if (options.energy_tolerance || options.acceleration != Acceleration::none) return options.energy_tolerance;
+  return 1e-5;
 }
 
 inline bool relocates(const LloydOptions& options) {
@@ -75,6 +82,7 @@ enum class LloydStop {
   centroids,       ///< every generator is at its centroid, within move_tolerance
   energy,          ///< the last iterations lowered the energy by less than energy_tolerance each
   no_descent,      ///< no step towards the centroids lowers the energy
+  prediction,      ///< the next five iterations would lower it by less than kSettledFall, as the last steps predict
   max_iterations,  ///< the number of iterations is max_iterations
   time_limit,      ///< is_time_over returned true
 };
@@ -112,9 +120,10 @@ struct LloydResult {
 /// map; accelerated steps take that mean for the gradient of the energy. At a vertex with curvature the direction in
 /// which the energy falls fastest takes its place; where it falls in none, the generator rests. A generator stops at
 /// the boundary; from a boundary point, an outward step slides along the boundary. A step is taken only if it lowers
-/// the energy. An accelerated step is shortened up to three times, and then replaced by Lloyd's. If that does not lower
-/// the energy, generators that went too far shorten their own steps, and after that all do. A generator that would
-/// collide with another one does not move.
+/// the energy; where energies differ by less than their error, their slopes along the paths decide. An accelerated step
+/// is shortened up to three times. Then better diagrams follow, or Lloyd's step with the last ones. If that does not
+/// lower the energy, generators that went too far shorten their own steps, and after that all do. A generator that
+/// would collide with another one does not move.
 ///
 /// An extremity is an inner vertex that is farther from its generator than all its neighbours; these are in the same
 /// cell. It is the end of a limb, which the centroid of the cell misses. With `keeps_extremities`, a free generator
