@@ -74,13 +74,32 @@ void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
   }
 }
 
+/// The copy to relax so many generators on first; nothing where the mesh is small, or less than twice as large.
+std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, std::optional<std::int64_t> asked,
+                                    std::int64_t generators) {
+  const std::int64_t faces = asked.value_or(default_copy_faces(mesh.face_count(), generators));
+  if (faces == 0) return std::nullopt;
+  if (2 * faces > mesh.face_count()) {
+    run.console().note(fmt::format("--coarse {}: not used, because the mesh has {} faces", faces, mesh.face_count()));
+    return std::nullopt;
+  }
+  return run.timed("coarse copy",
+                   [&] { return make_coarse_copy(mesh, faces, run.options().compute.threads, run.progress()); });
+}
+
 }  // namespace
 
-WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::vector<SurfacePoint> points,
+WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
                                const ConstraintOptions& constraints) {
+  // Sampled generators are counted before there are any, and so can be sampled on the copy.
+  if (!count) count = run.options().generators.count;
+  std::optional<CoarseCopy> copy;
+  if (count) copy = make_copy(run, input.mesh, constraints.coarse, *count);
+  std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
+  if (!count) copy = make_copy(run, input.mesh, constraints.coarse, std::ssize(points));
   Density density = choose_density(run, input, constraints, std::ssize(points));
   const StartOptions options = start_options(run, input, constraints);
-  WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density)};
+  WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density), std::move(copy)};
   note_unfollowed_curves(run, start);
   const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
   if (!start.freedom.empty()) {
@@ -95,6 +114,7 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   options.freedom = start.freedom;
   options.creases = start.creases;
   options.density = start.density;
+  options.copy = start.copy ? &*start.copy : nullptr;
   options.diagram = make_diagram_options(run.options().compute);
   if (!options.progress) options.progress = run.progress();
   options.on_iteration = [&run, also = std::move(options.on_iteration)](std::int64_t iterations, double energy,
@@ -104,7 +124,16 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   };
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");
+  if (result.copy.faces > 0) {
+    run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
+                                   counted(result.copy.iterations, "iteration", "iterations"), result.copy.faces));
+  }
   return result;
+}
+
+nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy) {
+  if (copy.faces == 0) return nullptr;
+  return {{"faces", copy.faces}, {"iterations", copy.iterations}, {"diagrams", copy.diagrams}};
 }
 
 const char* name_of(LloydStop stop) {
@@ -122,6 +151,7 @@ void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions
   options["keep_boundary"] = constraints.keep_boundary;
   options["density"] = constraints.density.empty() ? Json() : Json(constraints.density);
   options["gradation"] = constraints.gradation;
+  options["coarse"] = constraints.coarse ? Json(*constraints.coarse) : Json();
 }
 
 }  // namespace gvd::app

@@ -91,7 +91,7 @@ ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& ask
   return resolve_generators(input.mesh, read_list(asked), options);
 }
 
-ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& progress) {
+ResolvedGenerators sample(const Mesh& mesh, const CoarseCopy* copy, const Options& run, const Progress& progress) {
   const GeneratorOptions& asked = run.generators;
   SamplingOptions options;
   options.seed = asked.seed;
@@ -101,7 +101,8 @@ ResolvedGenerators sample(const Mesh& mesh, const Options& run, const Progress& 
   if (asked.radius) options.radius = *asked.radius;
   options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
   ResolvedGenerators sampled;
-  sampled.points = sample_generators(mesh, options);
+  const bool on_copy = copy && options.kind == Sampling::farthest;
+  sampled.points = on_copy ? sample_on_copy(mesh, *copy, options) : sample_generators(mesh, options);
   sampled.snap_distance.resize(sampled.points.size());
   return sampled;
 }
@@ -234,12 +235,13 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   return checked;
 }
 
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count) {
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
+                                          const CoarseCopy* copy) {
   Options options = run.options();
   if (count) options.generators.count = count;
   ResolvedGenerators found = run.timed("generators", [&] {
     ResolvedGenerators chosen = options.generators.are_listed() ? resolve(input, options.generators, run.progress())
-                                                                : sample(input.mesh, options, run.progress());
+                                                                : sample(input.mesh, copy, options, run.progress());
     note_changes(run, chosen, input.mesh.bbox_diagonal());
     return chosen;
   });

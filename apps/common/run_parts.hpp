@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/run.hpp"
+#include "gvd/coarse_copy.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
@@ -34,8 +35,9 @@ CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
 
 /// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
 /// ones. `count`: of sampled ones, in place of that of the options. Throws what read_generators, resolve_generators and
-/// sample_generators throw.
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count = {});
+/// sample_generators throw. `copy`: farthest points are sampled on it; null: on the mesh.
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count = {},
+                                          const CoarseCopy* copy = nullptr);
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators);

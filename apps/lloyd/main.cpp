@@ -86,6 +86,7 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
       fmt::format(
           "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
           options.step));
+  register_coarse(line, own.constraints);
   add_number(line, "--time-limit", own.time_limit, kNotNegative,
              "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
              "(default: no limit)");
@@ -202,20 +203,27 @@ ViewScene make_scene(const Mesh& mesh, const Diagram& diagram, std::string name,
   return scene;
 }
 
+std::string describe_copy_iterations(const CoarseRelaxation& copy) {
+  return fmt::format("{}, {} faces", counted(copy.iterations, "iteration", "iterations"), copy.faces);
+}
+
 /// The scenes of the page: the relaxed generators, the start, and iterations between them, evenly over the run.
 /// `options`: of their diagrams, which are computed but for the last.
 std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult& relaxed, const RelaxationTrace& trace,
                                              DiagramOptions options) {
-  const std::size_t last = relaxed.iterations.size(), gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, 1));
+  const bool has_copy = relaxed.copy.faces > 0;  // then the mesh's iterations may be none, from the end to the end
+  const std::size_t last = relaxed.iterations.size();
+  const std::size_t gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, has_copy ? 0 : 1));
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
   scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
   scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
+  if (has_copy) scenes[0].figures.push_back({"On a coarse copy", describe_copy_iterations(relaxed.copy)});
   if (last > 0) scenes[0].iteration = last;
   for (std::size_t k = 0; k < gaps; ++k) {
     const std::size_t done = (k * last + gaps / 2) / gaps;  // rounded to the nearest
     const double energy = done == 0 ? relaxed.initial_energy : relaxed.iterations[done - 1].energy;
     const Diagram diagram = compute_diagram(mesh, trace.generators(done), options);
-    scenes.push_back(make_scene(mesh, diagram, k == 0 ? "Start" : "", energy));
+    scenes.push_back(make_scene(mesh, diagram, k > 0 ? "" : has_copy ? "From the copy" : "Start", energy));
     if (last > 0) scenes.back().iteration = done;
     options.chord_tolerance = std::max(kCoarseChords, options.chord_tolerance);
   }
@@ -235,6 +243,7 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
   results["iterations"] = result.iterations.size();
   results["stop"] = name_of(result.stop);
   add_iterations(results, result);
+  results["coarse"] = describe_copy(result.copy);
   results["residual"] = result.residual;
   results["mean_cell_radius"] = result.mean_cell_radius;
   results["diagrams"] = result.diagrams;
@@ -289,7 +298,9 @@ void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const WeightedStart start = start_relaxation(run, input, make_generators(run, input), own.constraints);
+  ConstraintOptions constraints = own.constraints;
+  if (max_iterations(own.relaxation) == 0) constraints.coarse = 0;
+  const WeightedStart start = start_relaxation(run, input, {}, constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);

@@ -77,7 +77,8 @@ void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterati
   run.report().results()["relaxation"] = {
       {"iterations", result.iterations.size()},   {"stop", name_of(result.stop)},
       {"initial_energy", result.initial_energy},  {"final_energy", result.final_energy},
-      {"extremities", result.extremities.size()}, {"diagrams", result.diagrams}};
+      {"extremities", result.extremities.size()}, {"diagrams", result.diagrams},
+      {"coarse", describe_copy(result.copy)}};
   // A fit would pull the vertex at the end of a thin limb back, or push it too far out.
   std::vector<Freedom>& freedom = start.constrained.freedom;
   if (!result.extremities.empty()) freedom.resize(result.generators.size(), Freedom::free);
@@ -110,7 +111,8 @@ RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& sett
   // A remesh that may add no generators can't follow creases that need more.
   if (!may_add) constraints.auto_features = false;
   report_start_options(run, settings, constraints, iterations);
-  RelaxedStart start{start_relaxation(run, input, make_generators(run, input, count), constraints), {}};
+  if (iterations == 0) constraints.coarse = 0;
+  RelaxedStart start{start_relaxation(run, input, count, constraints), {}};
   if (iterations > 0) relax(run, input.mesh, start, iterations);
   run.report().set_generators(input.mesh, start.constrained.points);
   return start;

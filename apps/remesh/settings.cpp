@@ -60,6 +60,7 @@ void register_relaxation(CLI::App& line, Settings& settings) {
              fmt::format("Iterations that first move the generators to the centroids of their cells; 'none' leaves "
                          "them in place (default: {}; none with --generators and --vertices)",
                          kDefaultRelaxation));
+  register_coarse(line, settings.constraints);
   settings.constraints.auto_features = true;
   register_constraints(line, settings.constraints);
   add_flag(line, "--loose-boundary", settings.loose_boundary,

@@ -97,6 +97,7 @@ struct ConstraintOptions {
   bool leaves_room = false;  ///< for generators that a remesh adds on features
   std::string density;       ///< "curvature", a file, or a property of the input; empty: uniform
   double gradation = 0.3;
+  std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
 };
 
 /// The names of some values, as on the command line and in the report.

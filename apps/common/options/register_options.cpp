@@ -18,6 +18,7 @@ using Formats = std::vector<std::string>;
 
 constexpr Range<std::int32_t> kThreads{1, 4096, "a whole number from 1 to 4096"};
 constexpr Range<double> kAngle{std::numeric_limits<double>::min(), 180, "above 0 and at most 180"};
+constexpr Range<std::int64_t> kCoarseFaces{4, 1000000000, "a whole number from 4 to 1000000000 or 'off'"};
 constexpr Range<double> kGradation{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "above 0"};
 
 void register_input(CLI::App& app, InputOptions& input) {
@@ -244,6 +245,17 @@ void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
       app, "--gradation", constraints.gradation, kGradation,
       fmt::format("With --density curvature, how fast the size of cells may change along the surface (default: {})",
                   constraints.gradation));
+}
+
+void register_coarse(CLI::App& app, ConstraintOptions& constraints) {
+  const auto store = [&constraints](const std::string& text) {
+    const std::optional<std::int64_t> faces = text == "off" ? 0 : parse_number_in(text, kCoarseFaces);
+    if (faces) constraints.coarse = faces;
+    return faces ? "" : fmt::format("'{}' is not {}", text, kCoarseFaces.text);
+  };
+  add_parsed(app, "--coarse", "FACES|off", store,
+             "Sample and relax on a decimated copy of about so many faces first, and finish on the mesh (default: on "
+             "large meshes, with enough faces for the generators)");
 }
 
 void register_general(CLI::App& app, Options& options, const std::string& version) {

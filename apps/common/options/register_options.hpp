@@ -16,6 +16,9 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const s
 /// Adds the options that constrain and weigh a relaxation.
 void register_constraints(CLI::App& app, ConstraintOptions& constraints);
 
+/// Adds --coarse to the group of the options before it.
+void register_coarse(CLI::App& app, ConstraintOptions& constraints);
+
 /// Adds --help, --version, --config, -q and -v, which --help shows last.
 void register_general(CLI::App& app, Options& options, const std::string& version);
 

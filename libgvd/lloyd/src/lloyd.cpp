@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "accelerator.hpp"
+#include "coarse_start.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/error.hpp"
 #include "iteration_record.hpp"
@@ -92,6 +93,7 @@ void check_options(const LloydOptions& o) {
   const double tolerance = energy_tolerance(o).value_or(0);
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
+  if (!(o.least_promise >= 0)) refuse("the least promise must be 0 or more");
   if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
   check_diagram_options(o.diagram);  // early levels compute no diagram
 }
@@ -100,6 +102,15 @@ void check_options(const LloydOptions& o) {
 void check_energy(double energy) {
   if (std::isfinite(energy)) return;
   throw Error(ErrorCode::precondition, "the energy is too large for a number; scale the density or the mesh down");
+}
+
+/// The fall of the energy if every generator were at its centroid, and all cells kept their borders.
+double promised_fall(const RelaxationState& state) {
+  double fall = 0;
+  for (const GeneratorId g : state.moments.ids()) {
+    fall += state.moments[g].mass * state.to_centroids[g.index()].squaredNorm();
+  }
+  return fall;
 }
 
 /// Shortens the steps of the generators that went beyond the lowest point of their path. The energy's slopes at both
@@ -208,6 +219,7 @@ class Relaxer {
     if (is_at_centroids(state)) return LloydStop::centroids;
     if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
+    if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::energy;
     if (relocate(state)) return std::nullopt;
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (proposed && is_settled(state, *proposed)) return LloydStop::prediction;
@@ -439,6 +451,9 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
+  if (options.copy) {
+    if (std::optional<LloydResult> result = relax_from_copy(mesh, generators, options)) return std::move(*result);
+  }
   if (!options.keeps_extremities) return Relaxer(mesh, generators, options).run();
   LloydOptions part = options;
   part.progress = part_of(options.progress, 0, kShareBefore);

@@ -15,6 +15,8 @@
 
 namespace gvd {
 
+struct CoarseCopy;  // coarse_copy.hpp
+
 /// How the steps of an iteration are found.
 enum class Acceleration {
   none,      ///< Lloyd's method: every generator goes to the centroid of its cell
@@ -36,6 +38,9 @@ struct LloydOptions {
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
   double move_tolerance = 1e-3;
+  /// Stop where the way to the centroids promises to lower the energy by less than this fraction of it, if all cells
+  /// kept their borders. >= 0.
+  double least_promise = 0;
   /// Length of a step that is not accelerated, as a fraction of the way to the centroid: 1 is Lloyd's step, more is
   /// overrelaxation. In (0, 2).
   double step = 1;
@@ -48,6 +53,8 @@ struct LloydOptions {
   /// Begin without diagrams, face by face, and end with those of `diagram`. Only accelerated runs with Method::exact
   /// do.
   bool early_approximation = true;
+  /// Relax on this decimated copy of the mesh first (see relax_generators); null: on none. It has to outlive the call.
+  const CoarseCopy* copy = nullptr;
   DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
   Progress progress;       ///< may be empty
   /// Called with the number of iterations so far, the energy and the generators after them, at first for the given
@@ -77,10 +84,16 @@ inline bool relocates(const LloydOptions& options) {
   return options.relocate.value_or(options.acceleration != Acceleration::none);
 }
 
+/// After the relaxation on a copy, the most iterations on the mesh, and what each has to promise (`least_promise`). On
+/// scans of 278,000 to 1.7 million faces, 50 to 1,000 generators come from copies within .06 % of the energy that three
+/// more iterations reach, or .15 % after ten iterations; the promise is .002 to .08 %, and about what they gain.
+inline constexpr std::int32_t kFinishIterations = 3;
+inline constexpr double kFinishPromise = 5e-4;
+
 /// Why a relaxation ended.
 enum class LloydStop {
   centroids,       ///< every generator is at its centroid, within move_tolerance
-  energy,          ///< the last iterations lowered the energy by less than energy_tolerance each
+  energy,          ///< the last iterations lowered the energy by less than energy_tolerance each, or least_promise
   no_descent,      ///< no step towards the centroids lowers the energy
   prediction,      ///< the next five iterations would lower it by less than kSettledFall, as the last steps predict
   max_iterations,  ///< the number of iterations is max_iterations
@@ -100,6 +113,13 @@ struct LloydIteration {
   Acceleration by = Acceleration::none;  ///< how the steps were found; none where only Lloyd's lower the energy
 };
 
+/// The part of a relaxation on a copy of the mesh.
+struct CoarseRelaxation {
+  std::int64_t faces = 0;  ///< of the copy; 0 where none was used
+  std::int64_t iterations = 0;
+  std::int64_t diagrams = 0;  ///< of the copy
+};
+
 struct LloydResult {
   std::vector<SurfacePoint> generators;
   Diagram diagram;                             ///< of these generators
@@ -110,6 +130,7 @@ struct LloydResult {
   double mean_cell_radius = 0;
   std::vector<LloydIteration> iterations;
   std::vector<GeneratorId> extremities;  ///< ascending: the generators that went to extremities, and stayed there
+  CoarseRelaxation copy;                 ///< what was done on a copy of the mesh first
   std::int64_t diagrams = 0;             ///< number of diagrams computed, including those of rejected steps
   LloydStop stop = LloydStop::no_descent;
 };
@@ -131,6 +152,11 @@ struct LloydResult {
 /// one, up to five iterations with the others follow. The energy may rise between these iterations and those before.
 /// Where they leave many more cells that are no discs or have fewer than three neighbours, these iterations do not
 /// count.
+///
+/// With a `copy`, all this happens on the copy first, without a call of `on_iteration`, and where generators are not
+/// free they stay. On the mesh, at most kFinishIterations follow, each if it promises kFinishPromise of the energy;
+/// with an `energy_tolerance`, as many as it takes. Generators that are on extremities of the copy stay there. The copy
+/// is not used where it has more than half of the faces, or where two generators coincide on it.
 ///
 /// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
 /// its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with

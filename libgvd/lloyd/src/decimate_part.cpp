@@ -1,0 +1,231 @@
+// Halfedge collapses in a part of a mesh, the cheapest first.
+//
+// A collapse moves all faces of a vertex to one of its neighbours, and removes those between the two. Its cost is the
+// error quadric of the vertex at the neighbour (M. Garland and P. Heckbert, Surface simplification using quadric error
+// metrics, 1997), and a little for the way: in flat parts, where planes cost nothing, this keeps edges about as long as
+// each other. A heap holds the vertices; costs rise as vertices gather quadrics, and are looked up again at the top.
+// Invariant: the topology stays, by the link condition (T. Dey et al., Topology preserving edge contraction, 1999):
+// the neighbours of both vertices are those across from the edge. On the boundary, vertices collapse along it only.
+#include "decimate_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/lazy_max_heap.hpp"
+
+namespace gvd {
+namespace {
+
+/// Cost of the way of a collapse, in squared lengths times the area that moves. Edges that turn by a radian cost .25.
+constexpr double kWayCost = 1e-2;
+
+/// Weight of the planes through boundary edges, which stand upright on their faces, beside a square on the edge.
+constexpr double kBoundaryWeight = 1;
+
+/// Least cosine of the angle by which a collapse may turn a face.
+constexpr double kLeastCosine = 0.2;
+
+/// Least area of a face after a collapse, in squares of its longest side; or a quarter of what it was before.
+constexpr double kLeastShape = 0.05;
+
+constexpr double kNever = -kInfinity;
+
+/// Twice the area, and the square of the longest side.
+double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
+}  // namespace
+
+PartDecimator::PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places)
+    : left_(std::ssize(faces)) {
+  IdVector<VertexId, std::int32_t> local(mesh.vertex_count(), -1);
+  corner_.reserve(3 * faces.size());
+  for (const FaceId f : faces) {
+    for (const VertexId v : mesh.vertices(f)) {
+      if (local[v] < 0) {
+        local[v] = static_cast<std::int32_t>(vertex_.size());
+        vertex_.push_back(v);
+      }
+      corner_.push_back(local[v]);
+    }
+  }
+  for (const VertexId v : vertex_) position_.push_back(mesh.position(v) - mesh.position(vertex_[0]));
+  link(mesh, faces, places);
+  add_quadrics();
+  target_.assign(vertex_.size(), -1);
+  best_.assign(vertex_.size(), -1);
+  mark_.assign(vertex_.size(), 0);
+}
+
+void PartDecimator::link(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places) {
+  is_locked_.assign(vertex_.size(), 0);
+  leaving_.assign(vertex_.size(), -1);
+  twin_.reserve(corner_.size());
+  for (const FaceId f : faces) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      const auto here = static_cast<std::int32_t>(twin_.size());
+      const HalfedgeId twin = mesh.twin(h);
+      const PartPlace place = twin.valid() ? places[Mesh::face(twin)] : PartPlace{-1, -1};
+      const bool is_inner = twin.valid() && place.part == places[f].part;
+      twin_.push_back(is_inner ? 3 * place.place + Mesh::corner(twin) : -1);
+      if (twin.valid() && !is_inner) is_locked_[from(here)] = is_locked_[to(here)] = 1;
+      if (mesh.halfedge(mesh.from(h)) == h) leaving_[from(here)] = here;
+    }
+  }
+}
+
+void PartDecimator::add_quadrics() {
+  quadric_.resize(vertex_.size());
+  for (std::int32_t h = 0; h < std::ssize(corner_); ++h) {
+    const Vec3 &p = position_[from(h)], &q = position_[to(h)], &r = position_[from(previous(h))];
+    const Vec3 product = (q - p).cross(r - p);
+    const double twice_area = product.norm();
+    if (!(twice_area > 0)) continue;
+    const Vec3 normal = product / twice_area;
+    quadric_[from(h)].add_plane(normal, p, twice_area / 6);
+    quadric_[from(h)].area += twice_area / 6;
+    if (twin_[h] >= 0) continue;
+    const Vec3 upright = (q - p).cross(normal);
+    const double weight = kBoundaryWeight * upright.norm();
+    for (const std::int32_t v : {from(h), to(h)}) quadric_[v].add_plane(upright.normalized(), p, weight * weight);
+  }
+}
+
+template <class Visit>
+void PartDecimator::for_each_edge(std::int32_t v, Visit visit) const {
+  std::int32_t h = leaving_[v];
+  do {
+    visit(h);
+    const std::int32_t last = previous(h);
+    h = twin_[last];
+    if (h < 0) visit(last);
+  } while (h >= 0 && h != leaving_[v]);
+}
+
+double PartDecimator::find_best(std::int32_t v) {
+  if (is_locked_[v] || target_[v] >= 0) return kNever;
+  choices_.clear();
+  const bool on_boundary = is_boundary(v);
+  for_each_edge(v, [&](std::int32_t h) {
+    const std::int32_t w = from(h) == v ? to(h) : from(h);
+    if (is_locked_[w] || (on_boundary && twin_[h] >= 0)) return;
+    const double way = (position_[w] - position_[v]).squaredNorm();
+    const double cost = std::max(0.0, quadric_[v].at(position_[w])) + kWayCost * quadric_[v].area * way;
+    choices_.emplace_back(cost, h);
+  });
+  std::sort(choices_.begin(), choices_.end());
+  for (const auto& [cost, h] : choices_) {
+    if (!is_legal(v, h)) continue;
+    best_[v] = h;
+    return -cost;
+  }
+  return kNever;
+}
+
+bool PartDecimator::is_legal(std::int32_t v, std::int32_t halfedge) {
+  const std::int32_t w = from(halfedge) == v ? to(halfedge) : from(halfedge);
+  return keeps_topology(v, w, halfedge) && keeps_normals(v, w);
+}
+
+bool PartDecimator::keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge) {
+  const bool is_single = twin_[halfedge] < 0;
+  if (is_single && twin_[next(halfedge)] < 0 && twin_[previous(halfedge)] < 0) return false;
+  ++question_;
+  int of_v = 0, of_w = 0, common = 0;
+  const auto other_end = [&](std::int32_t h, std::int32_t x) { return from(h) == x ? to(h) : from(h); };
+  for_each_edge(w, [&](std::int32_t h) {
+    ++of_w;
+    mark_[other_end(h, w)] = question_;
+  });
+  for_each_edge(v, [&](std::int32_t h) {
+    ++of_v;
+    common += mark_[other_end(h, v)] == question_;
+  });
+  const bool is_tetrahedron = of_v == 3 && of_w == 3 && !is_single;
+  return common == (is_single ? 1 : 2) && !is_tetrahedron;
+}
+
+bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
+  bool keeps = true;
+  const Vec3 &before = position_[v], &after = position_[w];
+  for_each_edge(v, [&](std::int32_t h) {
+    if (!keeps || from(h) != v) return;
+    const std::int32_t a = to(h), b = from(previous(h));
+    if (a == w || b == w) return;
+    const Vec3 &p = position_[a], &q = position_[b];
+    const Vec3 old_normal = (p - before).cross(q - before), new_normal = (p - after).cross(q - after);
+    const double old_norm = old_normal.norm(), new_norm = new_normal.norm();
+    if (p == after || q == after) keeps = false;
+    if (old_norm > 0 && !(old_normal.dot(new_normal) > kLeastCosine * old_norm * new_norm)) keeps = false;
+    if (keeps) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
+  });
+  return keeps;
+}
+
+void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
+  const std::int32_t w = from(halfedge) == v ? to(halfedge) : from(halfedge), twin = twin_[halfedge];
+  std::int32_t h = leaving_[v];
+  do {
+    corner_[h] = w;
+    h = twin_[previous(h)];
+  } while (h >= 0 && h != leaving_[v]);
+  remove_face(halfedge, w);
+  if (twin >= 0) remove_face(twin, w);
+  leaving_[w] = first_of_fan(leaving_[w]);
+  target_[v] = w;
+  quadric_[w].add(quadric_[v]);
+}
+
+void PartDecimator::remove_face(std::int32_t halfedge, std::int32_t kept) {
+  const std::int32_t n = next(halfedge), p = previous(halfedge), across = from(p), tn = twin_[n], tp = twin_[p];
+  if (tn >= 0) twin_[tn] = tp;
+  if (tp >= 0) twin_[tp] = tn;
+  for (const std::int32_t h : {halfedge, n, p}) corner_[h] = -1;
+  --left_;
+  if (!is_locked_[across]) leaving_[across] = first_of_fan(tn >= 0 ? tn : next(tp));
+  leaving_[kept] = tp >= 0 ? tp : next(tn);
+}
+
+std::int32_t PartDecimator::first_of_fan(std::int32_t halfedge) const {
+  std::int32_t h = halfedge;
+  while (twin_[h] >= 0) {
+    h = next(twin_[h]);
+    if (h == halfedge) break;
+  }
+  return h;
+}
+
+void PartDecimator::decimate(double share) {
+  std::int64_t held = 0;
+  for (std::size_t h = 0; h < corner_.size(); h += 3) {
+    held += is_locked_[corner_[h]] || is_locked_[corner_[h + 1]] || is_locked_[corner_[h + 2]];
+  }
+  const std::int64_t faces = held + static_cast<std::int64_t>(share * static_cast<double>(left_ - held));
+  const auto key = [&](std::int32_t v) { return find_best(v); };
+  LazyMaxHeap heap(static_cast<std::int32_t>(vertex_.size()), key);
+  while (left_ > faces && !heap.empty()) {
+    const auto& top = heap.top(key);
+    if (!(top.key > kNever)) break;
+    const std::int32_t v = top.id, halfedge = best_[v];
+    heap.pop();
+    collapse(v, halfedge);
+  }
+}
+
+std::vector<std::array<VertexId, 3>> PartDecimator::faces() const {
+  std::vector<std::array<VertexId, 3>> faces;
+  for (std::size_t h = 0; h < corner_.size(); h += 3) {
+    if (corner_[h] >= 0) faces.push_back({vertex_[corner_[h]], vertex_[corner_[h + 1]], vertex_[corner_[h + 2]]});
+  }
+  return faces;
+}
+
+void PartDecimator::enter_targets(IdVector<VertexId, VertexId>& target) const {
+  for (std::size_t v = 0; v < target_.size(); ++v) {
+    if (target_[v] >= 0) target[vertex_[v]] = vertex_[target_[v]];
+  }
+}
+
+}  // namespace gvd

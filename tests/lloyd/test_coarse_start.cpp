@@ -1,0 +1,190 @@
+// Relaxations that begin on a decimated copy of the mesh.
+#include <algorithm>
+#include <cmath>
+
+#include "gvd/coarse_copy.hpp"
+#include "gvd/constrained_start.hpp"
+#include "gvd/lloyd.hpp"
+#include "gvd/sampling.hpp"
+#include "support/cancelled.hpp"
+#include "support/catch.hpp"
+#include "support/featured_meshes.hpp"
+#include "support/meshes.hpp"
+#include "support/sanitized.hpp"
+
+namespace gvd::test_coarse_start {
+
+std::vector<SurfacePoint> sample(const Mesh& mesh, int count, std::uint64_t seed = 0) {
+  SamplingOptions options;
+  options.count = count;
+  options.seed = seed;
+  return sample_generators(mesh, options);
+}
+
+LloydOptions on_copy(const CoarseCopy& copy) {
+  LloydOptions options;
+  options.copy = &copy;
+  return options;
+}
+
+TEST_CASE("relax_generators: from a copy, the energy is that of the relaxation on the mesh, for fewer diagrams of it") {
+  for (const auto& [name, mesh] : {test::NamedMesh{"bumpy sphere", test::make_bumpy_sphere(5, 3)},
+                                   test::NamedMesh{"torus", test::make_torus(160, 60)}}) {
+    const CoarseCopy copy = make_coarse_copy(mesh, 4000);
+    for (const std::uint64_t seed : test::thinned({0, 1})) {
+      CAPTURE(name, seed);
+      const auto start = sample(mesh, 60, seed);
+      const LloydResult plain = relax_generators(mesh, start), result = relax_generators(mesh, start, on_copy(copy));
+      // Starts that differ a little end in other minima, up to half a percent apart: on the average they are equal.
+      CHECK(result.final_energy < 1.005 * plain.final_energy);
+      CHECK(result.diagrams < plain.diagrams / 3);
+      CHECK(result.copy.faces == copy.mesh.face_count());
+      CHECK(result.copy.iterations > 5);
+      CHECK(result.iterations.size() <= std::size_t(kFinishIterations));
+      CHECK(result.generators == result.diagram.generators);
+    }
+  }
+}
+
+TEST_CASE("relax_generators: the energy on a copy's generators is near that of many more iterations on the mesh") {
+  const Mesh mesh = test::make_bumpy_sphere(5, 3);
+  const CoarseCopy copy = make_coarse_copy(mesh, 4000);
+  const LloydResult result = relax_generators(mesh, sample(mesh, 60), on_copy(copy));
+  const LloydResult further = relax_generators(mesh, result.generators);
+  CHECK(further.final_energy <= result.final_energy);
+  CHECK(further.final_energy > 0.998 * result.final_energy);
+}
+
+TEST_CASE("relax_generators: with a tolerance, a relaxation from a copy goes on until it holds on the mesh") {
+  const Mesh mesh = test::make_bumpy_sphere(4, 3);
+  const CoarseCopy copy = make_coarse_copy(mesh, 800);
+  LloydOptions options = on_copy(copy);
+  options.energy_tolerance = 1e-8;
+  const LloydResult result = relax_generators(mesh, sample(mesh, 30), options);
+  CHECK(result.iterations.size() > std::size_t(kFinishIterations));
+  CHECK((result.stop == LloydStop::centroids || result.stop == LloydStop::energy));
+  CHECK(result.residual < 0.01 * result.mean_cell_radius);
+}
+
+TEST_CASE("relax_generators: from a copy, the same on any number of threads") {
+  const Mesh mesh = test::make_torus(160, 60);
+  LloydResult results[2];
+  for (const int threads : {1, 2}) {
+    const CoarseCopy copy = make_coarse_copy(mesh, 4000, threads);
+    LloydOptions options = on_copy(copy);
+    options.diagram.threads = threads;
+    options.keeps_extremities = true;
+    options.max_iterations = 8;
+    results[threads - 1] = relax_generators(mesh, sample_on_copy(mesh, copy, {.count = 50, .progress = {}}), options);
+  }
+  CHECK(results[0].generators == results[1].generators);
+  CHECK(results[0].final_energy == results[1].final_energy);
+  CHECK(results[0].copy.iterations == results[1].copy.iterations);
+}
+
+TEST_CASE("relax_generators: from a copy, generators keep to their component, and are apart") {
+  const Mesh mesh = test::make_nested_spheres(0.97);
+  const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3);
+  const auto component = compute_face_components(mesh);
+  const auto start = sample(mesh, 30);
+  const LloydResult result = relax_generators(mesh, start, on_copy(copy));
+  REQUIRE(result.copy.faces > 0);
+  CHECK(are_apart(mesh, result.generators));
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    CHECK(component[result.generators[i].face] == component[start[i].face]);
+  }
+}
+
+TEST_CASE("relax_generators: from a copy, fixed generators stay, and those on the boundary keep to it") {
+  const Mesh mesh = test::make_half_sphere(5);
+  StartOptions asked;
+  asked.keep_boundary = true;
+  asked.fixed = {make_surface_point(FaceId(100), {0.2, 0.3, 0.5}), vertex_point(mesh, VertexId(500))};
+  const ConstrainedStart start = constrain_start(mesh, sample(mesh, 50), asked);
+  const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 5);
+  LloydOptions options = on_copy(copy);
+  options.freedom = start.freedom;
+  options.creases = start.creases;
+  const LloydResult result = relax_generators(mesh, start.points, options);
+  REQUIRE(result.copy.faces > 0);
+  CHECK(result.copy.iterations > 0);
+  int moved = 0;
+  for (std::size_t i = 0; i < start.points.size(); ++i) {
+    if (start.freedom[i] == Freedom::fixed) CHECK(result.generators[i] == start.points[i]);
+    if (start.freedom[i] == Freedom::on_crease) CHECK(is_on_boundary(mesh, result.generators[i]));
+    if (start.freedom[i] == Freedom::free) moved += result.generators[i] != start.points[i];
+  }
+  CHECK(moved > 20);
+}
+
+TEST_CASE("relax_generators: from a copy, extremities keep their generators") {
+  const Mesh mesh = test::make_spindle();
+  const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3);
+  LloydOptions options = on_copy(copy);
+  options.max_iterations = 15;
+  options.keeps_extremities = true;
+  const LloydResult result = relax_generators(mesh, sample(mesh, 60), options);
+  CHECK(result.extremities.size() == 2);
+  for (const GeneratorId g : result.extremities) {
+    const Vec3 at = position(mesh, result.generators[g.index()]);
+    CHECK(std::min((at - mesh.position(VertexId(0))).norm(),
+                   (at - mesh.position(VertexId(mesh.vertex_count() - 1))).norm()) <
+          3 * mesh.mean_edge_length());
+  }
+}
+
+TEST_CASE("relax_generators: the density counts on the copy, too") {
+  const Mesh mesh = test::make_grid(60, 60);
+  std::vector<double> heavy;
+  for (const Vec3& p : mesh.positions()) heavy.push_back(p.x() < 30 ? 1 : 16);
+  LloydOptions options;
+  options.density = make_vertex_density(mesh, heavy);
+  const auto start = sample(mesh, 60);
+  const CoarseCopy copy = make_coarse_copy(mesh, 1500);
+  const LloydResult plain = relax_generators(mesh, start, options);
+  options.copy = &copy;
+  const LloydResult result = relax_generators(mesh, start, options);
+  REQUIRE(result.copy.faces > 0);
+  CHECK(result.final_energy < 1.01 * plain.final_energy);
+  const auto on_right = std::ranges::count_if(
+      result.generators, [&](const SurfacePoint& p) { return position(mesh, p).x() > 30; });
+  CHECK(on_right > 36);  // sizes go with density^(-1/4): two thirds
+}
+
+TEST_CASE("relax_generators: a copy that is large, or on which generators coincide, is not used") {
+  const Mesh mesh = test::make_sphere(4);
+  const auto start = sample(mesh, 20);
+  LloydOptions options;
+  options.max_iterations = 3;
+  const LloydResult plain = relax_generators(mesh, start, options);
+  const CoarseCopy large = make_coarse_copy(mesh, mesh.face_count() * 3 / 4);
+  options.copy = &large;
+  const LloydResult unused = relax_generators(mesh, start, options);
+  CHECK(unused.copy.faces == 0);
+  CHECK(unused.generators == plain.generators);
+  CHECK(unused.final_energy == plain.final_energy);
+  // Many vertices have the same closest point on a copy of sixty faces.
+  std::vector<SurfacePoint> all;
+  for (const VertexId v : mesh.vertices()) all.push_back(vertex_point(mesh, v));
+  const CoarseCopy small = make_coarse_copy(mesh, 60);
+  options.copy = &small;
+  options.max_iterations = 1;
+  const LloydResult crowded = relax_generators(mesh, all, options);
+  CHECK(crowded.copy.faces == 0);
+  CHECK(crowded.generators.size() == all.size());
+}
+
+TEST_CASE("relax_generators: an interrupt on the copy or on the mesh throws") {
+  const Mesh mesh = test::make_sphere(3);
+  const CoarseCopy copy = make_coarse_copy(mesh, 300);
+  const auto start = sample(mesh, 10);
+  test::require_cancelled_everywhere([&](const Progress& progress) {
+    LloydOptions options = on_copy(copy);
+    options.max_iterations = 3;
+    options.diagram.threads = 1;
+    options.progress = progress;
+    relax_generators(mesh, start, options);
+  });
+}
+
+}  // namespace gvd::test_coarse_start
