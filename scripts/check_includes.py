@@ -56,7 +56,7 @@ PUBLIC = {
     "libgvd/src/io/writers": "io/diagram_json io/label_color io/mesh_writer io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "region_statistics segment",
-    "libgvd/lloyd": "cell_moments constrained_start density features lloyd",
+    "libgvd/lloyd": "cell_moments coarse_copy constrained_start density features lloyd",
     "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",
     "libgvd/remesh": "carry_properties find_fewest placement remesh remesh_map remesh_scenes",
     "libgvd/verify": "verify",

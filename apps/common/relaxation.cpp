@@ -87,25 +87,32 @@ std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, std::optional<st
                    [&] { return make_coarse_copy(mesh, faces, run.options().compute.threads, run.progress()); });
 }
 
+/// The generators of the run, or as many as `count`, and a copy to relax them on first. Where it is known how many
+/// there will be, they are sampled on the copy.
+std::pair<std::vector<SurfacePoint>, std::optional<CoarseCopy>> make_generators_and_copy(
+    Run& run, const CheckedMesh& input, std::optional<std::int32_t> count, std::optional<std::int64_t> faces) {
+  if (!count) count = run.options().generators.count;
+  std::optional<CoarseCopy> copy;
+  if (count) copy = make_copy(run, input.mesh, faces, *count);
+  std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
+  if (!count) copy = make_copy(run, input.mesh, faces, std::ssize(points));
+  return {std::move(points), std::move(copy)};
+}
+
 }  // namespace
 
 WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
                                const ConstraintOptions& constraints) {
-  // Sampled generators are counted before there are any, and so can be sampled on the copy.
-  if (!count) count = run.options().generators.count;
-  std::optional<CoarseCopy> copy;
-  if (count) copy = make_copy(run, input.mesh, constraints.coarse, *count);
-  std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
-  if (!count) copy = make_copy(run, input.mesh, constraints.coarse, std::ssize(points));
+  auto [points, copy] = make_generators_and_copy(run, input, count, constraints.coarse);
   Density density = choose_density(run, input, constraints, std::ssize(points));
   const StartOptions options = start_options(run, input, constraints);
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density), std::move(copy)};
   note_unfollowed_curves(run, start);
-  const auto count = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
+  const auto count_of = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
   if (!start.freedom.empty()) {
     const char* const curves = options.crease_angle ? "creases or the boundary" : "the boundary";
-    run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count(Freedom::fixed),
-                                   count(Freedom::on_crease), curves, count(Freedom::free)));
+    run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count_of(Freedom::fixed),
+                                   count_of(Freedom::on_crease), curves, count_of(Freedom::free)));
   }
   return start;
 }

@@ -108,8 +108,8 @@ TEST_CASE("make_coarse_copy: parts give the same copy on any number of threads, 
 TEST_CASE("make_coarse_copy: an interrupt and a number without sense are refused") {
   const Mesh mesh = test::make_sphere(3);
   CHECK_THROWS_AS(make_coarse_copy(mesh, 0), Error);
-  const auto calls = test::require_cancelled_everywhere(
-      [&](const Progress& progress) { make_coarse_copy(mesh, 100, 1, progress); });
+  const auto calls =
+      test::require_cancelled_everywhere([&](const Progress& progress) { make_coarse_copy(mesh, 100, 1, progress); });
   CHECK(calls.contains("coarse copy"));
 }
 

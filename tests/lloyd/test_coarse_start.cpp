@@ -128,8 +128,7 @@ TEST_CASE("relax_generators: from a copy, extremities keep their generators") {
   for (const GeneratorId g : result.extremities) {
     const Vec3 at = position(mesh, result.generators[g.index()]);
     CHECK(std::min((at - mesh.position(VertexId(0))).norm(),
-                   (at - mesh.position(VertexId(mesh.vertex_count() - 1))).norm()) <
-          3 * mesh.mean_edge_length());
+                   (at - mesh.position(VertexId(mesh.vertex_count() - 1))).norm()) < 3 * mesh.mean_edge_length());
   }
 }
 
@@ -146,8 +145,8 @@ TEST_CASE("relax_generators: the density counts on the copy, too") {
   const LloydResult result = relax_generators(mesh, start, options);
   REQUIRE(result.copy.faces > 0);
   CHECK(result.final_energy < 1.01 * plain.final_energy);
-  const auto on_right = std::ranges::count_if(
-      result.generators, [&](const SurfacePoint& p) { return position(mesh, p).x() > 30; });
+  const auto on_right =
+      std::ranges::count_if(result.generators, [&](const SurfacePoint& p) { return position(mesh, p).x() > 30; });
   CHECK(on_right > 36);  // sizes go with density^(-1/4): two thirds
 }
 

@@ -284,6 +284,7 @@ class Relaxer {
   /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
   bool relocate(RelaxationState& state) {
     if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
+    report();  // with a million generators, each of these steps takes seconds
     const std::vector<Relocation> plan = plan_relocations(mesh_, options_.density, state, constraints_);
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
@@ -299,6 +300,7 @@ class Relaxer {
   bool descend_accelerated(RelaxationState& state, const ProposedSteps& proposed) {
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
+      report();
       GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, GoToRest::yes);
       next.scale = scale;
       next.prediction = proposed.prediction;
