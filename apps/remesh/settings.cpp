@@ -97,9 +97,10 @@ void register_remesh(CLI::App& line, Settings& settings) {
 /// Refuses an option that does nothing because no generator is relaxed.
 void check_relaxation(const Settings& settings, const GeneratorOptions& generators) {
   if (relax_iterations(settings, generators) > 0) return;
-  const char* idle = !settings.constraints.density.empty() ? "--density"
-                     : !settings.constraints.fixed.empty() ? "--fixed"
-                                                           : nullptr;
+  const char* idle = !settings.constraints.density.empty()         ? "--density"
+                     : !settings.constraints.fixed.empty()         ? "--fixed"
+                     : settings.constraints.coarse.value_or(0) > 0 ? "--coarse"
+                                                                   : nullptr;
   if (!idle) return;
   throw Error(ErrorCode::invalid_option, fmt::format("{}: no generator is moved; {}", idle,
                                                      settings.relaxation ? "leave it out, or leave out --relax none"

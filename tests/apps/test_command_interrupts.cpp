@@ -72,6 +72,7 @@ TEST_CASE("gvd-segment: an interrupt in each long step ends it soon, and no file
 TEST_CASE("gvd-lloyd: an interrupt of the relaxation ends it soon, and no file is left half-written") {
   const Workplace workplace(500, 200);
   workplace.require_interrupted("relaxation", "gvd-lloyd", {"-n", "900", "--sampling", "random"});
+  workplace.require_interrupted("relaxation", "gvd-lloyd", {"-n", "900", "--sampling", "random", "--coarse", "40000"});
 }
 
 TEST_CASE("gvd-remesh: an interrupt in each long step ends it soon, and no file is left half-written") {

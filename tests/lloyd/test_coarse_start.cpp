@@ -1,6 +1,7 @@
 // Relaxations that begin on a decimated copy of the mesh.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gvd/coarse_copy.hpp"
 #include "gvd/constrained_start.hpp"
@@ -162,11 +163,14 @@ TEST_CASE("relax_generators: a copy that is large, or on which generators coinci
   CHECK(unused.copy.faces == 0);
   CHECK(unused.generators == plain.generators);
   CHECK(unused.final_energy == plain.final_energy);
-  // Many vertices have the same closest point on a copy of sixty faces.
+  // Seen from far away, most points have a vertex of the copy for their closest point.
+  CoarseCopy shrunk = make_coarse_copy(mesh, 60);
+  std::vector<Vec3> positions = shrunk.mesh.positions();
+  for (Vec3& p : positions) p *= 1e-3;
+  shrunk.mesh = Mesh(std::move(positions), shrunk.mesh.face_vertices());
   std::vector<SurfacePoint> all;
   for (const VertexId v : mesh.vertices()) all.push_back(vertex_point(mesh, v));
-  const CoarseCopy small = make_coarse_copy(mesh, 60);
-  options.copy = &small;
+  options.copy = &shrunk;
   options.max_iterations = 1;
   const LloydResult crowded = relax_generators(mesh, all, options);
   CHECK(crowded.copy.faces == 0);
