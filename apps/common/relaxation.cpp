@@ -134,6 +134,10 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   if (result.copy.faces > 0) {
     run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
                                    counted(result.copy.iterations, "iteration", "iterations"), result.copy.faces));
+  } else if (start.copy) {
+    run.console().note(
+        fmt::format("the copy of {} faces is not used, because it is too large or generators coincide on it",
+                    start.copy->mesh.face_count()));
   }
   return result;
 }
