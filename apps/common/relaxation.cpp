@@ -53,6 +53,7 @@ StartOptions start_options(Run& run, const CheckedMesh& input, const ConstraintO
   options.keep_boundary = constraints.keep_boundary;
   options.prefers_boundary = constraints.prefers_boundary;
   options.leaves_room = constraints.leaves_room;
+  options.progress = run.progress();
   return options;
 }
 

@@ -38,6 +38,9 @@ namespace {
 /// where none is on a hole.
 constexpr double kFeatureShare = 0.5;
 
+/// The step whose progress is told.
+constexpr const char* kPlacing = "placing generators";
+
 bool exceeds_share(std::size_t placed, std::size_t asked) {
   return static_cast<double>(placed) > kFeatureShare * static_cast<double>(asked);
 }
@@ -363,7 +366,8 @@ void leave_room(const Mesh& mesh, const ConstrainedStart& start, double spacing,
 }
 
 /// Generators on the creases, and the sampled ones that make room for all that are placed.
-void append_sampled(const Mesh& mesh, const ConstrainedStart& start, bool leaves_room, FeatureGenerators& placed) {
+void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options,
+                    FeatureGenerators& placed) {
   const auto asked = std::ssize(start.points);
   const double spacing = start.corner_distance / kCornerDistance;
   if (!start.creases.empty()) append_different(mesh, place_features(mesh, start, spacing), placed);
@@ -374,9 +378,13 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, bool leaves
                     counted(asked, "generator is", "generators are"), counted(std::ssize(placed.points), "is", "are")));
   }
   NearestRemover remover(mesh, start.points);
-  for (const SurfacePoint& p : placed.points) remover.remove_nearest(position(mesh, p));
+  for (std::size_t i = 0; i < placed.points.size(); ++i) {
+    report_progress(options.progress, kPlacing, double(i) / double(placed.points.size()));
+    remover.remove_nearest(position(mesh, placed.points[i]));
+  }
   const auto is_inner = [&](EdgeId e) { return !mesh.is_boundary(e); };
-  if (leaves_room && std::ranges::any_of(start.creases, is_inner)) leave_room(mesh, start, spacing, remover);
+  if (options.leaves_room && std::ranges::any_of(start.creases, is_inner)) leave_room(mesh, start, spacing, remover);
+  report_progress(options.progress, kPlacing, 1);
   append_different(mesh, all_of(remover.rest(start.points), Freedom::free), placed);
 }
 
@@ -473,7 +481,7 @@ ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> poi
   if (options.are_listed) {
     append_listed(mesh, start, placed);
   } else {
-    append_sampled(mesh, start, options.leaves_room, placed);
+    append_sampled(mesh, start, options, placed);
   }
   start.points = std::move(placed.points);
   start.freedom = std::move(placed.freedom);

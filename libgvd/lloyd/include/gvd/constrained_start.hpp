@@ -6,6 +6,7 @@
 
 #include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -21,6 +22,7 @@ struct StartOptions {
   bool prefers_boundary = false;       ///< sampled ones do, as far as constrain_start says
   /// Where there are creases, sampled ones leave out as many as a remesh is expected to add on close curves.
   bool leaves_room = false;
+  Progress progress;  ///< may be empty
 };
 
 /// Generators to begin a relaxation with, and what they may do: see the fields of LloydOptions.
@@ -51,7 +53,7 @@ struct ConstrainedStart {
 /// connected network counts if it is three spacings long, and has a dead end in 20 spacings of its length at most. At
 /// least half of the length of all creases has to be in such networks.
 ///
-/// Throws Error{precondition} where fewer points are sampled than generators are fixed or on features, and
+/// Throws Error{interrupted} if the progress callback cancels, Error{precondition} where fewer points are sampled than generators are fixed or on features, and
 /// Error{invalid_option} for an angle out of its range. Cost: O(n log n), as long as few points have the same x.
 ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options);
 
