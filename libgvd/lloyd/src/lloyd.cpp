@@ -221,6 +221,7 @@ class Relaxer {
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
     if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::energy;
     if (relocate(state)) return std::nullopt;
+    report();
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (proposed && is_settled(state, *proposed)) return LloydStop::prediction;
     if (!(proposed && descend_accelerated(state, *proposed))) {
