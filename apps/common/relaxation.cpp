@@ -76,9 +76,11 @@ void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
 }
 
 /// The copy to relax so many generators on first; nothing where the mesh is small, or less than twice as large.
-std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, std::optional<std::int64_t> asked,
+std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, const ConstraintOptions& constraints,
                                     std::int64_t generators) {
-  const std::int64_t faces = asked.value_or(default_copy_faces(mesh.face_count(), generators));
+  const bool is_large = mesh.face_count() > constraints.coarse_above;
+  const std::int64_t by_default = is_large ? default_copy_faces(mesh.face_count(), generators) : 0;
+  const std::int64_t faces = constraints.coarse.value_or(by_default);
   if (faces == 0) return std::nullopt;
   if (2 * faces > mesh.face_count()) {
     run.console().note(fmt::format("--coarse {}: not used, because the mesh has {} faces", faces, mesh.face_count()));
@@ -91,12 +93,12 @@ std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, std::optional<st
 /// The generators of the run, or as many as `count`, and a copy to relax them on first. Where it is known how many
 /// there will be, they are sampled on the copy.
 std::pair<std::vector<SurfacePoint>, std::optional<CoarseCopy>> make_generators_and_copy(
-    Run& run, const CheckedMesh& input, std::optional<std::int32_t> count, std::optional<std::int64_t> faces) {
+    Run& run, const CheckedMesh& input, std::optional<std::int32_t> count, const ConstraintOptions& constraints) {
   if (!count) count = run.options().generators.count;
   std::optional<CoarseCopy> copy;
-  if (count) copy = make_copy(run, input.mesh, faces, *count);
+  if (count) copy = make_copy(run, input.mesh, constraints, *count);
   std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
-  if (!count) copy = make_copy(run, input.mesh, faces, std::ssize(points));
+  if (!count) copy = make_copy(run, input.mesh, constraints, std::ssize(points));
   return {std::move(points), std::move(copy)};
 }
 
@@ -104,7 +106,7 @@ std::pair<std::vector<SurfacePoint>, std::optional<CoarseCopy>> make_generators_
 
 WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
                                const ConstraintOptions& constraints) {
-  auto [points, copy] = make_generators_and_copy(run, input, count, constraints.coarse);
+  auto [points, copy] = make_generators_and_copy(run, input, count, constraints);
   Density density = choose_density(run, input, constraints, std::ssize(points));
   const StartOptions options = start_options(run, input, constraints);
   WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density), std::move(copy)};

@@ -300,6 +300,8 @@ void lloyd(Run& run, const OwnOptions& own) {
   const Mesh& mesh = input.mesh;
   ConstraintOptions constraints = own.constraints;
   if (max_iterations(own.relaxation) == 0) constraints.coarse = 0;
+  // Other methods are for comparison: iteration by iteration, on the mesh.
+  if (own.relaxation.acceleration != Acceleration::lbfgs && !constraints.coarse) constraints.coarse = 0;
   const WeightedStart start = start_relaxation(run, input, {}, constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);

@@ -99,12 +99,17 @@ void report_start_options(Run& run, const Settings& settings, const ConstraintOp
   run.report().results()["relaxation"] = nullptr;
 }
 
+/// Smaller meshes gain little by a copy, where fewer ends of limbs are found: the bunny with 69,451 faces and 500
+/// vertices takes .95 of the time.
+constexpr std::int64_t kCoarseAbove = 300'000;
+
 /// The generators of the run, or as many as `count`, relaxed as the options say.
 RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& settings,
                         std::optional<std::int32_t> count) {
   const std::int32_t iterations = relax_iterations(settings, run.options().generators);
   ConstraintOptions constraints = settings.constraints;
   constraints.prefers_boundary = !settings.loose_boundary;
+  constraints.coarse_above = kCoarseAbove;
   const bool may_add = !settings.no_refine && settings.remesh.max_added != 0;
   // Most are added opposite generators that the relaxation moves to gaps. With an exact number, there are none.
   constraints.leaves_room = may_add && iterations > 0 && !settings.exact_count;

@@ -169,8 +169,9 @@ TEST_CASE("sample_on_copy: as many points as asked for, apart from each other, i
   CHECK_FALSE(are_apart(mesh, {points[0], points[1], points[0]}));
 }
 
-TEST_CASE("default_copy_faces: large meshes only, with enough faces for the generators, and at most half") {
-  CHECK(default_copy_faces(20'000, 100) == 0);
+TEST_CASE("default_copy_faces: more for larger meshes and for more generators, and at most half") {
+  CHECK(default_copy_faces(9'000, 100) == 0);
+  CHECK(default_copy_faces(70'000, 50) < default_copy_faces(2'000'000, 50));
   const std::int64_t few = default_copy_faces(2'000'000, 50), many = default_copy_faces(2'000'000, 5'000);
   CHECK(few > 0);
   CHECK(many > few);

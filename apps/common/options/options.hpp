@@ -98,6 +98,7 @@ struct ConstraintOptions {
   std::string density;       ///< "curvature", a file, or a property of the input; empty: uniform
   double gradation = 0.3;
   std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
+  std::int64_t coarse_above = 50'000;  ///< meshes of more faces have a copy by default
 };
 
 /// The names of some values, as on the command line and in the report.

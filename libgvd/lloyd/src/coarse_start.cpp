@@ -25,6 +25,9 @@ constexpr double kLargestShare = 0.5;
 /// Share of the progress that the relaxation on the copy takes.
 constexpr double kCopyShare = 0.3;
 
+/// Energy tolerance on the copy, where the mesh has the default rule: iterations on the copy cost little.
+constexpr double kCopyTolerance = 1e-5;
+
 Freedom freedom_of(const LloydOptions& options, std::size_t i) {
   return options.freedom.empty() ? Freedom::free : options.freedom[i];
 }
@@ -36,6 +39,7 @@ LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options) {
   for (Freedom& freedom : of_copy.freedom) freedom = freedom == Freedom::free ? Freedom::free : Freedom::fixed;
   of_copy.density = to_copy(mesh, *options.copy, options.density);
   of_copy.on_iteration = nullptr;
+  if (!options.energy_tolerance) of_copy.energy_tolerance = kCopyTolerance;
   if (options.progress) {
     of_copy.progress = [&options](std::string_view step, double done) {
       return options.progress(step, kCopyShare * done);

@@ -23,7 +23,8 @@ struct CoarseCopy {
   IdVector<VertexId, VertexId> copy_vertex;   ///< per vertex of the input
 };
 
-/// The faces that a copy needs for so many generators, if a mesh of so many faces is worth one; otherwise 0.
+/// The faces that a copy of a mesh of so many faces needs for so many generators; 0 where it would have more than half
+/// of the mesh's. Meshes of less than 50,000 faces are relaxed as fast without a copy.
 std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators);
 
 /// The copy of about so many faces, or of more where no edge can be collapsed without a change of topology or a fold.
