@@ -286,7 +286,8 @@ void LocalMarch::reach(VertexId v, double distance) {
   if (node.run != run_) {
     node = {distance, run_, 0};
     reached_.push_back(v);
-  } else if (distance < node.distance * (1 - std::ldexp(kLeastGain, node.improvements))) {
+  } else if (distance < node.distance &&
+             distance < node.distance * (1 - std::ldexp(kLeastGain, node.improvements))) {
     node.distance = distance;
     ++node.improvements;
   } else {
@@ -304,35 +305,38 @@ double LocalMarch::update(HalfedgeId h) const {
   return std::max(update_by(front_, t, distance_a, distance_b), std::min(distance_a, distance_b));
 }
 
+bool LocalMarch::is_below_bound(VertexId v) const {
+  const double d = distance(v);
+  return d < limit_ && (upper_ == nullptr || d < (*upper_)[v]);
+}
+
 /// Propagates the distance of v into its faces. A vertex that is not below its bound only updates together with a
 /// neighbour that is below its own. The corners of the start's faces always propagate: the cell of a generator can
 /// leave its face through the inside of an edge.
 void LocalMarch::relax(VertexId v) {
-  const auto is_below_bound = [this](VertexId u) {
-    const double d = distance(u);
-    return d < limit_ && (upper_ == nullptr || d < (*upper_)[u]);
-  };
   const bool propagates =
       is_below_bound(v) || std::find(start_corners_.begin(), start_corners_.end(), v) != start_corners_.end();
   for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
     const HalfedgeId before = Mesh::previous(h);  // from c to v
     const VertexId b = mesh_.to(h), c = mesh_.from(before);
-    const bool has_b = nodes_[b].run == run_, has_c = nodes_[c].run == run_;
-    const double d = nodes_[v].distance;
-    // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
-    // degenerate face).
-    const double along_b = d + mesh_.length(h), along_c = d + mesh_.length(before);
-    if (has_b && (propagates || is_below_bound(b))) {
-      reach(c, std::min(along_c, update(h)));
-    } else if (propagates) {
-      reach(c, along_c);
-    }
-    if (has_c && (propagates || is_below_bound(c))) {
-      reach(b, std::min(along_b, update(before)));
-    } else if (propagates) {
-      reach(b, along_b);
-    }
+    reach_beyond(h, before, {v, b, c}, propagates);
+    reach_beyond(before, h, {v, c, b}, propagates);
   });
+}
+
+/// Reaches the apex of a face from v and the other end of `base`, or along the side from v to the apex alone.
+void LocalMarch::reach_beyond(HalfedgeId base, HalfedgeId side, const Beyond& at, bool propagates) {
+  const Node &other = nodes_[at.other], &apex = nodes_[at.apex];
+  const double d = nodes_[at.v].distance;
+  const bool has_other = other.run == run_;
+  // No candidate is below the smaller distance of those that it comes from.
+  if (apex.run == run_ && apex.distance <= (has_other ? std::min(d, other.distance) : d)) return;
+  const bool crosses = has_other && (propagates || is_below_bound(at.other));
+  if (!crosses && !propagates) return;
+  // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
+  // degenerate face).
+  const double along = d + mesh_.length(side);
+  reach(at.apex, crosses ? std::min(along, update(base)) : along);
 }
 
 double LocalMarch::distance(const SurfacePoint& point) const {

@@ -79,7 +79,14 @@ class LocalMarch {
 
   void place_start(const SurfacePoint& start);
   void reach(VertexId v, double distance);
+  /// The corners of a face that v relaxes.
+  struct Beyond {
+    VertexId v, other, apex;
+  };
+
+  bool is_below_bound(VertexId v) const;
   void relax(VertexId v);
+  void reach_beyond(HalfedgeId base, HalfedgeId side, const Beyond& at, bool propagates);
   /// Distance at the corner opposite h, from those at the ends of h. Both must be reached.
   double update(HalfedgeId h) const;
 
