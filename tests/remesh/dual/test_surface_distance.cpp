@@ -114,6 +114,31 @@ TEST_CASE("the bound holds over folds, however sharp and wherever their edge end
   }
 }
 
+/// A fan of faces round (0, 0, 0): `count` of the `of` sectors of the whole turn. The rim is up to `height` high.
+Mesh random_fan(test::Random& random, int count, int of, double height) {
+  std::vector<Vec3> positions{{0, 0, 0}};
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < std::min(count + 1, of); ++i) {
+    const double angle = 2 * std::numbers::pi * (i + random.real(-0.3, 0.3)) / of, radius = random.real(0.5, 1);
+    positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), random.real(-height, height));
+  }
+  for (int i = 0; i < count; ++i) faces.push_back({0, 1 + i, 1 + (i + 1) % of});
+  return test::make_mesh(positions, faces);
+}
+
+TEST_CASE("the bound holds round a vertex, where its faces are flat, nearly flat or steep") {
+  test::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const int of = 5 + random.below(3), count = i % 2 ? of : 2 + random.below(of - 2);
+    const Mesh fan = random_fan(random, count, of, std::array{0.0, 1e-4, 0.05, 1.0}[i % 4]);
+    const auto point = [&] { return Vec3(random.real(-0.2, 0.2), random.real(-0.2, 0.2), random.real(-1e-3, 1e-3)); };
+    const Mesh from = test::make_mesh({point(), point(), point()}, {{0, 1, 2}});
+    const SurfaceDistance found = measure_surface_distance(from, fan);
+    CHECK(sample_densely(from, fan, 60).hausdorff <= found.hausdorff_bound * (1 + 1e-12));
+    CHECK(found.hausdorff_bound <= found.hausdorff * (1 + kHausdorffTolerance) + 2e-6 * fan.bbox_diagonal());
+  }
+}
+
 TEST_CASE("a triangle without area has the distances of its points") {
   const Mesh line({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   const Mesh square = test::make_grid(1, 1);

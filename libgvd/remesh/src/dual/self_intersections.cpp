@@ -17,6 +17,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include "base/parallel_chunks.hpp"
 #include "base/plane.hpp"
@@ -55,6 +56,10 @@ int exact_determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   }
   return sum.sign();
 }
+
+/// A plane separates points beyond doubt where their distances from it, as products with its normal, differ by more
+/// than this fraction of both lengths. Rounding is some ten units in the last place. Dimensionless.
+constexpr double kApart = 1e-12;
 
 Vec2 drop_axis(const Vec3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
@@ -117,21 +122,76 @@ bool flat_segment_meets(const Vec3& p, const Vec3& q, const Triangle& triangle) 
   return false;
 }
 
+/// The corners of a face that are no corners of another one.
+class OwnCorners {
+ public:
+  OwnCorners(const PlacedFaces& faces, FaceId f, FaceId g) {
+    const auto& others = faces.mesh.vertices(g);
+    for (const VertexId v : faces.mesh.vertices(f)) {
+      const Vec3& at = faces.positions[v.index()];
+      if (std::find(others.begin(), others.end(), v) == others.end()) {
+        own_[own_count_++] = at;
+      } else {
+        shared_[shared_count_++] = at;
+      }
+    }
+  }
+
+  std::span<const Vec3> own() const { return {own_.data(), own_count_}; }
+  std::span<const Vec3> shared() const { return {shared_.data(), shared_count_}; }
+
+ private:
+  std::array<Vec3, 3> own_, shared_;
+  std::size_t own_count_ = 0, shared_count_ = 0;
+};
+
 /// Whether all of the points lie strictly on one side of the triangle's plane.
-bool lie_beside(const Triangle& triangle, const std::vector<Vec3>& points) {
+bool lie_beside(const Triangle& triangle, std::span<const Vec3> points) {
   const auto side = [&](const Vec3& p) { return exact_orientation(triangle[0], triangle[1], triangle[2], p); };
   const int first = side(points.front());
   return first != 0 && std::all_of(points.begin() + 1, points.end(), [&](const Vec3& p) { return side(p) == first; });
 }
 
-/// The corners of f that are no corners of g.
-std::vector<Vec3> own_corners(const PlacedFaces& faces, FaceId f, FaceId g) {
-  std::vector<Vec3> own;
-  const auto& others = faces.mesh.vertices(g);
-  for (const VertexId v : faces.mesh.vertices(f)) {
-    if (std::find(others.begin(), others.end(), v) == others.end()) own.push_back(faces.positions[v.index()]);
+/// Whether the first points lie beyond a plane with this normal, and the second ones before it, beyond doubt. `at`: any
+/// point, best on the plane.
+bool are_parted(std::span<const Vec3> first, std::span<const Vec3> second, const Vec3& at, const Vec3& normal) {
+  double least = kInfinity, most = -kInfinity, reach = 0;
+  const auto height = [&](const Vec3& p) {
+    const Vec3 to = p - at;
+    reach = std::max(reach, to.squaredNorm());
+    return to.dot(normal);
+  };
+  for (const Vec3& p : first) least = std::min(least, height(p));
+  for (const Vec3& p : second) most = std::max(most, height(p));
+  return least - most > kApart * std::sqrt(reach * normal.squaredNorm());
+}
+
+/// Whether two faces with one common vertex lie apart beyond doubt: on the two sides of a plane through it.
+bool lie_apart_at_vertex(const OwnCorners& first, const OwnCorners& second) {
+  const Vec3& at = first.shared()[0];
+  const auto mean_direction = [&](const OwnCorners& of) -> Vec3 {
+    return (of.own()[0] - at).normalized() + (of.own()[1] - at).normalized();
+  };
+  const Vec3 normal = mean_direction(first) - mean_direction(second);
+  const std::span<const Vec3> vertex(&at, 1);
+  return are_parted(first.own(), vertex, at, normal) && are_parted(vertex, second.own(), at, normal);
+}
+
+/// Whether a plane through an edge of the first face, and normal to it, parts two faces beyond doubt.
+bool edge_parts(const Triangle& first, const Triangle& second) {
+  const Vec3 normal = (first[1] - first[0]).cross(first[2] - first[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 inward = normal.cross(first[(i + 1) % 3] - first[i]);
+    if (are_parted(first, second, first[i], inward)) return true;
   }
-  return own;
+  return false;
+}
+
+/// Whether two faces with a common edge lie beyond doubt on the two sides of a plane through it.
+bool lie_apart_at_edge(const OwnCorners& first, const OwnCorners& second) {
+  const Vec3 &from = first.shared()[0], along = first.shared()[1] - from;
+  const Vec3 u = first.own()[0] - from, v = second.own()[0] - from;
+  return along.cross(u).dot(along.cross(v)) < -kApart * along.squaredNorm() * u.norm() * v.norm();
 }
 
 /// Whether two faces with a common edge lie in one plane, on the same side of the edge. `corner` and `other` are
@@ -244,15 +304,18 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
   return *least >= 0 || *most <= 0;
 }
 
+// Flat surfaces have many faces in one plane near each other. Planes that part them spare exact determinants.
 bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {
   const Triangle first = faces.corners(f), second = faces.corners(g);
-  const std::vector<Vec3> of_first = own_corners(faces, f, g), of_second = own_corners(faces, g, f);
-  if (of_first.empty()) return true;
-  if (of_first.size() == 1) return are_folded(first, of_first[0], of_second[0]);
-  if (lie_beside(first, of_second) || lie_beside(second, of_first)) return false;
-  if (of_first.size() == 3) return any_edge_meets(first, second) || any_edge_meets(second, first);
-  return segment_meets_triangle(of_first[0], of_first[1], second) ||
-         segment_meets_triangle(of_second[0], of_second[1], first);
+  const OwnCorners of_first(faces, f, g), of_second(faces, g, f);
+  const std::span<const Vec3> own = of_first.own(), others = of_second.own();
+  if (own.empty()) return true;
+  if (own.size() == 1) return !lie_apart_at_edge(of_first, of_second) && are_folded(first, own[0], others[0]);
+  if (own.size() == 2 && lie_apart_at_vertex(of_first, of_second)) return false;
+  if (own.size() == 3 && (edge_parts(first, second) || edge_parts(second, first))) return false;
+  if (lie_beside(first, others) || lie_beside(second, own)) return false;
+  if (own.size() == 3) return any_edge_meets(first, second) || any_edge_meets(second, first);
+  return segment_meets_triangle(own[0], own[1], second) || segment_meets_triangle(others[0], others[1], first);
 }
 
 std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress) {

@@ -4,19 +4,21 @@
 // branch and bound: over a triangle the distance from one face of the other surface is convex, so its largest value is
 // at a corner and bounds the distance from all faces. The closest points of the corners may be in two faces. Then the
 // bound is the largest distance of a corner, and how far the triangle of the closest points leaves the faces. Without
-// it, flat surfaces that agree would be cut as finely as can be along all edges. A triangle that may hold a farther
-// point is cut in four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the
-// number of threads.
+// it, flat surfaces that agree would be cut as finely as can be along all edges. The same holds round a vertex, where
+// the closest points lie in faces round it that are nearly flat. A triangle that may hold a farther point is cut in
+// four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
 
 #include "gvd/surface_distance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel_chunks.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -69,6 +71,157 @@ struct Piece {
   double bound = 0;  ///< no point of the piece is farther than this
 };
 
+/// Faces round a vertex that cover a sector of a disc, seen along the normal of the first one. What lies in the disc,
+/// and in a convex sector, has a face within twice its height above the first one's plane.
+class FlatSector {
+ public:
+  /// Begins with the face of h, round the start of h.
+  FlatSector(const Mesh& mesh, HalfedgeId h)
+      : mesh_(mesh), first_(h), at_(mesh.position(mesh.from(h))), normal_(face_normal(mesh, Mesh::face(h))) {}
+
+  /// Adds the face of h, the next one counter-clockwise. False where it is turned over.
+  bool add(HalfedgeId h) {
+    const Vec3 from = mesh_.position(mesh_.to(h)) - at_, to = mesh_.position(mesh_.opposite(h)) - at_;
+    const auto flat = [&](const Vec3& v) -> Vec3 { return v - v.dot(normal_) * normal_; };
+    const Vec3 a = flat(from), b = flat(to), edge = b - a;
+    const double turn = std::atan2(a.cross(b).dot(normal_), a.dot(b));
+    angle_ += turn;
+    radius_ = std::min(radius_, std::abs(a.cross(edge).dot(normal_)) / edge.norm());
+    height_ = std::max({height_, std::abs(from.dot(normal_)), std::abs(to.dot(normal_))});
+    is_closed_ = next_outgoing(mesh_, h) == first_;
+    return turn > 0;
+  }
+
+  /// A closed one has been round the vertex once.
+  bool is_convex() const { return angle_ <= std::numbers::pi || (is_closed_ && angle_ < 3 * std::numbers::pi); }
+
+  /// A bound on how far the faces are from points in the hull of some on them, no farther from the vertex than `reach`.
+  /// Faces are linear, so that heights grow from the vertex on. Infinite where the faces do not cover so much.
+  double distance_within(double reach) const {
+    return is_convex() && reach <= radius_ ? 2 * height_ * reach / radius_ : kInfinity;
+  }
+
+ private:
+  const Mesh& mesh_;
+  HalfedgeId first_;
+  const Vec3& at_;
+  Vec3 normal_;
+  double angle_ = 0, radius_ = kInfinity, height_ = 0;  // radians, mesh units
+  bool is_closed_ = false;
+};
+
+/// Bounds on the distances of all points of a triangle, from the closest points of its corners.
+class PieceBounds {
+ public:
+  /// Both must outlive this. `tolerance`: what does not matter, mesh units.
+  PieceBounds(const Mesh& to, const ClosestPointTree& tree, double tolerance)
+      : to_(to), tree_(tree), tolerance_(tolerance) {}
+
+  /// The least bound; one above `enough` is worth more work than one below.
+  double find(const Corners& corners, double enough) const {
+    const double least = by_one_face(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corners turned{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
+      const FaceId own = turned[0].nearest, other = turned[1].nearest;
+      if (own == other || turned[2].nearest != other) continue;
+      if (const HalfedgeId h = common_edge(own, other); h.valid()) return std::min(least, by_two(turned, h));
+    }
+    return least > enough ? std::min(least, by_fan(corners)) : least;
+  }
+
+ private:
+  /// Over the triangle, the distance from one face is convex, so the largest value is at a corner. Among the faces
+  /// nearest to the corners, the one with the least such value counts.
+  double by_one_face(const Corners& corners) const {
+    double least = kInfinity;
+    for (const Sample& candidate : corners) {
+      double largest = 0;
+      for (const Sample& s : corners) {
+        const bool own = s.nearest == candidate.nearest;
+        largest = std::max(largest, own ? s.distance : tree_.distance(s.position, candidate.nearest));
+      }
+      least = std::min(least, largest);
+    }
+    return least;
+  }
+
+  /// The halfedge of a face whose twin is one of another face; invalid where they have none in common.
+  HalfedgeId common_edge(FaceId face, FaceId other) const {
+    for (const HalfedgeId h : to_.halfedges(face)) {
+      if (to_.twin(h).valid() && to_.face(to_.twin(h)) == other) return h;
+    }
+    return {};
+  }
+
+  /// The first corner is nearest to the face of h, the others are to that of its twin. The closest points of the
+  /// corners make a triangle. It is cut where it crosses the edge, best of all; its parts are as near to the faces as
+  /// the ends of the cut are to the edge. All maps between the three are linear in each part, so corners have the
+  /// largest values.
+  double by_two(const Corners& corners, HalfedgeId h) const {
+    const Vec3 &start = to_.position(to_.from(h)), &end = to_.position(to_.to(h));
+    const auto closest = [&](const Sample& s) {
+      return gvd::position(to_, closest_point_on_face(to_, s.nearest, s.position).point);
+    };
+    const auto at = [&](double t) -> Vec3 { return start + t * (end - start); };
+    const auto height = [&](const Vec3& p) { return (p - at(foot_on_line(start, end, p))).norm(); };
+    const Vec3 single = closest(corners[0]);
+    double off_edge = 0, farthest = corners[0].distance;
+    for (const Sample& corner : {corners[1], corners[2]}) {
+      const Vec3 across = closest(corner);
+      const double here = height(single), there = height(across);
+      const Vec3 cut = here + there > 0 ? Vec3((there * single + here * across) / (here + there)) : single;
+      const double off = (cut - at(std::clamp(foot_on_line(start, end, cut), 0.0, 1.0))).norm();
+      if (!std::isfinite(off)) return kInfinity;  // the edge has no length
+      off_edge = std::max(off_edge, off);
+      farthest = std::max(farthest, corner.distance);
+    }
+    return farthest + off_edge;
+  }
+
+  /// By the faces round a vertex that the faces nearest to the corners have in common. Infinite where there is none.
+  double by_fan(const Corners& corners) const {
+    double least = kInfinity;
+    for (const Sample& start : corners) {
+      for (const HalfedgeId h : to_.halfedges(start.nearest)) {
+        const auto has_vertex = [&](const Sample& s) {
+          const auto& vertices = to_.vertices(s.nearest);
+          return std::find(vertices.begin(), vertices.end(), to_.from(h)) != vertices.end();
+        };
+        if (std::ranges::all_of(corners, has_vertex)) least = std::min(least, by_sector(corners, h));
+      }
+    }
+    return least;
+  }
+
+  /// By the faces from that of h on, until one is as near to each corner as its nearest face, and the sector is convex.
+  /// It then holds the triangle of the corners' closest points.
+  double by_sector(const Corners& corners, HalfedgeId h) const {
+    FlatSector sector(to_, h);
+    const HalfedgeId first = h;
+    std::array<double, 3> distance{kInfinity, kInfinity, kInfinity};
+    double reach = 0;
+    do {
+      if (!sector.add(h)) return kInfinity;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Sample& s = corners[k];
+        const FaceId face = Mesh::face(h);
+        if (distance[k] < kInfinity || tree_.distance(s.position, face) > s.distance + tolerance_) continue;
+        const ClosestPoint closest = closest_point_on_face(to_, face, s.position);
+        distance[k] = closest.distance;
+        reach = std::max(reach, (gvd::position(to_, closest.point) - to_.position(to_.from(first))).norm());
+      }
+      const double farthest = *std::max_element(distance.begin(), distance.end());
+      if (farthest < kInfinity && sector.is_convex()) return farthest + sector.distance_within(reach);
+      h = next_outgoing(to_, h);
+    } while (h.valid() && h != first);
+    return kInfinity;
+  }
+
+  const Mesh& to_;
+  const ClosestPointTree& tree_;
+  double tolerance_;
+};
+
 /// Results for some triangles.
 struct Findings {
   double square_sum = 0;      ///< integral of the square distance
@@ -81,9 +234,12 @@ class DistanceMeasure {
  public:
   /// All arguments but `threads` must outlive this.
   DistanceMeasure(const Mesh& from, const Mesh& to, int threads, const Progress& progress)
-      : from_(from), to_(to), tree_(to), parallel_(threads, progress) {
+      : from_(from),
+        tree_(to),
+        parallel_(threads, progress),
+        absolute_tolerance_(kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal())),
+        bounds_(to, tree_, absolute_tolerance_ / 2) {
     triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
-    absolute_tolerance_ = kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal());
   }
 
   SurfaceDistance run() {
@@ -164,7 +320,7 @@ class DistanceMeasure {
     found.square_sum += area * (0.75 * square(centre) + (square(a) + square(b) + square(c)) / 12);
     found.farthest = std::max(found.farthest, centre.distance);
     for (const Sample& corner : corners) found.farthest = std::max(found.farthest, corner.distance);
-    keep({corners, upper_bound(corners)}, found.farthest, found);
+    keep({corners, bounds_.find(corners, allowed(found.farthest))}, found.farthest, found);
   }
 
   /// Keeps a piece that may hold points farther than `farthest`.
@@ -180,66 +336,6 @@ class DistanceMeasure {
     return farthest + std::max(kHausdorffTolerance * farthest, absolute_tolerance_);
   }
 
-  /// A bound on the distance of all points of the triangle.
-  double upper_bound(const Corners& corners) const {
-    const double least = bound_by_one_face(corners);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Corners turned{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
-      const FaceId own = turned[0].nearest, other = turned[1].nearest;
-      if (own == other || turned[2].nearest != other) continue;
-      if (const HalfedgeId h = common_edge(own, other); h.valid()) return std::min(least, bound_by_two(turned, h));
-    }
-    return least;
-  }
-
-  /// The halfedge of a face whose twin is one of another face; invalid where they have none in common.
-  HalfedgeId common_edge(FaceId face, FaceId other) const {
-    for (const HalfedgeId h : to_.halfedges(face)) {
-      if (to_.twin(h).valid() && to_.face(to_.twin(h)) == other) return h;
-    }
-    return {};
-  }
-
-  /// The first corner is nearest to the face of h, the others are to that of its twin. The closest points of the
-  /// corners make a triangle. It is cut where it crosses the edge, best of all; its parts are as near to the faces as
-  /// the ends of the cut are to the edge. All maps between the three are linear in each part, so corners have the
-  /// largest values.
-  double bound_by_two(const Corners& corners, HalfedgeId h) const {
-    const Vec3 &start = to_.position(to_.from(h)), &end = to_.position(to_.to(h));
-    const auto closest = [&](const Sample& s) {
-      return gvd::position(to_, closest_point_on_face(to_, s.nearest, s.position).point);
-    };
-    const auto at = [&](double t) -> Vec3 { return start + t * (end - start); };
-    const auto height = [&](const Vec3& p) { return (p - at(foot_on_line(start, end, p))).norm(); };
-    const Vec3 single = closest(corners[0]);
-    double off_edge = 0, farthest = corners[0].distance;
-    for (const Sample& corner : {corners[1], corners[2]}) {
-      const Vec3 across = closest(corner);
-      const double here = height(single), there = height(across);
-      const Vec3 cut = here + there > 0 ? Vec3((there * single + here * across) / (here + there)) : single;
-      const double off = (cut - at(std::clamp(foot_on_line(start, end, cut), 0.0, 1.0))).norm();
-      if (!std::isfinite(off)) return kInfinity;  // the edge has no length
-      off_edge = std::max(off_edge, off);
-      farthest = std::max(farthest, corner.distance);
-    }
-    return farthest + off_edge;
-  }
-
-  /// Over the triangle, the distance from one face is convex, so the largest value is at a corner. Among the faces
-  /// nearest to the corners, the one with the least such value counts.
-  double bound_by_one_face(const Corners& corners) const {
-    double least = kInfinity;
-    for (const Sample& candidate : corners) {
-      double largest = 0;
-      for (const Sample& s : corners) {
-        const bool own = s.nearest == candidate.nearest;
-        largest = std::max(largest, own ? s.distance : tree_.distance(s.position, candidate.nearest));
-      }
-      least = std::min(least, largest);
-    }
-    return least;
-  }
-
   void cut_in_four(const Corners& corners, Findings& found) const {
     const auto& [a, b, c] = corners;
     const auto middle = [&](const Sample& p, const Sample& q) {
@@ -248,7 +344,7 @@ class DistanceMeasure {
     const Sample ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
     for (const Sample& s : {ab, bc, ca}) found.farthest = std::max(found.farthest, s.distance);
     for (const Corners& part : {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c}, Corners{ab, bc, ca}}) {
-      keep({part, upper_bound(part)}, found.farthest, found);
+      keep({part, bounds_.find(part, allowed(found.farthest))}, found.farthest, found);
     }
   }
 
@@ -266,14 +362,14 @@ class DistanceMeasure {
   }
 
   const Mesh& from_;
-  const Mesh& to_;
   ClosestPointTree tree_;
   ParallelChunks parallel_;
-  double absolute_tolerance_ = 0;  // mesh units
-  double triangles_ = 0;           // least number that the faces are cut into
-  double area_ = 0;                // of all faces
-  double farthest_ = 0;            // the largest distance found
-  double bound_ = 0;               // no point of the pieces that are given up is farther than this
+  double absolute_tolerance_;  // mesh units
+  PieceBounds bounds_;
+  double triangles_ = 0;  // least number that the faces are cut into
+  double area_ = 0;       // of all faces
+  double farthest_ = 0;   // the largest distance found
+  double bound_ = 0;      // no point of the pieces that are given up is farther than this
   IdVector<VertexId, Sample> at_vertex_;
 };
 

@@ -286,8 +286,7 @@ void LocalMarch::reach(VertexId v, double distance) {
   if (node.run != run_) {
     node = {distance, run_, 0};
     reached_.push_back(v);
-  } else if (distance < node.distance &&
-             distance < node.distance * (1 - std::ldexp(kLeastGain, node.improvements))) {
+  } else if (distance < node.distance && distance < node.distance * (1 - std::ldexp(kLeastGain, node.improvements))) {
     node.distance = distance;
     ++node.improvements;
   } else {
@@ -319,8 +318,9 @@ void LocalMarch::relax(VertexId v) {
   for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
     const HalfedgeId before = Mesh::previous(h);  // from c to v
     const VertexId b = mesh_.to(h), c = mesh_.from(before);
-    reach_beyond(h, before, {v, b, c}, propagates);
-    reach_beyond(before, h, {v, c, b}, propagates);
+    const bool has_b = nodes_[b].run == run_, has_c = nodes_[c].run == run_;
+    reach_beyond(h, before, {v, b, c, has_b}, propagates);
+    reach_beyond(before, h, {v, c, b, has_c}, propagates);
   });
 }
 
@@ -328,10 +328,9 @@ void LocalMarch::relax(VertexId v) {
 void LocalMarch::reach_beyond(HalfedgeId base, HalfedgeId side, const Beyond& at, bool propagates) {
   const Node &other = nodes_[at.other], &apex = nodes_[at.apex];
   const double d = nodes_[at.v].distance;
-  const bool has_other = other.run == run_;
   // No candidate is below the smaller distance of those that it comes from.
-  if (apex.run == run_ && apex.distance <= (has_other ? std::min(d, other.distance) : d)) return;
-  const bool crosses = has_other && (propagates || is_below_bound(at.other));
+  if (apex.run == run_ && apex.distance <= (at.has_other ? std::min(d, other.distance) : d)) return;
+  const bool crosses = at.has_other && (propagates || is_below_bound(at.other));
   if (!crosses && !propagates) return;
   // The edge is the first argument of std::min, so that it wins over an update that is not a number (overflow, in a
   // degenerate face).

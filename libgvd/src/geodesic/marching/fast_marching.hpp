@@ -79,9 +79,10 @@ class LocalMarch {
 
   void place_start(const SurfacePoint& start);
   void reach(VertexId v, double distance);
-  /// The corners of a face that v relaxes.
+  /// The corners of a face that v relaxes, and whether the other one was reached before.
   struct Beyond {
     VertexId v, other, apex;
+    bool has_other;
   };
 
   bool is_below_bound(VertexId v) const;
