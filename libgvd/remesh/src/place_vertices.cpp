@@ -28,8 +28,9 @@ constexpr double kAngleSlack = 1e-9;
 /// Eigenvalues of a quadric below this fraction of the largest one are those of directions along the surface. The cell
 /// of a sphere with an angular radius of r has r^2 / 4: 0.2 radians.
 constexpr double kQuadricTruncation = 0.01;
-/// Samples of each surface for each vertex.
-constexpr double kSamplesPerVertex = 16;
+/// Samples of each surface for each vertex, in the last round. Rounds before it take half of them where these are
+/// enough: with 2000 vertices, the means of nine models change by .2 % at most. With 100 vertices RMS grew by 1.3 %.
+constexpr double kSamplesPerVertex = 16, kEarlySamples = 0.5, kEnoughSamples = 1 << 13;
 /// Least area of a cell for its spring, in squares of the bounding box's diagonal: a cell of no area needs one, too.
 constexpr double kLeastCellArea = 1e-12;
 
@@ -101,10 +102,12 @@ class Placer {
 
   std::vector<Vec3> fit(std::vector<Vec3> positions, const SpringPlan& plan) const {
     const ClosestPointTree tree(surface_);
-    const double count = kSamplesPerVertex * remesh_.vertex_count();
-    const FitTarget target{&surface_,        &tree, sample_surface(surface_, count), count, options_.threads,
-                           options_.progress};
+    const double most = kSamplesPerVertex * remesh_.vertex_count();
+    FitTarget target{&surface_, &tree, {}, 0, options_.threads, options_.progress};
     for (int round = 0; round < kFitRounds; ++round) {
+      const double early = std::min(most, std::max(kEnoughSamples, kEarlySamples * most));
+      const double count = round + 1 < kFitRounds ? early : most;
+      if (count != target.count) target.samples = sample_surface(surface_, target.count = count);
       report_progress(options_.progress, "placement", double(round) / kFitRounds);
       const Mesh current = with_positions(remesh_, positions);
       const FaceSystems systems = find_face_systems(current, target);

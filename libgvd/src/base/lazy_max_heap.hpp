@@ -36,9 +36,7 @@ class LazyMaxHeap {
       const Item item = items_.front();
       const double now = key(item.id);
       if (!(now < item.key)) return items_.front();
-      std::pop_heap(items_.begin(), items_.end());
-      items_.back().key = now;
-      std::push_heap(items_.begin(), items_.end());
+      lower_top(now);
     }
   }
 
@@ -48,6 +46,19 @@ class LazyMaxHeap {
   }
 
  private:
+  /// Gives the top item a smaller key, and lets it sink to its place.
+  void lower_top(double key) {
+    const Item item{key, items_.front().id};
+    std::size_t at = 0;
+    for (std::size_t child = 1; child < items_.size(); child = 2 * at + 1) {
+      if (child + 1 < items_.size() && items_[child] < items_[child + 1]) ++child;
+      if (!(item < items_[child])) break;
+      items_[at] = items_[child];
+      at = child;
+    }
+    items_[at] = item;
+  }
+
   std::vector<Item> items_;
 };
 

@@ -95,11 +95,11 @@ class Rows {
   }
 
   void put_label(GeneratorId label) {
-    const Rgb color = label_color(label);
+    if (label != colored_) color_ = label_color(colored_ = label);  // neighbours often have the same label
     put(label.value());
-    put(color.red);
-    put(color.green);
-    put(color.blue);
+    put(color_.red);
+    put(color_.green);
+    put(color_.blue);
   }
 
   void put_number(NumberType type, double value) {
@@ -143,6 +143,8 @@ class Rows {
   ByteWriter& out_;
   bool text_;
   bool empty_ = true;
+  GeneratorId colored_;
+  Rgb color_ = label_color(colored_);
 };
 
 void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
