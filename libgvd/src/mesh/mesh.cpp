@@ -80,6 +80,10 @@ std::int32_t count_boundary_loops(const Mesh& mesh) {
 /// angle of 30 degrees is off by about 1e-10, and the triangles of a regular mesh must not count.
 constexpr double kAngleSlack = 1e-9;
 
+/// The least angle is opposite to the shortest side. Sides of up to this multiple of its square count as well, so that
+/// rounding does not decide: a million times the rounding.
+constexpr double kShortest = 1 + 1e-9;
+
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
   return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
@@ -221,7 +225,14 @@ double compute_q(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 double compute_min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
+  const double opposite_a = (c - b).squaredNorm(), opposite_b = (a - c).squaredNorm(),
+               opposite_c = (b - a).squaredNorm();
+  const double shortest = kShortest * std::min({opposite_a, opposite_b, opposite_c});
+  double least = 180;
+  if (!(opposite_a > shortest)) least = std::min(least, angle_at(a, b, c));
+  if (!(opposite_b > shortest)) least = std::min(least, angle_at(b, c, a));
+  if (!(opposite_c > shortest)) least = std::min(least, angle_at(c, a, b));
+  return least;
 }
 
 TriangleQuality compute_triangle_quality(const Mesh& mesh) {
