@@ -30,7 +30,7 @@ constexpr double kAngleSlack = 1e-9;
 constexpr double kQuadricTruncation = 0.01;
 /// Samples of each surface for each vertex, in the last round. Rounds before it take half of them where these are
 /// enough: with 2000 vertices, the means of nine models change by .2 % at most. With 100 vertices RMS grew by 1.3 %.
-constexpr double kSamplesPerVertex = 16, kEarlySamples = 0.5, kEnoughSamples = 1 << 13;
+constexpr double kSamplesPerVertex = 16, kEarlySamples = 0.5, kEnoughSamples = 1 << 14;
 /// Least area of a cell for its spring, in squares of the bounding box's diagonal: a cell of no area needs one, too.
 constexpr double kLeastCellArea = 1e-12;
 
