@@ -37,7 +37,7 @@ constexpr double kLeftByParts = 2;
 /// Faces of a default copy: this share of the mesh's, within bounds, and for each generator. With 10 a generator, the
 /// energies of 1,000 on the bunny are those without a copy. With 20,000 faces instead of 40,000, that of 50 on the
 /// armadillo, cut to 832,000 faces, is .1 % larger.
-constexpr std::int64_t kCopyShare = 10, kLeastCopy = 5'000, kMostCopy = 40'000, kFacesPerGenerator = 10;
+constexpr std::int64_t kMeshFacesPerFace = 10, kLeastCopy = 5'000, kMostCopy = 40'000, kFacesPerGenerator = 10;
 
 constexpr std::string_view kStep = "coarse copy";
 
@@ -133,7 +133,7 @@ SurfacePoint find_closest(const Mesh& mesh, std::span<const VertexId> vertices, 
 }  // namespace
 
 std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators) {
-  const std::int64_t by_mesh = std::clamp(mesh_faces / kCopyShare, kLeastCopy, kMostCopy);
+  const std::int64_t by_mesh = std::clamp(mesh_faces / kMeshFacesPerFace, kLeastCopy, kMostCopy);
   const std::int64_t faces = std::max(by_mesh, kFacesPerGenerator * generators);
   return 2 * faces <= mesh_faces ? faces : 0;
 }

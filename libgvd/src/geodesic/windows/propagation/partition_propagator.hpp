@@ -67,6 +67,7 @@ class VertexEvents {
 /// Paths and windows come from three helpers: FaceCrossing carries windows across a face, PseudoSources starts them at
 /// a vertex, and PartitionExchange receives them from other partitions. Partitions may work on several threads, each
 /// thread on one of them at a time. See propagate_windows.hpp.
+/// Long because the steps of the innermost loop share its members, and are inlined into it.
 class PartitionPropagator {
  public:
   /// `state` has to outlive this.
