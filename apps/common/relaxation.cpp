@@ -75,6 +75,9 @@ void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
   }
 }
 
+/// Least number of a copy's faces for each generator: with fewer, generators coincide.
+constexpr std::int64_t kFacesPerGenerator = 2;
+
 /// The copy to relax so many generators on first; nothing where the mesh is small, or less than twice as large.
 std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, const ConstraintOptions& constraints,
                                     std::int64_t generators) {
@@ -82,6 +85,11 @@ std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, const Constraint
   const std::int64_t by_default = is_large ? default_copy_faces(mesh.face_count(), generators) : 0;
   const std::int64_t faces = constraints.coarse.value_or(by_default);
   if (faces == 0) return std::nullopt;
+  if (faces < kFacesPerGenerator * generators) {
+    run.console().note(fmt::format("--coarse {}: not used, because it has less than {} faces for a generator", faces,
+                                   kFacesPerGenerator));
+    return std::nullopt;
+  }
   if (2 * faces > mesh.face_count()) {
     run.console().note(fmt::format("--coarse {}: not used, because the mesh has {} faces", faces, mesh.face_count()));
     return std::nullopt;
@@ -98,7 +106,8 @@ std::pair<std::vector<SurfacePoint>, std::optional<CoarseCopy>> make_generators_
   std::optional<CoarseCopy> copy;
   if (count) copy = make_copy(run, input.mesh, constraints, *count);
   std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
-  if (!count) copy = make_copy(run, input.mesh, constraints, std::ssize(points));
+  // A list may have relaxed generators: by default nothing moves them to a copy.
+  if (!count && constraints.coarse) copy = make_copy(run, input.mesh, constraints, std::ssize(points));
   return {std::move(points), std::move(copy)};
 }
 

@@ -73,6 +73,7 @@ LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_
 std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                            const LloydOptions& options) {
   const CoarseCopy& copy = *options.copy;
+  if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
   std::vector<SurfacePoint> start;
   for (const SurfacePoint& p : generators) start.push_back(to_copy(mesh, copy, p));
@@ -84,6 +85,8 @@ std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<S
   }
   keep_apart(mesh, generators, coincidence(mesh), moved);
   LloydResult result = relax_generators(mesh, moved, options_on_mesh(options, on_copy));
+  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
+  if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
   result.extremities = std::move(on_copy.extremities);
   result.copy = {copy.mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
   return result;

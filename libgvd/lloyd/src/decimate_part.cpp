@@ -25,12 +25,12 @@ constexpr double kBoundaryWeight = 1;
 /// Least cosine of the angle by which a collapse may turn a face.
 constexpr double kLeastCosine = 0.2;
 
-/// Least area of a face after a collapse, in squares of its longest side; or a quarter of what it was before.
+/// Least `shape` of a face after a collapse; or a quarter of what it was before.
 constexpr double kLeastShape = 0.05;
 
 constexpr double kNever = -kInfinity;
 
-/// Twice the area, and the square of the longest side.
+/// Twice the area, in squares of the longest side.
 double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
@@ -166,6 +166,7 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
 
 void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
   const std::int32_t w = from(halfedge) == v ? to(halfedge) : from(halfedge), twin = twin_[halfedge];
+  const bool stays_inner = is_inner(w);
   std::int32_t h = leaving_[v];
   do {
     corner_[h] = w;
@@ -173,18 +174,22 @@ void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
   } while (h >= 0 && h != leaving_[v]);
   remove_face(halfedge, w);
   if (twin >= 0) remove_face(twin, w);
-  leaving_[w] = first_of_fan(leaving_[w]);
+  if (!stays_inner) leaving_[w] = first_of_fan(leaving_[w]);
   target_[v] = w;
   quadric_[w].add(quadric_[v]);
 }
 
 void PartDecimator::remove_face(std::int32_t halfedge, std::int32_t kept) {
   const std::int32_t n = next(halfedge), p = previous(halfedge), across = from(p), tn = twin_[n], tp = twin_[p];
+  const bool stays_inner = is_inner(across);
   if (tn >= 0) twin_[tn] = tp;
   if (tp >= 0) twin_[tp] = tn;
   for (const std::int32_t h : {halfedge, n, p}) corner_[h] = -1;
   --left_;
-  if (!is_locked_[across]) leaving_[across] = first_of_fan(tn >= 0 ? tn : next(tp));
+  if (!is_locked_[across]) {
+    const std::int32_t left = tn >= 0 ? tn : next(tp);
+    leaving_[across] = stays_inner ? left : first_of_fan(left);
+  }
   leaving_[kept] = tp >= 0 ? tp : next(tn);
 }
 

@@ -78,6 +78,8 @@ class PartDecimator {
   void collapse(std::int32_t v, std::int32_t halfedge);
   void remove_face(std::int32_t halfedge, std::int32_t kept);
   std::int32_t first_of_fan(std::int32_t halfedge) const;
+  /// Whether v is not on the boundary, which stays so. Any halfedge may then be the one that leaves it.
+  bool is_inner(std::int32_t v) const { return twin_[leaving_[v]] >= 0; }
 
   std::vector<VertexId> vertex_;       // of the mesh
   std::vector<Vec3> position_;         // relative to the first vertex

@@ -219,7 +219,7 @@ class Relaxer {
     if (is_at_centroids(state)) return LloydStop::centroids;
     if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
-    if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::energy;
+    if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::prediction;
     if (relocate(state)) return std::nullopt;
     report();
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);

@@ -53,8 +53,9 @@ struct ConstrainedStart {
 /// connected network counts if it is three spacings long, and has a dead end in 20 spacings of its length at most. At
 /// least half of the length of all creases has to be in such networks.
 ///
-/// Throws Error{interrupted} if the progress callback cancels, Error{precondition} where fewer points are sampled than generators are fixed or on features, and
-/// Error{invalid_option} for an angle out of its range. Cost: O(n log n), as long as few points have the same x.
+/// Throws Error{interrupted} if the progress callback cancels, Error{precondition} where fewer points are sampled than
+/// generators are fixed or on features, and Error{invalid_option} for an angle out of its range. Cost: O(n log n), as
+/// long as few points have the same x.
 ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options);
 
 }  // namespace gvd

@@ -92,10 +92,12 @@ inline constexpr double kFinishPromise = 5e-4;
 
 /// Why a relaxation ended.
 enum class LloydStop {
-  centroids,       ///< every generator is at its centroid, within move_tolerance
-  energy,          ///< the last iterations lowered the energy by less than energy_tolerance each, or least_promise
-  no_descent,      ///< no step towards the centroids lowers the energy
-  prediction,      ///< the next five iterations would lower it by less than kSettledFall, as the last steps predict
+  centroids,   ///< every generator is at its centroid, within move_tolerance
+  energy,      ///< the last iterations lowered the energy by less than energy_tolerance each
+  no_descent,  ///< no step towards the centroids lowers the energy
+  /// The next five iterations would lower the energy by less than kSettledFall, as the last steps predict. After a
+  /// copy: the next one promises less than least_promise, or kFinishIterations were made.
+  prediction,
   max_iterations,  ///< the number of iterations is max_iterations
   time_limit,      ///< is_time_over returned true
 };

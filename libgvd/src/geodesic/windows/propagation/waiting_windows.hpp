@@ -129,8 +129,8 @@ class WaitingWindows {
 
   /// Adds a block of slots, the first one of which is the first to be taken.
   [[gnu::noinline]] void add_block() {
-    const auto begin = static_cast<std::int32_t>(links_.size()), end = begin + kMask + 1;
     check_window_count(links_.size(), kMask + 1);
+    const auto begin = static_cast<std::int32_t>(links_.size()), end = begin + kMask + 1;
     blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
     for (std::int32_t slot = begin; slot < end; ++slot) links_.push_back({slot + 1 < end ? slot + 1 : -1, 0});
     free_ = begin;
