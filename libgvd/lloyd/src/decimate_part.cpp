@@ -181,7 +181,7 @@ void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
 
 void PartDecimator::remove_face(std::int32_t halfedge, std::int32_t kept) {
   const std::int32_t n = next(halfedge), p = previous(halfedge), across = from(p), tn = twin_[n], tp = twin_[p];
-  const bool stays_inner = is_inner(across);
+  const bool stays_inner = !is_locked_[across] && is_inner(across);
   if (tn >= 0) twin_[tn] = tp;
   if (tp >= 0) twin_[tp] = tn;
   for (const std::int32_t h : {halfedge, n, p}) corner_[h] = -1;
