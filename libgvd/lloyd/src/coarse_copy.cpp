@@ -1,10 +1,10 @@
 // A decimated copy of a mesh, and the ways between the two.
 //
 // Large meshes are cut into boxes of about as many vertices each. Their insides are decimated at the same time, and
-// then what is left as a whole. Collapses keep vertices of the input, so each vertex of the copy is one of the input,
-// and a chain of collapses leads from each vertex of the input to one of the copy. A point goes from one mesh to the
-// other by these vertices: the closest point of the faces that are connected with them near by. No search through space
-// could tell two sheets of a thin body apart.
+// then what is left as a whole. Each vertex of the copy is one of the input, because
+// collapses keep vertices. A chain of collapses leads from each vertex of the input to one of the copy. A point goes
+// from one mesh to the other by these vertices: the closest point of the faces that are connected with them near by. No
+// search through space could tell two sheets of a thin body apart.
 #include "gvd/coarse_copy.hpp"
 
 #include <fmt/format.h>

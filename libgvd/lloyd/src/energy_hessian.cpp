@@ -5,7 +5,7 @@
 // paths spread in a wedge. To the first order of w, both change the second derivative of the energy across the ray by
 // -2 w l^3 / (3 r) times the density (docs/developer/lloyd.md, section 4). The border's distance comes from the
 // logarithms of the cell's vertices and of its bisectors, by sectors of directions.
-// The inverse comes from a Lanczos process on the matrix relative to the masses, with the absolute values of its
+// The inverse comes from a Lanczos process on the matrix relative to the masses. It has the absolute values of the
 // eigenvalues, so that every step lowers the energy if it is short enough.
 #include "energy_hessian.hpp"
 

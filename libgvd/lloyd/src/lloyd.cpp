@@ -136,8 +136,8 @@ double rise_by_slopes(const RelaxationState& state, const GeneratorMove& next, c
 }
 
 /// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
-/// their slopes at both ends of the paths decide, which are more exact (the approximate Wolfe conditions of Hager and
-/// Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005).
+/// their slopes at both ends of the paths decide, which are more exact. Source: the approximate Wolfe conditions of
+/// Hager and Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005.
 bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved,
                const Precision& precision) {
   if (moved.energy < limit) return true;

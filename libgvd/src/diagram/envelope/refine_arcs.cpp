@@ -21,8 +21,9 @@ constexpr int kNewtonSteps = 4;
 /// show three quarters of the height of a curve, and half of that of a corner at least.
 constexpr double kShown = 0.5;
 
-/// Distance from the bisector, as a fraction of the tolerance, up to which corners between two samples are not looked
-/// for: that of the curve, which is at most so many times that of the samples, and the heights of the corners.
+/// Distance from the bisector up to which corners between two samples are not looked for, as a fraction of the
+/// tolerance. It is that of the curve plus the heights of the corners. The curve's is an estimate: so many times that
+/// of the samples, as at the quarters of a parabola.
 constexpr double kWithCorners = 0.95, kCurveHeight = 4.0 / 3;
 
 /// The same where the samples leave nothing: the ends of an arc may lie beside the bisector, if its distances do not

@@ -76,8 +76,8 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
 /// Whether the apex is so far beside the window that it can't be grazed: most are, and this costs less to find out.
 /// `longest`: square of the longest side of the face.
 ///
-/// Proof: the squares of the two limits in is_grazed add up to at most longest times (kGrazingAngle^2 q +
-/// kPositionRounding^2 (depth + y)^2), with the squared distance q of the image from the interval's end; and
+/// Proof: let q be the squared distance of the image from the interval's end. The squares of the two limits in
+/// is_grazed add up to at most longest times kGrazingAngle^2 q + kPositionRounding^2 (depth + y)^2. Moreover,
 /// (depth + y)^2 <= 2 q + 2 longest.
 inline bool is_far_beside(const Window& w, const ApexView& apex, double longest) {
   const double t = apex.all_right() ? w.begin : w.end;
