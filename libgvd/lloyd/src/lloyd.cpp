@@ -1,9 +1,14 @@
-// The relaxation: accelerated steps, or Lloyd's where they fail.
+// What surrounds the iterations of a relaxation (relaxer.hpp): a copy before them, and extremities after them.
 //
-// Lloyd's method (S. Lloyd, Least squares quantization in PCM, 1982) moves every generator to the centroid of its cell.
-// Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
-// energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
-// sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
+// A relaxation from coarse to fine: on a decimated copy of the mesh until it ends, and for a few iterations on the
+// mesh.
+//
+// An iteration takes time in proportion to the faces, and the cells of few generators need few faces. The copy's energy
+// has nearly the same minima as the mesh's. So the last generators on the copy, moved to the mesh, are near a minimum
+// there, and what is left is to find their cells and to correct their places.
+//
+// Generators that may not move freely stay where they are until they are on the mesh: those on creases are evenly
+// spaced from the start. They count on the copy, at the nearest point. Extremities are found on the copy.
 //
 // The centroid of a cell round the end of a limb lies beside the end, so a relaxation pulls generators off limbs.
 // keep_extremities puts them back: the end is the one place inside a cell where the distance from the generator has a
@@ -13,51 +18,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 
-#include "accelerator.hpp"
-#include "coarse_start.hpp"
 #include "diagram/diagram_windows.hpp"
+#include "generator_moves.hpp"
+#include "gvd/coarse_copy.hpp"
 #include "gvd/error.hpp"
-#include "iteration_record.hpp"
+#include "relaxer.hpp"
 
 namespace gvd {
 namespace {
-
-/// Diagrams that Lloyd's step may cost, and how many of them while only generators that went too far take shorter
-/// steps. After these all steps are halved too: down to a thousandth.
-constexpr int kLloydTrials = 16, kOwnTrials = 6;
-
-/// Early levels end where iterations lower the energy by less than this fraction of it. Sampled energies are off by
-/// more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried: the
-/// last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
-constexpr double kEarlyFall = 3e-5;
-
-/// Accelerated iterations over which the mean fall of the energy decides whether to end.
-constexpr int kStallWindow = 5;
-
-/// Iterations that the default rule looks ahead.
-constexpr int kIterationsAhead = 5;
-
-/// Where early levels have ended because little is left, exact cells may predict so many times more of it. A relaxation
-/// that goes on there costs a diagram for hardly more than the rounding of the rule.
-constexpr double kDoubt = 2;
-
-/// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
-constexpr double kClearFall = 0.99;
-
-/// Iterations between a relocation that failed and the next attempt.
-constexpr std::size_t kRelocationPause = 10;
-
-/// Least fall of the energy, as a fraction, that a relocation at the start must promise: what the first step gives.
-constexpr double kFirstRelocationGain = 0.05;
-
-/// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
-constexpr int kLineSearchTrials = 4;
 
 /// Least distance of an extremity from its generator, in radii of a disc with the cell's area. Ends of limbs are at .84
 /// to 1.23 (armadillo, camel); nearer ones are spikes that are small beside the cell.
@@ -80,13 +54,6 @@ constexpr double kLargestExtremityShare = 0.2;
 /// The share of the progress before generators go to extremities.
 constexpr double kShareBefore = 0.75;
 
-/// Error of differences of energies, as a fraction. In exact diagrams it is that of the integrals over triangles that
-/// ridges cross. Without a diagram, parts of needles come and go: energies of a scan with needles jumped by .0024.
-constexpr double kEnergyError = 1e-6, kSampledError = 0.003;
-
-/// Bounds of the factor by which a generator shortens its own step.
-constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
-
 void check_options(const LloydOptions& o) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::invalid_option, message); };
   if (max_iterations(o) < 0) refuse("the number of iterations must not be negative");
@@ -98,287 +65,76 @@ void check_options(const LloydOptions& o) {
   check_diagram_options(o.diagram);  // early levels compute no diagram
 }
 
-/// Energies that are no numbers can't be compared: all generators would seem to be at their centroids.
-void check_energy(double energy) {
-  if (std::isfinite(energy)) return;
-  throw Error(ErrorCode::precondition, "the energy is too large for a number; scale the density or the mesh down");
+/// The progress of a part of the relaxation, from `begin` to `end` of the whole.
+Progress part_of(const Progress& whole, double begin, double end) {
+  if (!whole) return {};
+  return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
 }
 
-/// The fall of the energy if every generator were at its centroid, and all cells kept their borders.
-double promised_fall(const RelaxationState& state) {
-  double fall = 0;
-  for (const GeneratorId g : state.moments.ids()) {
-    fall += state.moments[g].mass * state.to_centroids[g.index()].squaredNorm();
-  }
-  return fall;
+/// Largest share of the mesh's faces that is worth a copy.
+constexpr double kLargestShare = 0.5;
+
+/// Share of the progress that the relaxation on the copy takes.
+constexpr double kCopyShare = 0.3;
+
+/// Energy tolerance on the copy, where the mesh has the default rule: iterations on the copy cost little.
+constexpr double kCopyTolerance = 1e-5;
+
+Freedom freedom_of(const LloydOptions& options, std::size_t i) {
+  return options.freedom.empty() ? Freedom::free : options.freedom[i];
 }
 
-/// Shortens the steps of the generators that went beyond the lowest point of their path. The energy's slopes at both
-/// ends of a path tell how far (the secant). `move` led from `before` to `after`, whose energy is too large; `scales`
-/// are the factors of the steps. Returns whether there is such a generator.
-bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after,
-                       std::vector<double>& scales) {
-  const TangentField start = turned(move.turns, energy_gradient(before)), end = energy_gradient(after);
-  bool is_any_shortened = false;
-  for (std::size_t i = 0; i < scales.size(); ++i) {
-    const double first = start[i].dot(move.step[i]), last = end[i].dot(move.step[i]);
-    if (!(first < 0 && last > 0)) continue;
-    scales[i] *= std::clamp(first / (first - last), kLeastFactor, kLargestFactor);
-    is_any_shortened = true;
-  }
-  return is_any_shortened;
+LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options) {
+  LloydOptions of_copy = options;
+  of_copy.copy = nullptr;
+  of_copy.creases.clear();
+  for (Freedom& freedom : of_copy.freedom) freedom = freedom == Freedom::free ? Freedom::free : Freedom::fixed;
+  of_copy.density = to_copy(mesh, *options.copy, options.density);
+  of_copy.on_iteration = nullptr;
+  if (!options.energy_tolerance) of_copy.energy_tolerance = kCopyTolerance;
+  of_copy.progress = part_of(options.progress, 0, kCopyShare);
+  return of_copy;
 }
 
-/// The rise of the energy along a move, from its slopes at both ends of the paths.
-double rise_by_slopes(const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved) {
-  const double first = dot(turned(next.turns, energy_gradient(state)), next.step);
-  return 0.5 * (first + dot(energy_gradient(moved), next.step));
+/// The options of the iterations on the mesh. The copy's diagram has told which generators are on extremities.
+LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_copy) {
+  LloydOptions of_mesh = options;
+  of_mesh.copy = nullptr;
+  of_mesh.keeps_extremities = false;
+  of_mesh.early_approximation = false;
+  if (!options.energy_tolerance) {
+    of_mesh.max_iterations = std::min(max_iterations(options), kFinishIterations);
+    of_mesh.least_promise = std::max(options.least_promise, kFinishPromise);
+  }
+  if (!on_copy.extremities.empty()) of_mesh.freedom.resize(on_copy.generators.size(), Freedom::free);
+  for (const GeneratorId g : on_copy.extremities) of_mesh.freedom[g.index()] = Freedom::fixed;
+  of_mesh.progress = part_of(options.progress, kCopyShare, 1);
+  return of_mesh;
 }
 
-/// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
-/// their slopes at both ends of the paths decide, which are more exact. Source: the approximate Wolfe conditions of
-/// Hager and Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005.
-bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved,
-               const Precision& precision) {
-  if (moved.energy < limit) return true;
-  const double error = precision.skips_diagram ? kSampledError : kEnergyError;
-  if (next.relocated > 0 || moved.energy > state.energy * (1 + error)) return false;
-  return rise_by_slopes(state, next, moved) < limit - state.energy;
+/// The relaxation on `options.copy` first, and then on the mesh. Nothing where the copy can't be used: it has more than
+/// half of the faces, or generators that are apart on the mesh coincide on it.
+std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                           const LloydOptions& options) {
+  const CoarseCopy& copy = *options.copy;
+  if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
+  if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
+  std::vector<SurfacePoint> start;
+  for (const SurfacePoint& p : generators) start.push_back(to_copy(mesh, copy, p));
+  if (!are_apart(copy.mesh, start)) return std::nullopt;
+  LloydResult on_copy = relax_generators(copy.mesh, start, options_on_copy(mesh, options));
+  std::vector<SurfacePoint> moved = generators;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (freedom_of(options, i) == Freedom::free) moved[i] = to_input(mesh, copy, on_copy.generators[i]);
+  }
+  keep_apart(mesh, generators, coincidence(mesh), moved);
+  LloydResult result = relax_generators(mesh, moved, options_on_mesh(options, on_copy));
+  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
+  if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
+  result.extremities = std::move(on_copy.extremities);
+  result.copy = {copy.mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
+  return result;
 }
-
-/// How far a figure has come from its largest value to a tolerance, in orders of magnitude.
-class Decline {
- public:
-  /// `ratio`: of the figure to its tolerance; not finite where that is 0, and then it counts for nothing.
-  void note(double ratio) {
-    if (!std::isfinite(ratio)) return;
-    largest_ = std::max(largest_, ratio);
-    least_ = std::min(least_, std::max(1.0, ratio));
-  }
-  /// In [0, 1]; 0 while nothing is known.
-  double share() const { return least_ < largest_ ? std::log(largest_ / least_) / std::log(largest_) : 0; }
-
- private:
-  double largest_ = 1, least_ = std::numeric_limits<double>::max();
-};
-
-/// The rules of the iteration: what is tried, what is taken, and when to end.
-/// Long because all rules share the record, the levels and the accelerator.
-class Relaxer {
- public:
-  /// All arguments have to outlive this.
-  Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options)
-      : mesh_(mesh),
-        options_(options),
-        start_(start),
-        constraints_(mesh, options.freedom, options.creases),
-        states_(mesh, options, constraints_),
-        accelerator_(mesh, constraints_, options.acceleration) {}
-
-  LloydResult run() {
-    report();
-    constraints_.check(start_);
-    RelaxationState state = evaluate(start_);
-    check_energy(state.energy);
-    record_.initial_energy = state.energy;
-    report_iteration(state);
-    LloydResult result;
-    result.stop = iterate(state);
-    if (!states_.is_last_level()) {
-      states_.skip_early_levels();
-      state = raise_level(state);
-    }
-    result.initial_energy = record_.initial_energy;
-    result.iterations = std::move(record_.iterations);
-    result.diagrams = states_.diagrams();
-    result.generators = std::move(state.generators);
-    result.diagram = std::move(state.diagram);
-    result.moments = std::move(state.moments);
-    result.final_energy = state.energy;
-    result.residual = state.residual;
-    result.mean_cell_radius = state.mean_cell_radius;
-    return result;
-  }
-
- private:
-  /// Iterates until a rule holds at the last level, or the iterations or the time are used up. Where another rule holds
-  /// before, the next level follows, or the last one where little is left.
-  LloydStop iterate(RelaxationState& state) {
-    while (true) {
-      const std::optional<LloydStop> stop = advance(state);
-      if (!stop) continue;
-      const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
-      if (is_used_up || states_.is_last_level()) return *stop;
-      if (*stop == LloydStop::prediction) states_.skip_early_levels();
-      state = raise_level(state);
-    }
-  }
-
-  /// One iteration, and the reason to end after it or instead of it.
-  std::optional<LloydStop> advance(RelaxationState& state) {
-    if (is_at_centroids(state)) return LloydStop::centroids;
-    if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
-    if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
-    if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::prediction;
-    if (relocate(state)) return std::nullopt;
-    report();
-    const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
-    if (proposed && is_settled(state, *proposed)) return LloydStop::prediction;
-    if (!(proposed && descend_accelerated(state, *proposed))) {
-      if (!states_.is_last_level() || !descend(state)) return LloydStop::no_descent;
-    }
-    const double tolerance = energy_tolerance(options_).value_or(0);
-    const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, tolerance);
-    const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
-    const std::optional<double> fall = record_.sum_falls(window);
-    if (fall) energy_decline_.note(*fall / (window * tolerance));
-    if (!fall || *fall >= least * window) return std::nullopt;
-    return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
-  }
-
-  /// Whether the default rule ends the relaxation: the steps and the last two iterations tell that little is left.
-  bool is_settled(const RelaxationState& state, const ProposedSteps& proposed) {
-    if (energy_tolerance(options_)) return false;
-    const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
-    energy_decline_.note(ahead / kSettledFall);
-    return ahead < (states_.is_last_level() ? kDoubt : 1) * kSettledFall;
-  }
-
-  bool is_at_centroids(const RelaxationState& state) {
-    const double limit = options_.move_tolerance * state.mean_cell_radius;
-    // Early levels end nothing: there the way to the centroids counts as twice the tolerance at least.
-    way_decline_.note(std::max(state.residual / limit, states_.is_last_level() ? 1.0 : 2.0));
-    return state.residual <= limit;
-  }
-
-  /// The same generators with better diagrams. The energy of the last iteration is measured anew.
-  RelaxationState raise_level(const RelaxationState& early) {
-    const bool has_moved = early.generators != start_;
-    const bool has_fallen = !states_.is_first_level() || early.energy < kClearFall * record_.initial_energy;
-    states_.raise_level();
-    RelaxationState state = evaluate(early.generators);
-    if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
-      state = lower_of(std::move(state), evaluate(start_));
-    }
-    record_.restate(state.energy, states_.precision());
-    report_iteration(state);
-    return state;
-  }
-
-  /// `state`, or the start if it has no more energy; the early iterations then count as one or none.
-  RelaxationState lower_of(RelaxationState state, RelaxationState start) {
-    record_.initial_energy = start.energy;
-    record_.merge_all();
-    if (state.energy < start.energy) return state;
-    record_.iterations.clear();
-    accelerator_.forget();
-    return start;
-  }
-
-  RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
-    RelaxationState state = states_.evaluate(generators, [this](double fraction) { report(fraction); });
-    refused_rests_.apply(record_.falls.size(), state);
-    return state;
-  }
-
-  /// One iteration that relocates generators, if it promises more than the last iteration gave. If the energy does not
-  /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
-  bool relocate(RelaxationState& state) {
-    if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
-    report();  // with a million generators, each of these steps takes seconds
-    const std::vector<Relocation> plan = plan_relocations(mesh_, options_.density, state, constraints_);
-    if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
-      return false;
-    for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {
-      if (!take_if_below(state.energy, state, relocate_generators(mesh_, state, plan, count))) return true;
-    }
-    next_relocation_ = record_.iterations.size() + kRelocationPause;
-    return false;
-  }
-
-  /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
-  /// steps, or it never does; then the accelerator begins anew.
-  bool descend_accelerated(RelaxationState& state, const ProposedSteps& proposed) {
-    double scale = 1;
-    for (int trial = 0; trial < kLineSearchTrials; ++trial) {
-      report();
-      GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, GoToRest::yes);
-      next.scale = scale;
-      next.prediction = proposed.prediction;
-      next.by = options_.acceleration;
-      const double before = state.energy, limit = before + kSufficientFall * scale * proposed.slope;
-      const std::optional<RelaxationState> rejected = take_if_below(limit, state, next);
-      if (!rejected) return true;
-      if (refused_rests_.note(record_.falls.size(), *rejected, state) &&
-          rise_by_slopes(state, next, *rejected) < limit - before)
-        continue;
-      accelerator_.distrust();
-      scale = shorter_scale(scale, proposed.slope, rejected->energy - before);
-    }
-    accelerator_.forget();
-    return false;
-  }
-
-  /// One iteration by Lloyd's steps: shortens those that went too far until the energy falls. False if it never does.
-  bool descend(RelaxationState& state) {
-    std::vector<double> scales(state.generators.size(), options_.step);
-    for (int trial = 0; trial < kLloydTrials; ++trial) {
-      GeneratorMove next = move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_,
-                                           trial == 0 ? GoToRest::yes : GoToRest::no);
-      next.scale = *std::max_element(scales.begin(), scales.end()) / options_.step;
-      const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, next);
-      if (!rejected) return true;
-      const bool is_any_shortened = shorten_own_steps(state, next, *rejected, scales);
-      if (is_any_shortened && trial < kOwnTrials) continue;
-      for (double& scale : scales) scale *= 0.5;
-    }
-    return false;
-  }
-
-  /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have; a
-  /// copy of this one if none moves.
-  std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
-    if (next.to == state.generators) return state;
-    RelaxationState moved = evaluate(next.to);
-    if (!is_better(limit, state, next, moved, states_.precision())) return moved;
-    refused_rests_.note(record_.falls.size(), moved, state);
-    record_.add(next, state.energy, moved.energy, states_.precision());
-    record_.restate(moved.energy, states_.precision());
-    report_iteration(moved);
-    if (next.relocated > 0) {
-      accelerator_.forget();
-    } else {
-      accelerator_.learn(state, next, moved);
-    }
-    state = std::move(moved);
-    return std::nullopt;
-  }
-
-  /// `share`: what is done of the next iteration, if its first step is taken. Most relaxations end by a tolerance long
-  /// before the last iteration. So the orders of magnitude count by which the falls of the energy, or the ways to the
-  /// centroids, have come nearer to their tolerance, where they are farther.
-  void report(double share = 0) const {
-    const double done = double(record_.iterations.size()) + std::min(share, 1.0);
-    const double by_count = done / std::max(1.0, double(max_iterations(options_)));
-    report_progress(options_.progress, "relaxation",
-                    std::min(1.0, std::max({by_count, energy_decline_.share(), way_decline_.share()})));
-  }
-
-  void report_iteration(const RelaxationState& state) const {
-    if (options_.on_iteration) options_.on_iteration(std::ssize(record_.iterations), state.energy, state.generators);
-  }
-
-  const Mesh& mesh_;
-  const LloydOptions& options_;
-  const std::vector<SurfacePoint>& start_;
-  const GeneratorConstraints constraints_;
-  StateEvaluator states_;
-  RefusedRests refused_rests_;
-  Accelerator accelerator_;
-  IterationRecord record_;
-  std::size_t next_relocation_ = 0;  // iterations before the next attempt
-  Decline energy_decline_, way_decline_;
-};
 
 /// Whether a vertex and all its neighbours are in one cell, and the vertex is farther from the generator than they.
 bool is_extremity(const Mesh& mesh, const Diagram& diagram, VertexId v) {
@@ -431,7 +187,7 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   // Few generators have moved, so that the model predicts little: all iterations are made.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
-  LloydResult second = Relaxer(mesh, start, again).run();
+  LloydResult second = relax_on_mesh(mesh, start, again);
   const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));
   if (more > kLargestPoorShare * double(start.size())) return;
   second.extremities = std::move(kept);
@@ -439,12 +195,6 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   second.diagrams += result.diagrams;
   second.iterations.insert(second.iterations.begin(), result.iterations.begin(), result.iterations.end());
   result = std::move(second);
-}
-
-/// The progress of a part of the relaxation, from `begin` to `end` of the whole.
-Progress part_of(const Progress& whole, double begin, double end) {
-  if (!whole) return {};
-  return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
 }
 
 }  // namespace
@@ -457,10 +207,10 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
   if (options.copy) {
     if (std::optional<LloydResult> result = relax_from_copy(mesh, generators, options)) return std::move(*result);
   }
-  if (!options.keeps_extremities) return Relaxer(mesh, generators, options).run();
+  if (!options.keeps_extremities) return relax_on_mesh(mesh, generators, options);
   LloydOptions part = options;
   part.progress = part_of(options.progress, 0, kShareBefore);
-  LloydResult result = Relaxer(mesh, generators, part).run();
+  LloydResult result = relax_on_mesh(mesh, generators, part);
   part.progress = part_of(options.progress, kShareBefore, 1);
   keep_extremities(mesh, part, result);
   return result;
