@@ -154,10 +154,21 @@ class BisectorTracer {
       add_inner_points(arc, step.forwards, bisector.points);
       bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
     }
+    return polyline_length(bisector);
+  }
+
+  double polyline_length(const Bisector& bisector) const {
+    const auto vertex = [&](const SurfacePoint& p) { return position(working_.input(), p); };
+    const std::vector<SurfacePoint>& points = bisector.points;
     double length = 0;
-    const std::size_t n = bisector.points.size();
-    const auto vertex = [&](std::size_t k) { return position(working_.input(), bisector.points[k % n]); };
-    for (std::size_t k = 0; k + (bisector.closed ? 0 : 1) < n; ++k) length += (vertex(k + 1) - vertex(k)).norm();
+    Vec3 last = vertex(points.front());
+    const auto advance = [&](const SurfacePoint& p) {
+      const Vec3 next = vertex(p);
+      length += (next - last).norm();
+      last = next;
+    };
+    std::for_each(points.begin() + 1, points.end(), advance);
+    if (bisector.closed) advance(points.front());
     return length;
   }
 

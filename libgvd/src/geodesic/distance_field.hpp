@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <ranges>
+#include <span>
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
@@ -65,6 +68,40 @@ struct FaceSource {
     if (to_end <= 0) return end;
     return begin + to_begin / (to_begin + to_end) * (end - begin);
   }
+};
+
+/// The sources of an edge or of a face by generator. One object serves one list after the other, to save allocations.
+template <class Source>
+class SourcesByGenerator {
+ public:
+  /// Takes over a list. Sources of one generator keep their order. Cost: O(k log k) for k sources.
+  void build(const std::vector<Source>& sources) {
+    // Numbers are sorted several times faster than sources.
+    order_.resize(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      order_[i] = static_cast<std::uint64_t>(sources[i].generator.value()) << 32 | i;
+    }
+    std::sort(order_.begin(), order_.end());
+    const auto sorted = order_ | std::views::transform([&](std::uint64_t number) -> const Source& {
+                          return sources[static_cast<std::uint32_t>(number)];
+                        });
+    sources_.assign(sorted.begin(), sorted.end());
+  }
+
+  std::vector<Source>& all() { return sources_; }
+  const std::vector<Source>& all() const { return sources_; }
+
+  /// The sources of generator g. Binary search: a large face beside hundreds of small cells has thousands of sources.
+  /// Cost: O(log k + sources of g).
+  std::span<const Source> of(GeneratorId g) const {
+    const auto begin =
+        std::partition_point(sources_.begin(), sources_.end(), [g](const Source& s) { return s.generator < g; });
+    return {begin, std::find_if(begin, sources_.end(), [g](const Source& s) { return s.generator != g; })};
+  }
+
+ private:
+  std::vector<Source> sources_;       // ascending by generator
+  std::vector<std::uint64_t> order_;  // generator and index of each
 };
 
 /// The interface between a distance solver and a tracer: the solver's distances on edges and in faces near bisectors.

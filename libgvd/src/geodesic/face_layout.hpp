@@ -27,7 +27,7 @@ struct FaceLayout {
     // Computed from the vectors of the sides: the law of cosines cancels where side 0 is much shorter than the others.
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
-    const double height = std::max(base.cross(side).stableNorm() / l0, kLeastHeight * std::max({l0, l1, l2}));
+    const double height = std::max(mesh.shape(f).twice_area / l0, kLeastHeight * std::max({l0, l1, l2}));
     corner = {Vec2(0, 0), Vec2(l0, 0), Vec2(base.dot(side) / l0, height)};
     twice_area = l0 * height;
   }

@@ -205,6 +205,59 @@ TEST_CASE("segments ascend to the edge's end, and none of the sources is nearer 
   }
 }
 
+/// The path from an end of the edge, along it.
+EdgeSource from_end(int generator, double length, double x, double distance) {
+  return source(generator, {0, length}, x, 0, distance);
+}
+
+TEST_CASE("the path from an end that a window of its generator reaches has no segment") {
+  const EdgeSource window = source(3, {0, 2}, 0.5, 1, 0.25);
+  for (const double end : {0.0, 2.0}) {
+    EdgeEnvelope envelope;
+    envelope.build({from_end(3, 2, end, window.straight(end)), window}, 2, {});
+    REQUIRE(envelope.segments().size() == 1);
+    CHECK(envelope.segments()[0].source == 1);
+  }
+}
+
+TEST_CASE("the path from an end stays where it is shorter, of another generator, or behind a jump") {
+  const EdgeSource window = source(3, {0, 2}, 0.5, 1, 0.25);
+  const auto first_source = [&](const std::vector<EdgeSource>& sources) {
+    EdgeEnvelope envelope;
+    envelope.build(sources, 2, {});
+    return envelope.segments()[0].source;
+  };
+  CHECK(first_source({from_end(3, 2, 0, window.straight(0) - 1e-3), window}) == 0);
+  CHECK(first_source({from_end(4, 2, 0, window.straight(0) - 1e-3), window}) == 0);
+  // The window ends, and a farther one goes on: the path along the edge is the nearer one there.
+  EdgeEnvelope envelope;
+  const EdgeSource near = source(3, {0, 1}, 0.5, 1, 0.25), far = source(3, {1, 2}, 0.5, 1, 5);
+  envelope.build({from_end(3, 2, 0, near.straight(0)), near, far}, 2, {});
+  CHECK(envelope.segments().back().source == 0);
+}
+
+TEST_CASE("the paths from the ends fill what no window reaches") {
+  EdgeEnvelope envelope;
+  envelope.build({from_end(0, 1, 0, 1), from_end(1, 1, 1, 1), source(2, {0.4, 0.6}, 0.5, 0.1, 0)}, 1, {});
+  REQUIRE(envelope.segments().size() == 3);
+  CHECK(envelope.segments()[0].source == 0);
+  CHECK(envelope.segments()[1].source == 2);
+  CHECK(envelope.segments()[2].source == 1);
+}
+
+TEST_CASE("windows that meet but for rounding leave no segment between them") {
+  for (const double gap : {-1e-15, 0.0, 1e-15}) {
+    EdgeEnvelope envelope;
+    envelope.build({from_end(0, 1, 0, 9), from_end(0, 1, 1, 9), source(0, {0, 0.5}, 0.5, 1, 0),
+                    source(0, {0.5 + gap, 1}, 0.5, 1, 0), source(1, {0, 1}, 0.5, 1, 3)},
+                   1, {});
+    INFO("gap " << gap);
+    REQUIRE(envelope.segments().size() == 2);
+    CHECK(envelope.segments()[0].end == Approx(0.5));
+    CHECK(envelope.generator(envelope.segments()[1]) == GeneratorId(0));
+  }
+}
+
 TEST_CASE("a generator without a source is infinitely far along an edge") {
   EdgeDistances distances;
   distances.build({{0, 1, 0, 0, 0, GeneratorId(0)}, {0, 1, 1, 0, 0, GeneratorId(2)}});

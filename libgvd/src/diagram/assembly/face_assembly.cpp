@@ -231,6 +231,10 @@ std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const 
 void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
                    FaceDiagram& diagram) {
   if (boundary.empty()) return;
+  if (boundary.size() == 2) {  // most faces: without the lists of the others
+    diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[1].next, boundary[0].next});
+    return;
+  }
   FaceAssembly(f, boundary, distances, diagram).run();
 }
 

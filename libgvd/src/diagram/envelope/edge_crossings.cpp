@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/roots.hpp"
+#include "geodesic/windows/window.hpp"
 
 namespace gvd {
 namespace {
@@ -74,60 +75,102 @@ double refine_equidistant(const EdgeSource& first, const EdgeSource& second, dou
   return t;
 }
 
+// The paths from the edge's ends come last. Few of them are the nearest anywhere, but they tie with the windows that
+// reach the ends.
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset) {
   sources_ = sources;
   length_ = length;
   unit_ = std::ldexp(1.0, -std::ilogb(length));
-  for (EdgeSource& s : sources_) {
+  sliver_ = kShortestExactInterval * length;
+  segments_.assign(1, {length, kNoSource, kInfinity});
+  for (std::int32_t i = 0; i < std::ssize(sources_); ++i) {
+    EdgeSource& s = sources_[i];
     s.offset += offset.of(s.generator);
     s.begin = std::max(s.begin, 0.0);
     s.end = std::min(s.end, length);
+    if (!is_end(s)) insert(i);
   }
-  segments_.assign(1, {length, 0, most(sources_[0], 0, length)});
-  for (std::int32_t i = 1; i < std::ssize(sources_); ++i) insert(i);
-}
-
-void EdgeEnvelope::append(double end, std::int32_t source) {
-  if (!pieces_.empty() && pieces_.back().source == source) {
-    pieces_.back().end = end;
-  } else {
-    pieces_.push_back({end, source, 0});
+  const bool is_continuous = this->is_continuous();
+  for (std::int32_t i = 0; i < std::ssize(sources_); ++i) {
+    if (is_end(sources_[i]) && !(is_continuous && is_reached(sources_[i]))) insert(i);
   }
 }
 
-/// Gives `source` the parts of its interval on which it is nearer than all before.
+bool EdgeEnvelope::is_end(const EdgeSource& s) const { return s.depth == 0 && (s.x == 0 || s.x == length_); }
+
+/// Whether each segment has a source and begins, but for rounding, with the distance at which the one before ends.
+/// Then no distance is longer than one at another point and the way along the edge from there.
+bool EdgeEnvelope::is_continuous() const {
+  const Segment* before = nullptr;
+  for (const Segment& s : segments_) {
+    if (s.source == kNoSource) return false;
+    if (before != nullptr) {
+      const double last = sources_[before->source].straight(before->end),
+                   next = sources_[s.source].straight(before->end);
+      if (std::abs(next - last) > kSameImage * last) return false;
+    }
+    before = &s;
+  }
+  return true;
+}
+
+/// Whether the first or last segment has a path, of the same generator, to the end of the edge that a source lies at,
+/// as short as the source's.
+bool EdgeEnvelope::is_reached(const EdgeSource& end) const {
+  const EdgeSource& s = sources_[(end.x == 0 ? segments_.front() : segments_.back()).source];
+  return s.generator == end.generator && s.straight(end.x) <= end.offset * (1 + kSameImage);
+}
+
+/// Gives `source` the parts of its interval on which it is nearer than all before. Ends of the interval that lie beside
+/// ends of segments by rounding are moved there, so that no gap remains between windows.
 void EdgeEnvelope::insert(std::int32_t source) {
   const EdgeSource& s = sources_[source];
-  if (!(s.begin < s.end)) return;
-  const auto first =
-      std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& old) { return old.end <= s.begin; });
+  const auto first = std::partition_point(segments_.begin(), segments_.end(),
+                                          [&](const Segment& old) { return old.end <= s.begin + sliver_; });
+  if (!(s.begin < s.end) || first == segments_.end()) return;
   // Most sources are farther than this anywhere, so that one square root settles them.
   const double least = s.straight(std::clamp(s.x, s.begin, s.end));
+  const double begin = begin_of(first), last = s.end - sliver_;
   auto next = first;
-  while (next->most <= least && next->end < s.end) ++next;
+  while (next->most <= least && next->end < last) ++next;
   if (next->most <= least) return;
+  double low = s.begin > begin + sliver_ ? s.begin : begin;
+  if (first->source == kNoSource && last <= first->end) return fill(first, source, low);
   pieces_.clear();
-  if (s.begin > begin_of(first)) pieces_.push_back({s.begin, first->source, 0});
+  if (low > begin) pieces_.push_back({low, first->source, first->most});
   bool is_nearer = false;
-  double low = s.begin;
-  for (next = first; low < s.end; ++next) {
-    const double high = std::min(next->end, s.end);
+  for (next = first; low < last; ++next) {
+    const double high = next->end <= s.end + sliver_ ? next->end : s.end;
     if (next->most <= least) {
-      append(high, next->source);
+      append({high, next->source, next->most});
     } else {
-      is_nearer |= append_nearer(next->source, source, low, high);
+      is_nearer |= append_nearer(*next, source, low, high);
     }
-    if (high < next->end) append(next->end, next->source);
+    if (high < next->end) append(*next);
     low = high;
   }
-  if (is_nearer) replace(first, next);
+  if (is_nearer) replace(first, next, source);
 }
 
-/// Puts the pieces in place of some segments.
-void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last) {
+/// Gives `source` its interval, from `low` on, in a segment without a source.
+void EdgeEnvelope::fill(std::vector<Segment>::iterator gap, std::int32_t source, double low) {
+  const double begin = begin_of(gap), end = sources_[source].end;
+  const double high = gap->end <= end + sliver_ ? gap->end : end;
+  const Segment filled{high, source, most(sources_[source], low, high)};
+  if (high < gap->end) {
+    gap = segments_.insert(gap, filled);
+  } else {
+    *gap = filled;
+  }
+  if (low > begin) segments_.insert(gap, {low, kNoSource, kInfinity});
+}
+
+/// Puts the pieces in place of some segments, of which those of `source` are new.
+void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last,
+                           std::int32_t source) {
   double begin = begin_of(first);
   for (Segment& piece : pieces_) {
-    piece.most = most(sources_[piece.source], begin, piece.end);
+    if (piece.source == source) piece.most = most(sources_[source], begin, piece.end);
     begin = piece.end;
   }
   const auto kept = std::min(last - first, static_cast<std::ptrdiff_t>(pieces_.size()));
@@ -138,11 +181,15 @@ void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Seg
 
 /// Appends the nearer one of two sources from `begin` to `end`: piece by piece between the positions where the two are
 /// equally far, if the nearer one may change. Returns whether the new source is the nearer one anywhere.
-bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end) {
-  const EdgeSource &o = sources_[old_source], &s = sources_[source];
+bool EdgeEnvelope::append_nearer(const Segment& old, std::int32_t source, double begin, double end) {
+  if (old.source == kNoSource) {
+    append({end, source});
+    return true;
+  }
+  const EdgeSource &o = sources_[old.source], &s = sources_[source];
   const Nearer nearer = compare_sources(o, s, begin, end);
   if (nearer != Nearer::open) {
-    append(end, nearer == Nearer::first ? old_source : source);
+    append(nearer == Nearer::first ? Segment{end, old.source, old.most} : Segment{end, source});
     return nearer == Nearer::second;
   }
   double from = begin;
@@ -150,7 +197,7 @@ bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, d
   const auto append_to = [&](double to) {
     const double middle = 0.5 * (from + to);
     const bool wins = s.straight(middle) < o.straight(middle);
-    append(to, wins ? source : old_source);
+    append(wins ? Segment{to, source} : Segment{to, old.source, old.most});
     is_nearer |= wins;
     from = to;
   };
@@ -164,24 +211,13 @@ bool EdgeEnvelope::append_nearer(std::int32_t old_source, std::int32_t source, d
   return is_nearer;
 }
 
-void EdgeDistances::build(const std::vector<EdgeSource>& sources) {
-  // Pairs of numbers are sorted several times faster than sources.
-  order_.clear();
-  for (const EdgeSource& s : sources) order_.emplace_back(s.generator, order_.size());
-  std::sort(order_.begin(), order_.end());
-  sources_.clear();
-  for (const auto& [generator, i] : order_) sources_.push_back(sources[i]);
-}
-
 double EdgeDistances::at(GeneratorId g, double t) const {
-  auto source =
-      std::partition_point(sources_.begin(), sources_.end(), [g](const EdgeSource& s) { return s.generator < g; });
   double least = kInfinity;
-  for (; source != sources_.end() && source->generator == g; ++source) {
+  for (const EdgeSource& source : sources_.of(g)) {
     // No path of a source is shorter than the straight one. This test costs no square root.
-    const double rest = least - source->offset, along = t - source->x;
-    if (rest > 0 && along * along + source->depth * source->depth < rest * rest) {
-      least = std::min(least, source->distance(t));
+    const double rest = least - source.offset, along = t - source.x;
+    if (rest > 0 && along * along + source.depth * source.depth < rest * rest) {
+      least = std::min(least, source.distance(t));
     }
   }
   return least;

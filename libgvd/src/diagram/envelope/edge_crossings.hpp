@@ -68,7 +68,7 @@ class EdgeEnvelope {
   struct Segment {
     double end;           ///< mesh units
     std::int32_t source;  ///< index
-    double most = 0;      ///< the largest distance of the source on the interval
+    double most = 0;      ///< no distance of the source on the interval is larger
   };
 
   /// `sources` as DistanceField::collect gives them, at least two; `length` of the edge in mesh units, > 0.
@@ -85,31 +85,45 @@ class EdgeEnvelope {
   double begin_of(std::vector<Segment>::const_iterator segment) const {
     return segment == segments_.begin() ? 0 : (segment - 1)->end;
   }
+  bool is_end(const EdgeSource& s) const;
+  bool is_reached(const EdgeSource& end) const;
+  bool is_continuous() const;
   void insert(std::int32_t source);
-  void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last);
-  void append(double end, std::int32_t source);
-  bool append_nearer(std::int32_t old_source, std::int32_t source, double begin, double end);
+  void fill(std::vector<Segment>::iterator gap, std::int32_t source, double low);
+  void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last, std::int32_t source);
+  /// Appends a piece, or makes the last one longer.
+  void append(const Segment& piece) {
+    if (!pieces_.empty() && pieces_.back().source == piece.source) {
+      pieces_.back().end = piece.end;
+    } else {
+      pieces_.push_back(piece);
+    }
+  }
+  bool append_nearer(const Segment& old, std::int32_t source, double begin, double end);
+
+  /// In place of a source where none reaches an interval.
+  static constexpr std::int32_t kNoSource = -1;
 
   std::vector<EdgeSource> sources_;
   std::vector<Segment> segments_;
   std::vector<Segment> pieces_;  // that replace some segments when a source is inserted
   double length_ = 0;
-  double unit_ = 1;  // as equidistant_positions wants it
+  double unit_ = 1;    // as equidistant_positions wants it
+  double sliver_ = 0;  // width below which an interval can have no label of its own, mesh units
 };
 
 /// The distances of the generators along one edge: for each, the shortest path over all its sources.
 class EdgeDistances {
  public:
   /// Takes over the sources of an edge. Cost: O(k log k) for k sources.
-  void build(const std::vector<EdgeSource>& sources);
+  void build(const std::vector<EdgeSource>& sources) { sources_.build(sources); }
 
   /// Length of the shortest path of generator g to t; infinite where it has no source.
   /// Cost: O(log k + sources of g), most of them without a square root.
   double at(GeneratorId g, double t) const;
 
  private:
-  std::vector<EdgeSource> sources_;  // ascending by generator
-  std::vector<std::pair<GeneratorId, std::size_t>> order_;
+  SourcesByGenerator<EdgeSource> sources_;
 };
 
 /// Finds the crossings of one edge after the other.

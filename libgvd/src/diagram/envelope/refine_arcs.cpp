@@ -73,8 +73,8 @@ double BisectorSample::distance_to_bisector(const Vec2& across, double precision
   for (int i = 0; i < kNewtonSteps; ++i) {
     const Vec2 to_left = from_left + s * across, to_right = from_right + s * across;
     const double far_left = to_left.norm(), far_right = to_right.norm();
-    const double slope = across.dot(to_left) / far_left - across.dot(to_right) / far_right;
-    const double step = (offset_difference + far_left - far_right) / slope;
+    const double rate = across.dot(to_left) / far_left - across.dot(to_right) / far_right;
+    const double step = (offset_difference + far_left - far_right) / rate;
     s -= step;
     if (!(std::abs(step) > precision)) break;
   }
@@ -128,8 +128,7 @@ BisectorSample ArcRefiner::sample(const Vec2& p) const {
 
 /// Whether the bisector is within half of the tolerance of a sample: its distance is the error divided by the gradient.
 bool ArcRefiner::is_near(const BisectorSample& sample) const {
-  return sample.is_known() &&
-         std::abs(sample.error()) <= 8 * sample.rounding() + kShown * tolerance_ * sample.gradient().norm();
+  return sample.is_known() && std::abs(sample.error()) <= 8 * sample.rounding() + kShown * tolerance_ * sample.slope;
 }
 
 /// The same for the segment between two samples that are near enough. The bisector has a corner where a path changes
@@ -139,13 +138,14 @@ bool ArcRefiner::is_near(const BisectorSample& sample) const {
 bool ArcRefiner::is_near_between(const BisectorSample& a, const BisectorSample& b, int splits) const {
   if (a.left.source == b.left.source && a.right.source == b.right.source) return true;
   if (splits == 0 || (b.point - a.point).squaredNorm() <= tolerance_ * tolerance_) return true;
-  const double whole = tolerance_ * std::min(a.gradient().norm(), b.gradient().norm());
+  const double whole = tolerance_ * std::min(a.slope, b.slope);
   const double curve = kCurveHeight * std::max(std::abs(a.error()), std::abs(b.error()));
   const double hidden = std::max(kWithCorners * whole - curve, kLowCorner * whole);
   const PathChange left = change_between({a.point, b.point}, a.left, b.left);
   const PathChange right = change_between({a.point, b.point}, a.right, b.right);
-  if (left.height() + right.height() <= hidden) return true;
-  PathChange change = left.height() > right.height() ? left : right;
+  const double left_height = left.height(), right_height = right.height();
+  if (left_height + right_height <= hidden) return true;
+  PathChange change = left_height > right_height ? left : right;
   const BisectorSample between = sample(a.point + change.find(0.25 * hidden) * (b.point - a.point));
   return is_near(between) && is_near_between(a, between, splits - 1) && is_near_between(between, b, splits - 1);
 }
@@ -250,7 +250,7 @@ std::optional<ArcRefiner::BisectorPoint> ArcRefiner::find_across(BisectorSample 
   bool knows_low = false, knows_high = false;  // whether the error has the expected sign there
   double s = 0;
   for (int step = 0; step < kMostSteps && at.is_known(); ++step) {
-    const double slope = at.gradient().dot(across), error = std::abs(at.error());
+    const double slope = at.gradient.dot(across), error = std::abs(at.error());
     if (error <= 4 * at.rounding() + kOnBisector * tolerance_ * std::abs(slope)) return BisectorPoint(at);
     const bool is_low = at.error() > 0;
     (is_low ? low : high) = s;

@@ -20,6 +20,15 @@ struct BisectorSample {
 
   Vec2 point;
   SourceDistances::Nearest left, right;
+  Vec2 gradient;  ///< of the error
+  double slope;   ///< length of the gradient
+
+  BisectorSample(const Vec2& p, const SourceDistances::Nearest& to_left, const SourceDistances::Nearest& to_right)
+      : point(p),
+        left(to_left),
+        right(to_right),
+        gradient(direction(p, to_left.path.from) - direction(p, to_right.path.from)),
+        slope(gradient.norm()) {}
 
   /// Whether both generators have a path.
   bool is_known() const { return std::isfinite(left.path.distance) && std::isfinite(right.path.distance); }
@@ -27,10 +36,8 @@ struct BisectorSample {
   double error() const { return left.path.distance - right.path.distance; }
   /// The part of the error that may be rounding.
   double rounding() const { return kDifferenceRounding * left.path.distance; }
-  /// The gradient of the error.
-  Vec2 gradient() const { return direction(point, left.path.from) - direction(point, right.path.from); }
   /// Direction of the bisector, with the left generator's cell on its left; not a unit vector.
-  Vec2 tangent() const { return turned_left(gradient()); }
+  Vec2 tangent() const { return turned_left(gradient); }
   /// How far along `across`, a unit vector, the two straight paths are equally long, by Newton's method to `precision`.
   /// Their images stay the same on the way, so that this may leave the bisector at a corner.
   double distance_to_bisector(const Vec2& across, double precision) const;

@@ -226,44 +226,18 @@ void EquidistantSearch::solve(const Disc& disc, const Lists& lists) {
 void SourceDistances::enter(const Mesh& mesh, FaceId f) {
   layout_.emplace(mesh, f);
   field_.collect(f, *layout_, found_);
-  order_.clear();
-  for (const FaceSource& s : found_) order_.emplace_back(s.generator, static_cast<std::int32_t>(order_.size()));
-  std::sort(order_.begin(), order_.end());
-  sources_.clear();
-  for (const auto& [generator, index] : order_) sources_.push_back(found_[index]);
-  bring_nearest_forward();
-}
-
-/// Puts the nearest source of each generator first, as seen from the centre. Then most others need no square root.
-void SourceDistances::bring_nearest_forward() {
-  const Vec2 centre = (layout_->corner[0] + layout_->corner[1] + layout_->corner[2]) / 3;
-  FaceSource::Path best{};
-  for (std::size_t i = 0, first = 0; i < sources_.size(); ++i) {
-    if (i == 0 || sources_[i].generator != sources_[first].generator) {
-      first = i;
-      best.distance = kInfinity;
-    }
-    if (take_nearer(sources_[i], centre, best)) std::swap(sources_[i], sources_[first]);
-  }
+  sources_.build(found_);
 }
 
 void SourceDistances::enter_with_offsets(const SourceDistances& others, const SymbolicOffset& offset) {
   layout_ = others.layout_;
   sources_ = others.sources_;
-  for (FaceSource& source : sources_) {
+  for (FaceSource& source : sources_.all()) {
     const double longer = offset.of(source.generator);
     source.offset += longer;
     source.distance_begin += longer;
     source.distance_end += longer;
   }
-}
-
-std::span<const FaceSource> SourceDistances::sources(GeneratorId g) const {
-  // Binary search: a large face beside hundreds of small cells has thousands of sources.
-  const auto begin = std::partition_point(sources_.begin(), sources_.end(),
-                                          [g](const FaceSource& source) { return source.generator < g; });
-  const auto end = std::find_if(begin, sources_.end(), [g](const FaceSource& source) { return source.generator != g; });
-  return {begin, end};
 }
 
 SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> sources, const Vec2& p) {
@@ -333,7 +307,7 @@ bool SourceDistances::is_branch_point(GeneratorId a, GeneratorId b, GeneratorId 
   if (*std::min_element(bary.begin(), bary.end()) < kInsideFace * (1 - 1e-3)) return false;
   const Vec2 p = layout_->at(bary);
   const auto path_a = nearest(a, p), path_b = nearest(b, p), path_c = nearest(c, p);
-  for (const FaceSource& s : sources_) {
+  for (const FaceSource& s : sources_.all()) {
     if (s.generator == a || s.generator == b || s.generator == c) continue;
     if (s.shortest_path(p).distance < path_a.distance * (1 - kEquallyFar)) return false;
   }

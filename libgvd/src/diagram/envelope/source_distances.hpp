@@ -82,8 +82,8 @@ class SourceDistances final : public FaceDistances {
   void enter_with_offsets(const SourceDistances& others, const SymbolicOffset& offset);
 
   const FaceLayout& layout() const { return *layout_; }
-  /// The sources of generator g; the first one is the nearest to the face's centre. Cost: O(log k + sources of g).
-  std::span<const FaceSource> sources(GeneratorId g) const;
+  /// The sources of generator g. Cost: O(log k + sources of g).
+  std::span<const FaceSource> sources(GeneratorId g) const { return sources_.of(g); }
 
   /// The shortest path over some sources, and its source: null, and infinite, where there is none.
   struct Nearest {
@@ -94,7 +94,7 @@ class SourceDistances final : public FaceDistances {
   /// The shortest path from generator g to p.
   FaceSource::Path nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).path; }
   /// The distance from p to the nearest of all generators.
-  double nearest_of_all(const Bary& p) const { return nearest(sources_, layout_->at(p)).path.distance; }
+  double nearest_of_all(const Bary& p) const { return nearest(sources_.all(), layout_->at(p)).path.distance; }
 
   bool can_confirm() const override { return true; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
@@ -110,14 +110,11 @@ class SourceDistances final : public FaceDistances {
   bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const override;
 
  private:
-  void bring_nearest_forward();
-
   const DistanceField& field_;
   std::optional<FaceLayout> layout_;
-  std::vector<FaceSource> sources_;  // by generator
+  SourcesByGenerator<FaceSource> sources_;
   std::vector<FaceSource> found_;
-  std::vector<std::pair<GeneratorId, std::int32_t>> order_;  // of found_, ascending
-  mutable EquidistantSearch search_;                         // keeps its memory from face to face
+  mutable EquidistantSearch search_;  // keeps its memory from face to face
 };
 
 }  // namespace gvd

@@ -34,8 +34,10 @@ class PieceTracer {
       : boundary_(boundary), arcs_(arcs), diagram_(diagram), result_(result) {}
 
   void trace() {
-    index_arcs();
-    index_crossings();
+    if (arcs_.size() > 1) {
+      index_arcs();
+      index_crossings();
+    }
     result_.pieces.clear();
     result_.piece_of_interval.assign(boundary_.size(), kNoInterval);
     for (std::size_t interval = 0; interval < boundary_.size(); ++interval) {
@@ -71,7 +73,7 @@ class PieceTracer {
   void trace_from(std::size_t first) {
     const auto number = static_cast<int>(result_.pieces.size());
     std::vector<Bary>& corners = result_.pieces.emplace_back(WorkingPiece{boundary_[first].next, {}}).corners;
-    corners.reserve(kUsualCorners);
+    corners.reserve(kUsualCorners + (arcs_.size() == 1 ? arcs_[0].point_count : 0));
     for (std::size_t interval = first; result_.piece_of_interval[interval] == kNoInterval;) {
       result_.piece_of_interval[interval] = number;
       follow_interval(interval, corners);
@@ -108,12 +110,17 @@ class PieceTracer {
       if (here.crossing.valid()) break;
       corners.push_back(diagram_.branches[here.branch].bary);
     }
-    return std::lower_bound(boundary_index_.begin(), boundary_index_.end(), std::pair(here.crossing, std::size_t{0}))
-        ->second;
+    return index_of(here.crossing);
+  }
+
+  std::size_t index_of(CrossingId id) const {
+    if (arcs_.size() == 1) return boundary_[0].id == id ? 0 : 1;
+    return std::lower_bound(boundary_index_.begin(), boundary_index_.end(), std::pair(id, std::size_t{0}))->second;
   }
 
   /// The arc that leaves `here` with `own` on its left, other than `last`.
   const FaceArc& leaving(const ArcEnd& here, GeneratorId own, const FaceArc* last) const {
+    if (arcs_.size() == 1) return arcs_[0];
     auto departure = std::lower_bound(departures_.begin(), departures_.end(), Departure{here, own, 0});
     while (&arcs_[departure->arc] == last) ++departure;
     return arcs_[departure->arc];
@@ -123,8 +130,9 @@ class PieceTracer {
   std::span<const FaceArc> arcs_;
   const FaceDiagram& diagram_;
   WorkingPieces& result_;
-  std::vector<Departure> departures_;                               // ascending
-  std::vector<std::pair<CrossingId, std::size_t>> boundary_index_;  // ascending
+  // Both ascending; empty in a face with one arc, as most are.
+  std::vector<Departure> departures_;
+  std::vector<std::pair<CrossingId, std::size_t>> boundary_index_;
 };
 
 }  // namespace

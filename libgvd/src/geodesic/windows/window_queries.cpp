@@ -222,23 +222,29 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
   }
 }
 
+// Visits faces, so that each window is read once: most faces have none.
 std::vector<EdgeId> WindowDistances::contested_edges(const ParallelChunks& parallel) const {
-  // Whether a halfedge has a window of another label than its start. So each window is read once.
-  IdVector<HalfedgeId, std::uint8_t> has_other(mesh_.halfedge_count(), 0);
   const auto faces = cut_into_chunks(mesh_.face_count(), kScanChunk);
-  parallel.run(faces.size(), steps::kLabels, [&](std::size_t chunk) {
-    for (std::size_t f = faces[chunk].begin; f < faces[chunk].end; ++f) {
-      field_.windows.for_each(FaceId(f), [&](const Window& w) {
-        const GeneratorId label = field_.label[mesh_.from(w.halfedge)];
-        if (w.generator != label) has_other[w.halfedge] = 1;
+  std::vector<EdgeId> edges = parallel.collect(faces, steps::kLabels, [&](const Chunk& chunk) {
+    std::vector<EdgeId> found;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const FaceId f(i);
+      const auto& [a, b, c] = mesh_.vertices(f);
+      const std::array<GeneratorId, 3> label{field_.label[a], field_.label[b], field_.label[c]};
+      std::array<bool, 3> is_contested{label[0] != label[1], label[1] != label[2], label[2] != label[0]};
+      field_.windows.for_each(f, [&](const Window& w) {
+        const int side = Mesh::corner(w.halfedge);
+        is_contested[side] |= w.generator != label[side];
       });
+      for (int side = 0; side < 3; ++side) {
+        if (is_contested[side]) found.push_back(mesh_.edge(Mesh::halfedge(f, side)));
+      }
     }
+    return found;
   });
-  return find_edges(mesh_, parallel, [&](EdgeId e) {
-    const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
-    return field_.label[mesh_.from(h)] != field_.label[mesh_.to(h)] || has_other[h] != 0 ||
-           (twin.valid() && has_other[twin] != 0);
-  });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
 }
 
 GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress) {
