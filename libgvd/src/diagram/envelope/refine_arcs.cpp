@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace gvd {
 namespace {
@@ -106,17 +107,21 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
 }
 
 double PathChange::position() const {
-  const double sum = before_.excess + after_.excess;
-  const double share = sum > 0 ? before_.excess / sum : 0.5;
+  const double sum = before_.weight + after_.weight;
+  const double share = sum > 0 ? before_.weight / sum : 0.5;
   return before_.position + share * (after_.position - before_.position);
 }
 
+/// By the Illinois variant of the secant method: without halved weights, one of the two ends would stay.
 double PathChange::find(double least) {
+  const Excess* last = nullptr;
   for (int step = 0; step < kMostChangeSteps && height() > least; ++step) {
     const double t = position();
     const Vec2 p = segment_.from + t * (segment_.to - segment_.from);
     const double excess = second_->distance(p) - first_->distance(p);
-    (excess > 0 ? before_ : after_) = {t, std::abs(excess)};
+    Excess &moved = excess > 0 ? before_ : after_, &kept = excess > 0 ? after_ : before_;
+    moved = {t, std::abs(excess)};
+    if (std::exchange(last, &moved) == &moved) kept.weight *= 0.5;
   }
   return position();
 }

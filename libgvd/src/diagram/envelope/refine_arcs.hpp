@@ -70,8 +70,8 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
                              std::vector<VisibleSource>& visible);
 
 /// The shortest path to p, at a position along the band, over the sources that may see it; infinite where none does.
-inline SourceDistances::Nearest nearest_visible(const std::vector<VisibleSource>& visible, double position,
-                                                const Vec2& p) {
+[[gnu::always_inline]] inline SourceDistances::Nearest nearest_visible(const std::vector<VisibleSource>& visible,
+                                                                       double position, const Vec2& p) {
   SourceDistances::Nearest best{nullptr, {kInfinity, p}};
   for (const VisibleSource& s : visible) {
     if ((position < s.first) | (position > s.last)) continue;
@@ -93,8 +93,8 @@ class PathChange {
       : first_(first.source),
         second_(second.source),
         segment_(segment),
-        before_{0, second_->distance(segment.from) - first.path.distance},
-        after_{1, first_->distance(segment.to) - second.path.distance} {}
+        before_(0, second_->distance(segment.from) - first.path.distance),
+        after_(1, first_->distance(segment.to) - second.path.distance) {}
 
   /// How far the distance at the corner lies above the line through its values at the two ends, mesh units.
   double height() const {
@@ -110,6 +110,9 @@ class PathChange {
   /// By how much the farther one of the two sources is farther at a position.
   struct Excess {
     double position = 0, excess = 0;
+    double weight = 0;  ///< of the excess in the secant; halved where the position stays twice
+    Excess() = default;
+    Excess(double at, double by) : position(at), excess(by), weight(by) {}
   };
   double position() const;
 
