@@ -16,7 +16,7 @@ namespace gvd {
 /// halfedge.
 ///
 /// Slots are used again in the order last out, first in, while the cache still holds them.
-/// Memory: 64 bytes for each of the most windows that have waited at once since the last `release`.
+/// Memory: 68 bytes for each of the most windows that have waited at once since the last `release`.
 class WaitingWindows {
  public:
   /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the partition's halfedges are used.
@@ -41,12 +41,13 @@ class WaitingWindows {
     added.generator = w.generator;
     added.history = history;
     if (head < 0) {
-      links_[slot] = {-1, static_cast<float>(key * key_unit_)};
+      next_[slot] = -1;
+      added.key = static_cast<float>(key * key_unit_);
       head = slot;
       return true;
     }
-    links_[slot].next = links_[head].next;
-    links_[head].next = slot;
+    next_[slot] = next_[head];
+    next_[head] = slot;
     return lower_key(head, key);
   }
 
@@ -65,14 +66,14 @@ class WaitingWindows {
   [[gnu::always_inline]] void take(HalfedgeId h, Visit visit) {
     std::int32_t slot = first_[h.value()], ahead = slot;
     first_[h.value()] = -1;
-    for (int i = 0; i < kAhead && ahead >= 0; ++i) ahead = links_[ahead].next;
+    for (int i = 0; i < kAhead && ahead >= 0; ++i) ahead = next_[ahead];
     while (slot >= 0) {
       if (ahead >= 0) ahead = prefetched(ahead);
       const Entry& entry = at(slot);
       const PropagatedWindow taken{{entry.begin, entry.end, entry.x, entry.depth, entry.offset, entry.generator, h},
                                    entry.history};
-      const std::int32_t next = links_[slot].next;
-      links_[slot].next = free_;
+      const std::int32_t next = next_[slot];
+      next_[slot] = free_;
       free_ = slot;
       visit(taken);
       slot = next;
@@ -82,7 +83,7 @@ class WaitingWindows {
   /// Gives the memory back. No window may wait.
   void release() {
     blocks_ = std::vector<std::unique_ptr<Entry[]>>();
-    links_ = std::vector<Link>();
+    next_ = std::vector<std::int32_t>();
     free_ = -1;
   }
 
@@ -92,14 +93,9 @@ class WaitingWindows {
     double begin, end, x, depth, offset;
     GeneratorId generator;
     WindowHistory history;
+    float key;  ///< of the first window of a list: that of the halfedge in the queue, times key_unit_
   };
   static_assert(sizeof(Entry) == 64);
-
-  /// A list in a table of its own: the nearest cache holds all links, so that lists can be followed far ahead.
-  struct Link {
-    std::int32_t next;  ///< in the list, or -1
-    float key;          ///< in the first link of a list: that of the halfedge in the queue, times key_unit_
-  };
 
   /// Windows that are prefetched before they are taken: a line from memory takes as long as some windows.
   static constexpr int kAhead = 4;
@@ -116,28 +112,29 @@ class WaitingWindows {
   /// Prefetches a window, and returns the next one of its list.
   std::int32_t prefetched(std::int32_t slot) const {
     prefetch(&at(slot));
-    return links_[slot].next;
+    return next_[slot];
   }
 
   [[gnu::always_inline]] std::int32_t take_slot() {
     if (free_ < 0) [[unlikely]]
       add_block();
     const std::int32_t slot = free_;
-    free_ = links_[slot].next;
+    free_ = next_[slot];
     return slot;
   }
 
   /// Adds a block of slots, the first one of which is the first to be taken.
   [[gnu::noinline]] void add_block() {
-    check_window_count(links_.size(), kMask + 1);
-    const auto begin = static_cast<std::int32_t>(links_.size()), end = begin + kMask + 1;
+    check_window_count(next_.size(), kMask + 1);
+    const auto begin = static_cast<std::int32_t>(next_.size()), end = begin + kMask + 1;
     blocks_.push_back(std::make_unique_for_overwrite<Entry[]>(kMask + 1));
-    for (std::int32_t slot = begin; slot < end; ++slot) links_.push_back({slot + 1 < end ? slot + 1 : -1, 0});
+    if (next_.size() == next_.capacity()) next_.reserve(next_.size() + next_.size() / 4 + kMask + 1);
+    for (std::int32_t slot = begin; slot < end; ++slot) next_.push_back(slot + 1 < end ? slot + 1 : -1);
     free_ = begin;
   }
 
   [[gnu::always_inline]] bool lower_key(std::int32_t head, double key) {
-    float& queued = links_[head].key;
+    float& queued = at(head).key;
     if (!((key + key_step_) * key_unit_ < static_cast<double>(queued))) return false;
     queued = static_cast<float>(key * key_unit_);
     return true;
@@ -148,7 +145,7 @@ class WaitingWindows {
   bool join(std::int32_t head, const Window& w, const WindowHistory& history, double length) {
     constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
     const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
-    for (std::int32_t i = head; i >= 0; i = links_[i].next) {
+    for (std::int32_t i = head; i >= 0; i = next_[i]) {
       Entry& known = at(i);
       if (known.generator != w.generator || known.offset != w.offset) continue;
       if (std::abs(known.x - w.x) > tolerance || std::abs(known.depth - w.depth) > tolerance) continue;
@@ -179,7 +176,9 @@ class WaitingWindows {
 
   std::int32_t* first_;  // [halfedge] slot of the first entry, or -1
   std::vector<std::unique_ptr<Entry[]>> blocks_;
-  std::vector<Link> links_;  // [slot]; of a slot without a window, the list of those
+  /// [slot] the next one in its list, or -1; of a slot without a window, in the list of those. A table of its own: the
+  /// nearest cache holds it, so that lists can be followed far ahead.
+  std::vector<std::int32_t> next_;
   std::int32_t free_ = -1;
   double key_step_;
   double key_unit_;  // a power of two that brings the step near 1, so that keys neither vanish nor overflow as floats

@@ -113,7 +113,7 @@ class WindowPruning {
     while (list.windows.block_count() > list.patience) {
       const std::size_t undecided = review_block(list.windows, settled);
       if (2 * undecided > BlockQueue<Window>::kBlock) {
-        list.patience = list.windows.block_count() + list.windows.block_count() / 4 + 1;
+        list.patience = list.windows.block_count() + list.windows.block_count() / 8 + 1;
         return;
       }
     }
