@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -82,10 +81,8 @@ class SourcesByGenerator {
       order_[i] = static_cast<std::uint64_t>(sources[i].generator.value()) << 32 | i;
     }
     std::sort(order_.begin(), order_.end());
-    const auto sorted = order_ | std::views::transform([&](std::uint64_t number) -> const Source& {
-                          return sources[static_cast<std::uint32_t>(number)];
-                        });
-    sources_.assign(sorted.begin(), sorted.end());
+    sources_.resize(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) sources_[i] = sources[static_cast<std::uint32_t>(order_[i])];
   }
 
   std::vector<Source>& all() { return sources_; }
