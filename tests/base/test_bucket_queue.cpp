@@ -130,6 +130,30 @@ TEST_CASE("a queue that has given its memory back goes on from where it was") {
   CHECK(queue.empty());
 }
 
+TEST_CASE("a key is in front up to the end of the current bucket") {
+  BucketQueue<int> queue(0.5, 4);
+  CHECK(queue.is_in_front(0.499));
+  CHECK_FALSE(queue.is_in_front(0.5));
+  queue.push(0.7, 1);
+  CHECK(queue.pop() == 1);
+  CHECK(queue.is_in_front(0.2));
+  CHECK(queue.is_in_front(0.999));
+  CHECK_FALSE(queue.is_in_front(1));
+}
+
+TEST_CASE("an empty queue can begin again with the bucket of key 0") {
+  BucketQueue<int> queue(1.0, 3);
+  queue.push(1.5, 1);
+  CHECK(queue.pop() == 1);
+  queue.restart();
+  CHECK(queue.front() == 0);
+  queue.push(1.5, 2);
+  queue.push(0.5, 3);
+  CHECK(queue.pop() == 3);
+  CHECK(queue.pop() == 2);
+  CHECK(queue.empty());
+}
+
 TEST_CASE("one can look at the items that come next in the current bucket, and at no others") {
   BucketQueue<int> queue(1.0, 4);
   CHECK(queue.ahead(0) == nullptr);

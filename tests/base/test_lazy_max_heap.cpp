@@ -8,7 +8,7 @@
 namespace gvd::test_lazy_max_heap {
 
 TEST_CASE("lazy heap: without items it is empty") {
-  CHECK(LazyMaxHeap(0, [](std::int32_t) { return 1.0; }).empty());
+  CHECK(LazyMaxHeap<>(0, [](std::int32_t) { return 1.0; }).empty());
 }
 
 TEST_CASE("lazy heap: of equal keys the smallest id comes first") {
@@ -46,7 +46,7 @@ TEST_CASE("lazy heap: always the largest of all true keys, while they fall at ra
     for (std::int32_t id = 0; id < kCount; ++id) {
       if (!popped[std::size_t(id)] && (expected < 0 || key(id) > key(expected))) expected = id;
     }
-    const LazyMaxHeap::Item top = heap.top(key);
+    const LazyMaxHeap<>::Item top = heap.top(key);
     REQUIRE(top.id == expected);
     REQUIRE(top.key == key(expected));
     popped[std::size_t(top.id)] = 1;

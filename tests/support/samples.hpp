@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/marching/fast_marching.hpp"
+#include "geodesic/marching/local_march.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"

@@ -219,7 +219,7 @@ class FarVertices {
   // For each component with generators.
   std::vector<double> least_distance_;
   std::vector<std::vector<Place>> places_;  // ascending by vertex
-  std::vector<LazyMaxHeap> heaps_;          // the indices of the places
+  std::vector<LazyMaxHeap<>> heaps_;        // the indices of the places
   std::vector<Vec3> taken_;
 };
 

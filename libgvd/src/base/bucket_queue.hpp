@@ -31,6 +31,9 @@ class BucketQueue {
     ++size_;
   }
 
+  /// Whether an item with this key belongs to the current bucket or to one before it.
+  bool is_in_front(double key) const { return !(key * inverse_width_ - turn_ >= 1); }
+
   /// Number of items in the current bucket.
   std::size_t front_size() const { return buckets_[current_].size() - next_; }
 
@@ -65,6 +68,14 @@ class BucketQueue {
 
   /// Number of buckets in the ring.
   std::size_t bucket_count() const { return buckets_.size(); }
+
+  /// Begins again with the bucket of key 0. The queue must be empty.
+  void restart() {
+    buckets_[current_].clear();
+    next_ = 0;
+    current_ = 0;
+    turn_ = 0;
+  }
 
   /// Frees the buckets' memory. The queue must be empty.
   void release() {

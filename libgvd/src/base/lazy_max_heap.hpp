@@ -10,11 +10,13 @@ namespace gvd {
 /// top.
 ///
 /// The key in the heap is an upper bound of the true one, so the first top item whose key is up to date is the largest
-/// of all. Among equal keys the smallest id comes first. Cost: O(log n) for each outdated key that reaches the top.
+/// of all. Among equal keys the smallest id comes first. `Value` is the type of the keys. Cost: O(log n) for each
+/// outdated key that reaches the top.
+template <class Value = double>
 class LazyMaxHeap {
  public:
   struct Item {
-    double key;
+    Value key;
     std::int32_t id;
     bool operator<(const Item& other) const { return key < other.key || (key == other.key && id > other.id); }
   };
@@ -34,7 +36,7 @@ class LazyMaxHeap {
   const Item& top(Key key) {
     for (;;) {
       const Item item = items_.front();
-      const double now = key(item.id);
+      const Value now = key(item.id);
       if (!(now < item.key)) return items_.front();
       lower_top(now);
     }
@@ -47,7 +49,7 @@ class LazyMaxHeap {
 
  private:
   /// Gives the top item a smaller key, and lets it sink to its place.
-  void lower_top(double key) {
+  void lower_top(const Value& key) {
     const Item item{key, items_.front().id};
     std::size_t at = 0;
     for (std::size_t child = 1; child < items_.size(); child = 2 * at + 1) {

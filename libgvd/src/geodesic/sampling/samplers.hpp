@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "geodesic/marching/fast_marching.hpp"
+#include "geodesic/marching/local_march.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -130,41 +131,31 @@ std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOption
 /// Cost: O(1), a square root.
 double compute_face_distance_bound(const FaceShape& face, const std::array<double, 3>& distance);
 
-/// The nearest of the generators inserted so far, at every vertex.
+/// Distance of every vertex from the nearest of the generators inserted so far.
 ///
 /// An insertion updates only the vertices that are nearest to the new generator, so N insertions cost about
-/// O(n log n log N) in all. Of two generators at the same distance the earlier one is kept.
+/// O(n log n log N) in all.
 class NearestField {
  public:
-  NearestField(const Mesh& mesh, Front front)
-      : march_(mesh, front), distance_(mesh.vertex_count(), kInfinity), label_(mesh.vertex_count()) {}
+  NearestField(const Mesh& mesh, Front front) : march_(mesh, front), distance_(mesh.vertex_count(), kInfinity) {}
 
   /// Adds the next generator. Cost: O(k log k) for the k vertices that are nearest to it.
-  GeneratorId insert(const SurfacePoint& point) {
-    const GeneratorId g(count_++);
+  void insert(const SurfacePoint& point) {
     march_.run(point, kInfinity, &distance_);
-    for (const VertexId v : march_.reached()) {
-      const double d = march_.distance(v);
-      if (!(d < distance_[v])) continue;
-      distance_[v] = d;
-      label_[v] = g;
-    }
-    return g;
+    for (const PlaceId p : march_.reached()) distance_[p] = std::min(distance_[p], march_.distance(p));
   }
 
   /// See LocalMarch::watch_runs.
   void watch_insertions(std::function<void(std::size_t reached)> watch) { march_.watch_runs(std::move(watch)); }
 
+  const MarchFans& fans() const { return march_.fans(); }
   /// Mesh units; infinity where no generator reaches.
-  double distance(VertexId v) const { return distance_[v]; }
-  /// Invalid where no generator reaches.
-  GeneratorId label(VertexId v) const { return label_[v]; }
+  double distance(PlaceId p) const { return distance_[p]; }
+  double distance(VertexId v) const { return distance_[fans().place(v)]; }
 
  private:
   LocalMarch march_;
-  IdVector<VertexId, double> distance_;
-  IdVector<VertexId, GeneratorId> label_;
-  std::int32_t count_ = 0;
+  IdVector<PlaceId, double> distance_;
 };
 
 }  // namespace gvd

@@ -135,8 +135,9 @@ class PairFinder {
   template <class Visit>
   void for_each_after(std::int32_t i, double diameter, Visit visit) {
     march_.run(candidates_[i], diameter);
-    for (const VertexId v : march_.reached()) {
-      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { visit_face(Mesh::face(h), i, diameter, visit); });
+    for (const PlaceId p : march_.reached()) {
+      for_each_outgoing(mesh_, march_.fans().vertex(p),
+                        [&](HalfedgeId h) { visit_face(Mesh::face(h), i, diameter, visit); });
     }
   }
 

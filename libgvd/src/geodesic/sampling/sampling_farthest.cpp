@@ -1,7 +1,7 @@
 // Farthest points and coverings, by inserting one generator after the other.
 //
-// Idea: a field keeps the nearest generator of every vertex, and a heap the vertex that is farthest from it. For a
-// covering the heap keeps faces, by an upper bound of the distance of their points.
+// Idea: a field keeps the distance of every vertex from its nearest generator, and a heap the blocks of vertices, by
+// their largest distance. For a covering the heap keeps faces, by an upper bound of the distance of their points.
 // Source: Eldar, Lindenbaum, Porat and Zeevi, The farthest point strategy for progressive image sampling, 1997; on
 // surfaces Peyre and Cohen, Geodesic remeshing using front propagation, 2006.
 // Invariant: distances only fall, so the keys in the heap are upper bounds.
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "base/lazy_max_heap.hpp"
 #include "base/plane.hpp"
@@ -24,6 +25,21 @@ namespace {
 /// A covering splits edges longer than this fraction of the radius. The distance bound of a face is then too large by
 /// at most an eighth of the radius.
 constexpr double kCoveringEdge = 0.25;
+
+/// Consecutive places that share an item of the heap. One for each vertex took a sixth of the sampling of 1,000 points
+/// on 1.7 million faces, and reading 64 distances in a row costs less than a cache miss.
+constexpr std::int32_t kBlock = 64;
+
+/// A vertex and its distance from the nearest generator: the larger, the farther, and of equally far ones the one with
+/// the least id.
+struct Farthest {
+  double distance;
+  VertexId vertex;
+  auto operator<=>(const Farthest& other) const {
+    return std::tie(distance, other.vertex) <=> std::tie(other.distance, vertex);
+  }
+  bool operator==(const Farthest& other) const = default;
+};
 
 /// Share of a covering's progress that the first generators of the components have.
 constexpr double kFirstShare = 0.1;
@@ -79,13 +95,13 @@ class FarthestSampler {
   std::vector<SurfacePoint> sample() {
     start_components(options_.count);
     const double least = kMinSampleSpacing * mesh_.bbox_diagonal();
-    const auto key = [&](std::int32_t v) { return field_.distance(VertexId(v)); };
-    LazyMaxHeap heap(mesh_.vertex_count(), key);
-    for (; !heap.empty(); heap.pop()) {
-      const auto& top = heap.top(key);
+    const auto key = [&](std::int32_t block) { return farthest_in_block(block); };
+    LazyMaxHeap<Farthest> heap((mesh_.vertex_count() + kBlock - 1) / kBlock, key);
+    for (;;) {
+      const Farthest top = heap.top(key).key;
       report(double(chosen_.size()));
-      if (std::ssize(chosen_) >= options_.count || !(top.key > least)) break;
-      insert(VertexId(top.id));
+      if (std::ssize(chosen_) >= options_.count || !(top.distance > least)) break;
+      insert(top.vertex);
     }
     return points();
   }
@@ -145,6 +161,19 @@ class FarthestSampler {
     return std::ranges::any_of(faces_within(mesh_, vertex_point(mesh_, v), coincidence_),
                                [&](FaceId f) { return std::ranges::any_of(mesh_.vertices(f), coincides); });
   }
+
+  /// The farthest vertex of a block of places.
+  Farthest farthest_in_block(std::int32_t block) const {
+    const std::int32_t first = block * kBlock, end = std::min(mesh_.vertex_count(), first + kBlock);
+    Farthest best = at(PlaceId(first));
+    for (std::int32_t p = first + 1; p < end; ++p) {
+      // Ids only of those as far: they are not in the cache.
+      if (field_.distance(PlaceId(p)) >= best.distance) best = std::max(best, at(PlaceId(p)));
+    }
+    return best;
+  }
+
+  Farthest at(PlaceId p) const { return {field_.distance(p), field_.fans().vertex(p)}; }
 
   std::vector<SurfacePoint> points() const {
     std::vector<SurfacePoint> points;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// A vertex, by its place on a curve that fills the mesh's bounding box.
+using PlaceId = Id<struct PlaceTag>;
+
+/// The faces round each vertex as a march reads them: one after the other in memory, and near vertices close together.
+///
+/// A `Mesh` has its elements in the order of its file, and a fan is a chain of look-ups there. On a mesh that the cache
+/// does not hold, these took most of a march. Memory: about 120 bytes a face.
+class MarchFans {
+ public:
+  /// An edge of a vertex, and the face on its left as seen from that vertex.
+  struct Spoke {
+    PlaceId end;        ///< the edge's other vertex
+    double length;      ///< of the edge, mesh units
+    double rim;         ///< length of the face's side opposite the vertex
+    double twice_area;  ///< of the face; negative where there is none, at the end of an open fan
+    bool has_face() const { return twice_area >= 0; }
+  };
+
+  /// Cost: O(n).
+  explicit MarchFans(const Mesh& mesh);
+
+  PlaceId place(VertexId v) const { return place_[v]; }
+  VertexId vertex(PlaceId p) const { return vertex_[p]; }
+
+  /// The spokes of a vertex, counter-clockwise from `mesh.halfedge(v)`. The face of a spoke ends at the next one, that
+  /// of the last spoke of a closed fan at the first one.
+  std::span<const Spoke> spokes(PlaceId p) const {
+    return {spokes_.data() + first_[p.index()], spokes_.data() + first_[p.index() + 1]};
+  }
+  /// Prefetches the spokes of a vertex with up to kPrefetchedFaces faces.
+  void prefetch(PlaceId p) const {
+    const Spoke* const first = spokes_.data() + first_[p.index()];
+    for (std::size_t i = 0; i <= kPrefetchedFaces; i += kSpokesOfLine) __builtin_prefetch(first + i);
+  }
+
+ private:
+  static constexpr std::size_t kPrefetchedFaces = 6;                // of most vertices
+  static constexpr std::size_t kSpokesOfLine = 64 / sizeof(Spoke);  // in a line of the cache
+
+  IdVector<VertexId, PlaceId> place_;
+  IdVector<PlaceId, VertexId> vertex_;
+  std::vector<Spoke> spokes_;
+  std::vector<std::uint32_t> first_;  // spoke of each place, and the end
+};
+
+}  // namespace gvd
