@@ -133,6 +133,19 @@ TEST_CASE("the pairs are those of a search over all pairs, for any number of thr
   CHECK(found > 1000);
 }
 
+TEST_CASE("lengths whose products overflow or underflow change no pair") {
+  const Mesh torus = test::make_torus(20, 10);
+  const Mesh mesh = shake(torus, 0.8 * torus.mean_edge_length(), 1);
+  const std::vector<FacePair> pairs = find_self_intersections(mesh);
+  CHECK(pairs.size() > 50);
+  for (const int exponent : {-400, -140, -41, 41, 140, 400}) {
+    INFO("2^" << exponent);
+    std::vector<Vec3> positions = mesh.positions();
+    for (Vec3& p : positions) p *= std::ldexp(1.0, exponent);
+    CHECK(find_self_intersections(Mesh(std::move(positions), mesh.face_vertices())) == pairs);
+  }
+}
+
 Mesh join(const std::vector<Mesh>& meshes) {
   std::vector<Vec3> positions;
   std::vector<std::array<VertexId, 3>> faces;

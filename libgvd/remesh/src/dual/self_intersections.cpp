@@ -239,6 +239,22 @@ std::vector<PlacedPiece> pieces_near(const Mesh& surface, const Diagram& diagram
   return pieces;
 }
 
+/// `are_parted` multiplies eight lengths, and an exact determinant rounding errors of three. With coordinates up to
+/// 2^40 all of that fits the exponents of a double, as long as lengths are above 2^-100.
+constexpr int kMostExponent = 40;
+
+/// The positions times a power of two, if the largest coordinate would let products of lengths overflow or underflow.
+/// Such a factor changes no answer: nothing is rounded.
+std::optional<std::vector<Vec3>> scale_to_unit(const std::vector<Vec3>& positions) {
+  double largest = 0;
+  for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  if (std::abs(exponent) <= kMostExponent) return std::nullopt;
+  std::vector<Vec3> scaled = positions;
+  for (Vec3& p : scaled) p = p.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+  return scaled;
+}
+
 /// Steps between reports of progress.
 constexpr std::size_t kProgressStride = 4096;
 
@@ -319,6 +335,9 @@ bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {
 }
 
 std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress) {
+  if (const auto scaled = scale_to_unit(faces.positions)) {
+    return find_self_intersections(PlacedFaces(faces.mesh, *scaled), threads, progress);
+  }
   constexpr std::size_t kFacesPerChunk = 256;
   const FaceBoxes boxes(faces, faces.mesh.faces());
   const auto chunks = cut_into_chunks(faces.mesh.face_count(), kFacesPerChunk);
