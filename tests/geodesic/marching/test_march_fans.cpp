@@ -1,5 +1,6 @@
 #include "geodesic/marching/march_fans.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
@@ -57,6 +58,12 @@ TEST_CASE("the spokes of a vertex are its edges and faces in the order of its ri
       CHECK(spokes[i].length == mesh.length(last));
     }
   }
+}
+
+TEST_CASE("the copy of a large mesh can be cancelled between its vertices") {
+  const Mesh grid = test::make_grid(300, 300);
+  const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) { MarchFans(grid, progress); });
+  CHECK(calls.at("sampling") >= 5);
 }
 
 TEST_CASE("vertices that are near each other have near places, whatever their ids are") {

@@ -48,9 +48,9 @@ std::size_t count_buckets(const Mesh& mesh, double width) {
 
 }  // namespace
 
-LocalMarch::LocalMarch(const Mesh& mesh, Front front)
+LocalMarch::LocalMarch(const Mesh& mesh, Front front, const Progress& progress)
     : mesh_(mesh),
-      fans_(mesh),
+      fans_(mesh, progress),
       front_(front),
       nodes_(mesh.vertex_count(), Node{0, 0, 0}),
       later_(kBucketWidth * mesh.mean_edge_length(), count_buckets(mesh, kBucketWidth * mesh.mean_edge_length())) {}

@@ -9,6 +9,7 @@
 #include "geodesic/marching/march_fans.hpp"
 #include "gvd/front.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
@@ -19,8 +20,8 @@ namespace gvd {
 /// mesh. Memory: about 130 bytes a face.
 class LocalMarch {
  public:
-  /// The mesh has to outlive this. Cost: O(n).
-  LocalMarch(const Mesh& mesh, Front front);
+  /// The mesh has to outlive this. `progress`: see MarchFans. Cost: O(n).
+  LocalMarch(const Mesh& mesh, Front front, const Progress& progress = {});
 
   /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[p] where `upper` is
   /// given. The ring of vertices round these gets distances too, because they improve those inside.

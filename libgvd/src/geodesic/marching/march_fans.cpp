@@ -22,6 +22,9 @@ constexpr std::uint64_t kAxisCells = std::uint64_t{1} << kAxisBits;
 /// In place of a face's area.
 constexpr double kNoFace = -1;
 
+/// Vertices between two reports of progress: some milliseconds.
+constexpr std::size_t kProgressStride = std::size_t{1} << 14;
+
 /// Bits 0 .. 9 of x at the bits 0, 3 .. 27.
 std::uint64_t spread_bits(std::uint64_t x) {
   x = (x | x << 16) & 0x030000FF;
@@ -64,7 +67,7 @@ void sort_by_code(std::vector<std::uint64_t>& keys) {
 
 }  // namespace
 
-MarchFans::MarchFans(const Mesh& mesh) : place_(mesh.vertex_count()) {
+MarchFans::MarchFans(const Mesh& mesh, const Progress& progress) : place_(mesh.vertex_count()) {
   vertex_.reserve(mesh.vertex_count());
   std::vector<std::uint64_t> keys = compute_keys(mesh);
   sort_by_code(keys);
@@ -75,6 +78,7 @@ MarchFans::MarchFans(const Mesh& mesh) : place_(mesh.vertex_count()) {
   spokes_.reserve(std::size_t(mesh.halfedge_count()) + mesh.vertex_count());
   first_.reserve(mesh.vertex_count() + 1);
   for (const VertexId v : vertex_) {
+    if (first_.size() % kProgressStride == 0) report_progress(progress, "sampling", 0);
     first_.push_back(static_cast<std::uint32_t>(spokes_.size()));
     HalfedgeId last;
     for_each_outgoing(mesh, v, [&](HalfedgeId h) {

@@ -7,6 +7,7 @@
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -28,8 +29,8 @@ class MarchFans {
     bool has_face() const { return twice_area >= 0; }
   };
 
-  /// Cost: O(n).
-  explicit MarchFans(const Mesh& mesh);
+  /// `progress` is asked whether to go on, as "sampling" at its beginning. Cost: O(n).
+  explicit MarchFans(const Mesh& mesh, const Progress& progress = {});
 
   PlaceId place(VertexId v) const { return place_[v]; }
   VertexId vertex(PlaceId p) const { return vertex_[p]; }

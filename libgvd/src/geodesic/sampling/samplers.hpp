@@ -137,7 +137,8 @@ double compute_face_distance_bound(const FaceShape& face, const std::array<doubl
 /// O(n log n log N) in all.
 class NearestField {
  public:
-  NearestField(const Mesh& mesh, Front front) : march_(mesh, front), distance_(mesh.vertex_count(), kInfinity) {}
+  NearestField(const Mesh& mesh, Front front, const Progress& progress = {})
+      : march_(mesh, front, progress), distance_(mesh.vertex_count(), kInfinity) {}
 
   /// Adds the next generator. Cost: O(k log k) for the k vertices that are nearest to it.
   void insert(const SurfacePoint& point) {

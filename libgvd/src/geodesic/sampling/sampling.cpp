@@ -119,7 +119,7 @@ class PairFinder {
       : mesh_(mesh),
         candidates_(candidates),
         in_face_(mesh.face_count()),
-        march_(mesh, options.front),
+        march_(mesh, options.front, options.progress),
         seen_(mesh.face_count(), -1) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (i % kSweepStride == 0) report_progress(options.progress, kPairs, 0);

@@ -79,7 +79,7 @@ class FarthestSampler {
       : split_(split),
         mesh_(split.mesh()),
         options_(options),
-        field_(mesh_, options.front),
+        field_(mesh_, options.front, options.progress),
         coincidence_(coincidence(mesh_)),
         is_chosen_(mesh_.vertex_count(), 0),
         faces_(sort_by_component()),
