@@ -1,6 +1,5 @@
 // The Hessian of the energy against differences of the gradient, and its inverse.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -19,6 +18,7 @@
 namespace gvd::test_accelerator {
 
 using test::evaluate_state;
+using test::make_rough_grid;
 
 /// The change of the gradient by a step, in the tangent planes at its start.
 TangentField gradient_change(const Mesh& mesh, const RelaxationState& state, const TangentField& step) {
@@ -66,20 +66,6 @@ TEST_CASE("energy hessian: on a sphere with small cells it is near the derivativ
   const TangentField change = gradient_change(mesh, state, step);
   const TangentField product = hessian(mesh, state).multiply(step);
   CHECK(test::length(add_scaled(product, -1, change)) < 0.08 * test::length(change));
-}
-
-/// A grid whose inner vertices are raised and lowered at random.
-Mesh make_rough_grid(int size, double height, unsigned seed) {
-  const Mesh grid = test::make_grid(size, size);
-  std::mt19937 random(seed);
-  std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const VertexId v : grid.vertices()) {
-    const double share = 2 * double(random()) / double(std::mt19937::max()) - 1;
-    positions.push_back(grid.position(v) + Vec3(0, 0, height * share));
-  }
-  for (const FaceId f : grid.faces()) faces.push_back(grid.vertices(f));
-  return Mesh(std::move(positions), std::move(faces));
 }
 
 TEST_CASE("energy hessian: on rough meshes what vertices bend makes it more exact") {

@@ -2,13 +2,16 @@
 //
 // L-BFGS begins with the Hessian of the energy (energy_hessian.hpp). Small eigenvalues allow long steps: the least one
 // that counts falls while the model predicts what happens, and rises where it does not, as the radius of a trust region
-// would. Sources are in optimiser.hpp. Generators at vertices take no part: there the gradient jumps, and they take
-// Lloyd's step or rest.
+// would. Near the end, the Hessian takes no pairs but cones at the vertices nearby (energy_model.hpp): there the
+// gradient of the energy changes most by these. Sources are in optimiser.hpp. Generators at vertices take no part:
+// there the gradient jumps, and they take Lloyd's step or rest.
 #include "accelerator.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "energy_model.hpp"
 
 namespace gvd {
 namespace {
@@ -21,8 +24,12 @@ constexpr double kLeastEigenvalue = 0.01;
 constexpr std::pair<double, double> kGoodRatio{0.7, 1.6};
 constexpr double kPoorRatio = 0.3;
 
-/// Longer steps are only allowed where the prediction is below this fraction of the energy. Far from the end the
-/// valleys bend, and longer steps cost remeshes with 15 iterations a diagram.
+/// The radius of trust is halved after a step of poor ratio. It doubles after one that went nearly as far and gave at
+/// least this much of its prediction.
+constexpr double kTrustedRatio = 0.5, kNearRadius = 0.8;
+
+/// Longer steps, and those of the model with cones, are only allowed where the prediction is below this fraction of the
+/// energy. Far from the end the valleys bend: longer steps cost remeshes with 15 iterations a diagram.
 constexpr double kNearEnd = 1e-3;
 
 /// Vertices nearer to a generator than this, in mean cell radii, count as if they were that far away: steps are longer
@@ -47,16 +54,12 @@ bool has_curvature(const StepPair& pair, const std::vector<double>& masses) {
   return expected > 0 && dot(pair.step, pair.change) > kLeastCurvature * expected;
 }
 
-/// Generators that rest, or go to rest, have no step.
-bool is_held(const RelaxationState& state, std::size_t i) { return state.is_resting[i] || state.rest[i]; }
-
-/// Whether the energy is no smooth function of the generator. The steps of other generators then tell nothing about its
-/// own, and it takes Lloyd's.
-bool is_at_kink(const RelaxationState& state, std::size_t i) {
-  return is_held(state, i) || state.generators[i].kind() == SurfacePoint::Kind::vertex;
-}
-
 }  // namespace
+
+double rise_by_slopes(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
+  const double first = dot(turned(move.turns, energy_gradient(before)), move.step);
+  return 0.5 * (first + dot(energy_gradient(after), move.step));
+}
 
 Accelerator::Accelerator(const Mesh& mesh, const GeneratorConstraints& constraints, Acceleration kind)
     : mesh_(mesh),
@@ -67,12 +70,19 @@ Accelerator::Accelerator(const Mesh& mesh, const GeneratorConstraints& constrain
 
 std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) const {
   if (kind_ == Acceleration::none) return std::nullopt;
+  std::optional<ProposedSteps> proposed = propose_by_history(state);
+  if (kind_ != Acceleration::lbfgs || (proposed && proposed->prediction >= kNearEnd * state.energy)) return proposed;
+  std::optional<ProposedSteps> by_model = propose_by_model(state);
+  return by_model ? by_model : proposed;
+}
+
+std::optional<ProposedSteps> Accelerator::propose_by_history(const RelaxationState& state) const {
   const TangentField gradient = energy_gradient(state);
   TangentField smooth = gradient;
   for (std::size_t i = 0; i < gradient.size(); ++i) {
     if (is_at_kink(state, i)) smooth[i] = Vec2::Zero();
   }
-  ProposedSteps proposed{direction(state, smooth), 0, 0};
+  ProposedSteps proposed{direction(state, smooth), 0, 0, false, state.rest};
   for (std::size_t i = 0; i < gradient.size(); ++i) {
     Vec2& step = proposed.steps[i];
     const double longest = kLongestStep * std::max(state.mean_cell_radius, state.to_centroids[i].norm());
@@ -87,6 +97,20 @@ std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) 
   return proposed;
 }
 
+std::optional<ProposedSteps> Accelerator::propose_by_model(const RelaxationState& state) const {
+  const EnergyModel model(mesh_, state, constraints_, defects_);
+  ModelMinimum minimum = model.minimise(radius_ * state.mean_cell_radius, least_eigenvalue_);
+  if (!(minimum.fall > 0)) return std::nullopt;
+  ProposedSteps proposed{std::move(minimum.step), -minimum.fall, minimum.fall, true, std::move(minimum.rest)};
+  for (std::size_t i = 0; i < proposed.steps.size(); ++i) {
+    Vec2& step = proposed.steps[i];
+    if (!step.allFinite()) return std::nullopt;
+    if (state.is_resting[i]) step = Vec2::Zero();
+    step = constraints_.project(mesh_, i, state.generators[i], step);
+  }
+  return proposed;
+}
+
 TangentField Accelerator::direction(const RelaxationState& state, const TangentField& gradient) const {
   if (kind_ == Acceleration::anderson) return anderson_step(history_, state.to_centroids);
   const EnergyHessian hessian(state, defects_, kNearVertex * state.mean_cell_radius);
@@ -96,12 +120,17 @@ TangentField Accelerator::direction(const RelaxationState& state, const TangentF
 
 void Accelerator::adapt(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
   if (!(move.prediction > 0)) return;
-  const double ratio = (before.energy - after.energy) / move.prediction;
+  double fall = before.energy - after.energy;
+  if (fall < kEnergyError * before.energy) fall = std::max(fall, -rise_by_slopes(before, move, after));
+  const double ratio = fall / move.prediction;
   const bool is_near_end = move.prediction < kNearEnd * before.energy;
   if (is_near_end && move.scale == 1 && ratio > kGoodRatio.first && ratio < kGoodRatio.second) {
     least_eigenvalue_ = std::max(kLeastEigenvalue, 0.5 * least_eigenvalue_);
   }
   if (ratio < kPoorRatio) least_eigenvalue_ = std::min(1.0, 2 * least_eigenvalue_);
+  const double longest = *std::max_element(move.length.begin(), move.length.end()) / after.mean_cell_radius;
+  if (ratio < kPoorRatio) radius_ = std::max(kLeastRadius, std::min(radius_, 0.5 * longest));
+  if (ratio > kTrustedRatio && longest > kNearRadius * radius_) radius_ = std::min(kLargestRadius, 2 * radius_);
 }
 
 void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {

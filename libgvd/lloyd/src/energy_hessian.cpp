@@ -5,6 +5,7 @@
 // paths spread in a wedge. To the first order of w, both change the second derivative of the energy across the ray by
 // -2 w l^3 / (3 r) times the density (docs/developer/lloyd.md, section 4). The border's distance comes from the
 // logarithms of the cell's vertices and of its bisectors, by sectors of directions.
+// Near the vertex, this curvature is that of a cone over the tangent plane, whose slope does not depend on r.
 // The inverse comes from a Lanczos process on the matrix relative to the masses. It has the absolute values of the
 // eigenvalues, so that every step lowers the energy if it is short enough.
 #include "energy_hessian.hpp"
@@ -76,10 +77,11 @@ IdVector<VertexId, double> angle_defects(const Mesh& mesh) {
   return defects;
 }
 
-EnergyHessian::EnergyHessian(const RelaxationState& state, const IdVector<VertexId, double>& defects, double scale)
+EnergyHessian::EnergyHessian(const RelaxationState& state, const IdVector<VertexId, double>& defects, double scale,
+                             double cone_reach)
     : masses_(cell_masses(state)), shadows_(masses_.size(), Eigen::Matrix2d::Zero()) {
   add_bisectors(state.geometry.segments);
-  add_defects(state, defects, scale);
+  add_defects(state, defects, scale, cone_reach);
 }
 
 void EnergyHessian::add_bisectors(const std::vector<BisectorSegment>& segments) {
@@ -96,7 +98,8 @@ void EnergyHessian::add_bisectors(const std::vector<BisectorSegment>& segments) 
   }
 }
 
-void EnergyHessian::add_defects(const RelaxationState& state, const IdVector<VertexId, double>& defects, double scale) {
+void EnergyHessian::add_defects(const RelaxationState& state, const IdVector<VertexId, double>& defects, double scale,
+                                double cone_reach) {
   const CellReach reach(state);
   for (const VertexId v : state.geometry.log.ids()) {
     const GeneratorId g = state.geometry.label[v];
@@ -105,10 +108,13 @@ void EnergyHessian::add_defects(const RelaxationState& state, const IdVector<Ver
     if (!g.valid() || !(distance > 0) || defects[v] == 0) continue;
     const CellMoments& cell = state.moments[g];
     const double density = cell.area > 0 ? cell.mass / cell.area : 1;
-    const double behind = reach.at(g, log) - distance;
+    const double slope = -density * 2 * defects[v] * std::pow(reach.at(g, log) - distance, 3) / 3;
+    if (distance < cone_reach) {
+      cones_.push_back({g.index(), v, log, slope});
+      continue;
+    }
     const Vec2 across(-log.y() / distance, log.x() / distance);
-    shadows_[g.index()] += density * 2 * defects[v] * std::pow(behind, 3) / (3 * std::hypot(distance, scale)) * across *
-                           across.transpose();
+    shadows_[g.index()] -= slope / std::hypot(distance, scale) * across * across.transpose();
   }
 }
 
@@ -131,13 +137,31 @@ TangentField EnergyHessian::multiply(const TangentField& field) const {
   return product;
 }
 
+TangentField EnergyHessian::solve_relative(const FieldMap& couplings, const TangentField& relative,
+                                           double least) const {
+  const auto inverse = [least](double coupling) { return 1 / std::max(std::abs(1 - coupling), least); };
+  return divided_by_roots(apply_matrix_function(couplings, inverse, relative, kLanczosSteps), masses_);
+}
+
 TangentField EnergyHessian::solve(const TangentField& right, double least) const {
-  const auto relative_couplings = [&](const TangentField& field) {
+  const auto couplings = [&](const TangentField& field) {
     return divided_by_roots(multiply_couplings(divided_by_roots(field, masses_)), masses_);
   };
-  const auto inverse = [least](double coupling) { return 1 / std::max(std::abs(1 - coupling), least); };
-  return divided_by_roots(
-      apply_matrix_function(relative_couplings, inverse, divided_by_roots(right, masses_), kLanczosSteps), masses_);
+  return solve_relative(couplings, divided_by_roots(right, masses_), least);
+}
+
+TangentField EnergyHessian::solve(const TangentField& right, double least, const LocalTerms& local) const {
+  const auto couplings = [&](const TangentField& field) {
+    const TangentField step = divided_by_roots(field, masses_);
+    TangentField product = multiply_couplings(step);
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      product[i] = local.allowed[i] * Vec2(product[i] - local.curvature[i] * step[i]);
+    }
+    return divided_by_roots(product, masses_);
+  };
+  TangentField allowed = right;
+  for (std::size_t i = 0; i < allowed.size(); ++i) allowed[i] = local.allowed[i] * right[i];
+  return solve_relative(couplings, divided_by_roots(allowed, masses_), least);
 }
 
 }  // namespace gvd

@@ -103,6 +103,15 @@ struct RelaxationState {
   double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
 };
 
+/// Generators that rest, or go to rest, have no step.
+inline bool is_held(const RelaxationState& state, std::size_t i) { return state.is_resting[i] || state.rest[i]; }
+
+/// Whether the energy is no smooth function of the generator. The steps of other generators then tell nothing about its
+/// own, and it takes Lloyd's.
+inline bool is_at_kink(const RelaxationState& state, std::size_t i) {
+  return is_held(state, i) || state.generators[i].kind() == SurfacePoint::Kind::vertex;
+}
+
 /// Cells, integrals and ways to the centroids of these generators.
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                     const Precision& precision, const Density& density = {},

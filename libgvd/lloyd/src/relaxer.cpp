@@ -51,9 +51,9 @@ constexpr double kFirstRelocationGain = 0.05;
 /// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
 
-/// Error of differences of energies, as a fraction. In exact diagrams it is that of the integrals over triangles that
-/// ridges cross. Without a diagram, parts of needles come and go: energies of a scan with needles jumped by .0024.
-constexpr double kEnergyError = 1e-6, kSampledError = 0.003;
+/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go. Energies of a scan
+/// with needles jumped by .0024.
+constexpr double kSampledError = 0.003;
 
 /// Bounds of the factor by which a generator shortens its own step.
 constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
@@ -89,20 +89,15 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
-/// The rise of the energy along a move, from its slopes at both ends of the paths.
-double rise_by_slopes(const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved) {
-  const double first = dot(turned(next.turns, energy_gradient(state)), next.step);
-  return 0.5 * (first + dot(energy_gradient(moved), next.step));
-}
-
 /// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
-/// their slopes at both ends of the paths decide, which are more exact. Source: the approximate Wolfe conditions of
+/// their slopes at both ends of the paths decide, which are more exact, unless the energy exceeds that at the start.
+/// Source: the approximate Wolfe conditions of
 /// Hager and Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005.
 bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved,
-               const Precision& precision) {
+               const Precision& precision, double start) {
   if (moved.energy < limit) return true;
   const double error = precision.skips_diagram ? kSampledError : kEnergyError;
-  if (next.relocated > 0 || moved.energy > state.energy * (1 + error)) return false;
+  if (next.relocated > 0 || moved.energy > std::min(start, state.energy * (1 + error))) return false;
   return rise_by_slopes(state, next, moved) < limit - state.energy;
 }
 
@@ -201,7 +196,8 @@ class Relaxer {
     if (energy_tolerance(options_)) return false;
     const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
     energy_decline_.note(ahead / kSettledFall);
-    return ahead < (states_.is_last_level() ? kDoubt : 1) * kSettledFall;
+    const bool has_early_levels = !states_.is_first_level();
+    return ahead < (states_.is_last_level() && has_early_levels ? kDoubt : 1) * kSettledFall;
   }
 
   bool is_at_centroids(const RelaxationState& state) {
@@ -256,12 +252,14 @@ class Relaxer {
     return false;
   }
 
-  /// One iteration by the accelerator's steps: shortens them until the energy falls enough. False if there are no such
-  /// steps, or it never does; then the accelerator begins anew.
-  bool descend_accelerated(RelaxationState& state, const ProposedSteps& proposed) {
+  /// One iteration by the accelerator's steps: shortens them, or has the model of the energy minimised for shorter
+  /// ones, until the energy falls enough. False if it never does; then the accelerator begins anew.
+  bool descend_accelerated(RelaxationState& state, ProposedSteps proposed) {
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       report();
+      state.rest = proposed.rest;
+      refused_rests_.apply(record_.falls.size(), state);
       GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, GoToRest::yes);
       next.scale = scale;
       next.prediction = proposed.prediction;
@@ -272,8 +270,16 @@ class Relaxer {
       if (refused_rests_.note(record_.falls.size(), *rejected, state) &&
           rise_by_slopes(state, next, *rejected) < limit - before)
         continue;
-      accelerator_.distrust();
-      scale = shorter_scale(scale, proposed.slope, rejected->energy - before);
+      const double shorter = shorter_scale(scale, proposed.slope, rejected->energy - before);
+      if (proposed.is_of_model) {
+        accelerator_.shorten(*std::max_element(next.length.begin(), next.length.end()), shorter, state);
+        std::optional<ProposedSteps> again = accelerator_.propose(state);
+        if (!again) break;
+        proposed = std::move(*again);
+      } else {
+        accelerator_.distrust();
+        scale = shorter;
+      }
     }
     accelerator_.forget();
     return false;
@@ -300,7 +306,7 @@ class Relaxer {
   std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
     if (next.to == state.generators) return state;
     RelaxationState moved = evaluate(next.to);
-    if (!is_better(limit, state, next, moved, states_.precision())) return moved;
+    if (!is_better(limit, state, next, moved, states_.precision(), record_.initial_energy)) return moved;
     refused_rests_.note(record_.falls.size(), moved, state);
     record_.add(next, state.energy, moved.energy, states_.precision());
     record_.restate(moved.energy, states_.precision());

@@ -163,9 +163,10 @@ struct LloydResult {
 /// copy stay there. The copy is not used where it has more than half of the faces, or where two generators coincide on
 /// it.
 ///
-/// Properties: (1) the energies of the iterations fall, but for that rise; (2) every generator stays on the surface, in
-/// its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is measured with
-/// the diagrams of the options.
+/// Properties: (1) the energies of the iterations fall, but for that rise: a step that raises the energy by less than its
+/// error counts as one with the iteration before, and none exceeds the initial energy; (2) every generator stays on the
+/// surface, in its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is
+/// measured with the diagrams of the options.
 /// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.
 /// Throws Error{precondition} where `compute_diagram` does, without generators, and if the energy is no finite number.
 /// Cost: the windows of a diagram and O(n log n) for an early iteration, a diagram and O(n log n) for others.
