@@ -198,6 +198,30 @@ TEST_CASE("sample_on_copy: as many points as asked for, apart from each other, i
   CHECK_FALSE(are_apart(mesh, {points[0], points[1], points[0]}));
 }
 
+TEST_CASE("coarse copy: the decimation of one part and the moves of points tell their progress and can be cancelled") {
+  const Mesh mesh = test::make_sphere(5);
+  const CoarseCopy copy = make_coarse_copy(mesh, 2000);
+  const auto of_copy =
+      test::require_cancelled_everywhere([&](const Progress& progress) { make_coarse_copy(mesh, 2000, 1, progress); });
+  CHECK(of_copy.at("coarse copy") > 8);
+  SamplingOptions options;
+  options.count = 300;
+  const auto calls = [&](const SamplingOptions& sampling) {
+    return test::require_cancelled_everywhere([&](const Progress& progress) {
+      SamplingOptions reported = sampling;
+      reported.progress = progress;
+      sample_on_copy(mesh, copy, reported);
+    });
+  };
+  const auto of_samples = calls(options);
+  const auto of_sampling_alone = test::require_cancelled_everywhere([&](const Progress& progress) {
+    SamplingOptions reported = options;
+    reported.progress = progress;
+    sample_generators(copy.mesh, reported);
+  });
+  CHECK(of_samples.at("sampling") >= of_sampling_alone.at("sampling") + 4);
+}
+
 TEST_CASE("default_copy_faces: more for larger meshes and for more generators, and at most half") {
   CHECK(default_copy_faces(9'000, 100) == 0);
   CHECK(default_copy_faces(70'000, 50) < default_copy_faces(2'000'000, 50));

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -39,7 +40,7 @@ constexpr double kLeftByParts = 2;
 /// armadillo, cut to 832,000 faces, is .1 % larger.
 constexpr std::int64_t kMeshFacesPerFace = 10, kLeastCopy = 5'000, kMostCopy = 40'000, kFacesPerGenerator = 10;
 
-constexpr std::string_view kStep = "coarse copy";
+constexpr std::string_view kStep = "coarse copy", kSamplingStep = "sampling";
 
 /// The faces of each part, in the order of the mesh.
 struct Parts {
@@ -97,13 +98,18 @@ Round decimate(const Mesh& mesh, double share, std::int32_t part_count, const Pa
   std::vector<std::vector<std::array<VertexId, 3>>> left(part_count);
   Round round;
   round.later.assign(mesh.vertex_count(), VertexId());
-  parallel.run(left.size(), {kStep}, [&](std::size_t i) {
+  const auto decimate_part = [&](std::size_t i, const std::function<void(double)>& report) {
     if (parts.faces[i].empty()) return;
     PartDecimator part(mesh, parts.faces[i], parts.places);
-    part.decimate(share);
+    part.decimate(share, report);
     left[i] = part.faces();
     part.enter_targets(round.later);
-  });
+  };
+  if (part_count == 1) {
+    decimate_part(0, [&](double done) { report_progress(parallel.progress(), kStep, done); });
+  } else {
+    parallel.run(left.size(), {kStep}, [&](std::size_t i) { decimate_part(i, {}); });
+  }
   std::vector<std::array<VertexId, 3>> joined;
   for (const auto& part : left) joined.insert(joined.end(), part.begin(), part.end());
   finish_round(mesh, std::move(joined), round);
@@ -128,6 +134,23 @@ SurfacePoint find_closest(const Mesh& mesh, std::span<const VertexId> vertices, 
     if (found.distance < best.distance) best = found;
   }
   return best.point;
+}
+
+/// Points between two reports.
+constexpr std::size_t kPointsPerReport = 64;
+
+/// move(point) for each of the points, one after the other.
+template <class Move>
+std::vector<SurfacePoint> move_points(const std::vector<SurfacePoint>& points, const Progress& progress,
+                                      const StepPart& part, const Move& move) {
+  std::vector<SurfacePoint> moved;
+  for (const SurfacePoint& p : points) {
+    if (moved.size() % kPointsPerReport == 0) {
+      report_progress(progress, part, static_cast<double>(moved.size()) / static_cast<double>(points.size()));
+    }
+    moved.push_back(move(p));
+  }
+  return moved;
 }
 
 }  // namespace
@@ -173,9 +196,19 @@ SurfacePoint to_copy(const Mesh& input, const CoarseCopy& copy, const SurfacePoi
   return find_closest(copy.mesh, corners, position(input, point));
 }
 
+std::vector<SurfacePoint> to_input(const Mesh& input, const CoarseCopy& copy, const std::vector<SurfacePoint>& points,
+                                   const Progress& progress, const StepPart& part) {
+  return move_points(points, progress, part, [&](const SurfacePoint& p) { return to_input(input, copy, p); });
+}
+
+std::vector<SurfacePoint> to_copy(const Mesh& input, const CoarseCopy& copy, const std::vector<SurfacePoint>& points,
+                                  const Progress& progress, const StepPart& part) {
+  return move_points(points, progress, part, [&](const SurfacePoint& p) { return to_copy(input, copy, p); });
+}
+
 std::vector<SurfacePoint> sample_on_copy(const Mesh& input, const CoarseCopy& copy, const SamplingOptions& options) {
-  std::vector<SurfacePoint> points;
-  for (const SurfacePoint& p : sample_generators(copy.mesh, options)) points.push_back(to_input(input, copy, p));
+  const std::vector<SurfacePoint> points =
+      to_input(input, copy, sample_generators(copy.mesh, options), options.progress, {kSamplingStep, 1, 1});
   return are_apart(input, points) ? points : sample_generators(input, options);
 }
 

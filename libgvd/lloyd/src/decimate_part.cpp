@@ -34,6 +34,9 @@ constexpr std::size_t kMostChoices = 32;
 
 constexpr double kNever = -kInfinity;
 
+/// Collapses between two reports: they take a few milliseconds.
+constexpr std::int64_t kCollapsesPerReport = 1024;
+
 /// Twice the area, in squares of the longest side.
 double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -210,15 +213,17 @@ std::int32_t PartDecimator::first_of_fan(std::int32_t halfedge) const {
   return h;
 }
 
-void PartDecimator::decimate(double share) {
+void PartDecimator::decimate(double share, const std::function<void(double)>& report) {
   std::int64_t held = 0;
   for (std::size_t h = 0; h < corner_.size(); h += 3) {
     held += is_locked_[corner_[h]] || is_locked_[corner_[h + 1]] || is_locked_[corner_[h + 2]];
   }
   const std::int64_t faces = held + static_cast<std::int64_t>(share * static_cast<double>(left_ - held));
+  const double all = static_cast<double>(std::max<std::int64_t>(1, left_ - faces));
   const auto key = [&](std::int32_t v) { return find_best(v); };
   LazyMaxHeap heap(static_cast<std::int32_t>(vertex_.size()), key);
-  while (left_ > faces && !heap.empty()) {
+  for (std::int64_t done = 0; left_ > faces && !heap.empty(); ++done) {
+    if (report && done % kCollapsesPerReport == 0) report(1 - static_cast<double>(left_ - faces) / all);
     const auto& top = heap.top(key);
     if (!(top.key > kNever)) break;
     const std::int32_t v = top.id, halfedge = best_[v];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,8 +29,9 @@ class PartDecimator {
   PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places);
 
   /// Collapses halfedges until this share of the faces is left, or none can be collapsed. Faces with a vertex that has
-  /// to stay count as if all were left.
-  void decimate(double share);
+  /// to stay count as if all were left. `report` is called now and then with the share of the work that is done, and
+  /// may throw; it may be empty.
+  void decimate(double share, const std::function<void(double)>& report = {});
 
   /// Faces that are left, by vertices of the mesh.
   std::vector<std::array<VertexId, 3>> faces() const;

@@ -71,6 +71,8 @@ Progress part_of(const Progress& whole, double begin, double end) {
   return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
 }
 
+constexpr std::string_view kStep = "relaxation";
+
 /// Largest share of the mesh's faces that is worth a copy.
 constexpr double kLargestShare = 0.5;
 
@@ -120,13 +122,13 @@ std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<S
   const CoarseCopy& copy = *options.copy;
   if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
-  std::vector<SurfacePoint> start;
-  for (const SurfacePoint& p : generators) start.push_back(to_copy(mesh, copy, p));
+  const std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kStep, 0, 0});
   if (!are_apart(copy.mesh, start)) return std::nullopt;
   LloydResult on_copy = relax_generators(copy.mesh, start, options_on_copy(mesh, options));
-  std::vector<SurfacePoint> moved = generators;
+  std::vector<SurfacePoint> moved =
+      to_input(mesh, copy, on_copy.generators, options.progress, {kStep, kCopyShare, kCopyShare});
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    if (freedom_of(options, i) == Freedom::free) moved[i] = to_input(mesh, copy, on_copy.generators[i]);
+    if (freedom_of(options, i) != Freedom::free) moved[i] = generators[i];
   }
   keep_apart(mesh, generators, coincidence(mesh), moved);
   LloydResult result = relax_generators(mesh, moved, options_on_mesh(options, on_copy));
