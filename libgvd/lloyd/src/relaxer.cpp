@@ -89,18 +89,6 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
-/// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
-/// their slopes at both ends of the paths decide, which are more exact, unless the energy exceeds that at the start.
-/// Source: the approximate Wolfe conditions of
-/// Hager and Zhang, A new conjugate gradient method with guaranteed descent and an efficient line search, 2005.
-bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next, const RelaxationState& moved,
-               const Precision& precision, double start) {
-  if (moved.energy < limit) return true;
-  const double error = precision.skips_diagram ? kSampledError : kEnergyError;
-  if (next.relocated > 0 || moved.energy > std::min(start, state.energy * (1 + error))) return false;
-  return rise_by_slopes(state, next, moved) < limit - state.energy;
-}
-
 /// How far a figure has come from its largest value to a tolerance, in orders of magnitude.
 class Decline {
  public:
@@ -301,12 +289,24 @@ class Relaxer {
     return false;
   }
 
+  /// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
+  /// their slopes at both ends of the paths decide, which are more exact, unless the energy exceeds that at the start.
+  /// Source: the approximate Wolfe conditions of Hager and Zhang, A new conjugate gradient method with guaranteed descent
+  /// and an efficient line search, 2005.
+  bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next,
+                 const RelaxationState& moved) const {
+    if (moved.energy < limit) return true;
+    const double error = states_.precision().skips_diagram ? kSampledError : kEnergyError;
+    if (next.relocated > 0 || moved.energy > std::min(record_.initial_energy, state.energy * (1 + error))) return false;
+    return rise_by_slopes(state, next, moved) < limit - state.energy;
+  }
+
   /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have; a
   /// copy of this one if none moves.
   std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
     if (next.to == state.generators) return state;
     RelaxationState moved = evaluate(next.to);
-    if (!is_better(limit, state, next, moved, states_.precision(), record_.initial_energy)) return moved;
+    if (!is_better(limit, state, next, moved)) return moved;
     refused_rests_.note(record_.falls.size(), moved, state);
     record_.add(next, state.energy, moved.energy, states_.precision());
     record_.restate(moved.energy, states_.precision());
