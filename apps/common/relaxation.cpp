@@ -82,7 +82,8 @@ constexpr std::int64_t kFacesPerGenerator = 2;
 std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, const ConstraintOptions& constraints,
                                     std::int64_t generators) {
   const bool is_large = mesh.face_count() > constraints.coarse_above;
-  const std::int64_t by_default = is_large ? default_copy_faces(mesh.face_count(), generators) : 0;
+  const std::int64_t by_default =
+      is_large ? default_copy_faces(mesh.face_count(), generators, constraints.copy_size) : 0;
   const std::int64_t faces = constraints.coarse.value_or(by_default);
   if (faces == 0) return std::nullopt;
   if (faces < kFacesPerGenerator * generators) {
@@ -144,8 +145,9 @@ LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& star
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
   run.console().set_status("");
   if (result.copy.faces > 0) {
-    run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
-                                   counted(result.copy.iterations, "iteration", "iterations"), result.copy.faces));
+    if (!options.ends_on_copy)
+      run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
+                                     counted(result.copy.iterations, "iteration", "iterations"), result.copy.faces));
   } else if (start.copy) {
     run.console().note(
         fmt::format("the copy of {} faces is not used, because it is too large or generators coincide on it",

@@ -5,6 +5,7 @@
 
 #include "gvd/coarse_copy.hpp"
 #include "gvd/constrained_start.hpp"
+#include "gvd/diagram.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/sampling.hpp"
 #include "support/cancelled.hpp"
@@ -177,6 +178,87 @@ TEST_CASE("relax_generators: a copy that is large, or on which generators coinci
   CHECK(crowded.generators.size() == all.size());
 }
 
+/// The options of a relaxation that ends on a copy.
+LloydOptions ending_on_copy(const CoarseCopy& copy) {
+  LloydOptions options = on_copy(copy);
+  options.ends_on_copy = true;
+  options.max_iterations = 15;
+  return options;
+}
+
+/// The energy of generators on a mesh.
+double energy_of(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+  LloydOptions options;
+  options.max_iterations = 0;
+  return relax_generators(mesh, generators, options).final_energy;
+}
+
+TEST_CASE("relax_generators: a relaxation that ends on a copy computes one diagram of the mesh") {
+  for (const auto& [name, mesh] : {test::NamedMesh{"bumpy sphere", test::make_bumpy_sphere(5, 3)},
+                                   test::NamedMesh{"torus", test::make_torus(160, 60)}}) {
+    const CoarseCopy copy = make_coarse_copy(mesh, 2000);
+    const auto start = sample(mesh, 60);
+    LloydOptions options = ending_on_copy(copy);
+    const LloydResult result = relax_generators(mesh, start, options);
+    options.copy = nullptr;
+    const LloydResult plain = relax_generators(mesh, start, options);
+    CAPTURE(name);
+    CHECK(plain.copy.faces == 0);
+    CHECK(plain.diagrams > 10);
+    CHECK(result.diagrams == 1);
+    CHECK(result.copy.faces == copy.mesh.face_count());
+    CHECK(result.copy.iterations == std::ssize(result.iterations));
+    CHECK(result.iterations.back().is_sampled);
+    CHECK(energy_of(mesh, result.generators) < 1.01 * plain.final_energy);
+    const Diagram diagram = compute_diagram(mesh, result.generators);
+    CHECK(result.diagram.generators == result.generators);
+    CHECK(result.diagram.vertex_label == diagram.vertex_label);
+    CHECK(result.diagram.vertex_distance == diagram.vertex_distance);
+  }
+}
+
+TEST_CASE(
+    "relax_generators: a relaxation that ends on a copy finds extremities on the mesh, on any number of threads") {
+  const Mesh mesh = test::make_spindle();
+  LloydResult results[2];
+  for (const int threads : {1, 2}) {
+    const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3, threads);
+    LloydOptions options = ending_on_copy(copy);
+    options.keeps_extremities = true;
+    options.diagram.threads = threads;
+    results[threads - 1] = relax_generators(mesh, sample(mesh, 60), options);
+  }
+  const LloydResult& result = results[0];
+  CHECK(result.generators == results[1].generators);
+  CHECK(result.diagram.vertex_distance == results[1].diagram.vertex_distance);
+  REQUIRE(result.extremities.size() == 2);
+  std::vector<VertexId> ends;
+  for (const GeneratorId g : result.extremities) {
+    REQUIRE(result.generators[g.index()].kind() == SurfacePoint::Kind::vertex);
+    ends.push_back(vertex(mesh, result.generators[g.index()]));
+  }
+  std::sort(ends.begin(), ends.end());
+  CHECK(ends == std::vector{VertexId(0), VertexId(mesh.vertex_count() - 1)});
+  CHECK(result.diagrams == 2);
+  CHECK(result.copy.iterations == std::ssize(result.iterations));
+}
+
+TEST_CASE("relax_generators: without a copy that can be used, a relaxation ends on the mesh") {
+  const Mesh mesh = test::make_spindle();
+  const auto start = sample(mesh, 60);
+  const CoarseCopy large = make_coarse_copy(mesh, mesh.face_count() * 3 / 4);
+  LloydOptions options = ending_on_copy(large);
+  options.keeps_extremities = true;
+  const LloydResult unused = relax_generators(mesh, start, options);
+  options.ends_on_copy = false;
+  options.copy = nullptr;
+  const LloydResult plain = relax_generators(mesh, start, options);
+  CHECK(unused.copy.faces == 0);
+  CHECK(unused.generators == plain.generators);
+  CHECK(unused.final_energy == plain.final_energy);
+  CHECK(unused.extremities == plain.extremities);
+}
+
 TEST_CASE("relax_generators: an interrupt on the copy or on the mesh throws") {
   const Mesh mesh = test::make_sphere(3);
   const CoarseCopy copy = make_coarse_copy(mesh, 300);
@@ -186,6 +268,9 @@ TEST_CASE("relax_generators: an interrupt on the copy or on the mesh throws") {
     options.max_iterations = 3;
     options.diagram.threads = 1;
     options.progress = progress;
+    relax_generators(mesh, start, options);
+    options.ends_on_copy = true;
+    options.keeps_extremities = true;
     relax_generators(mesh, start, options);
   });
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "gvd/coarse_copy.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
@@ -99,6 +100,7 @@ struct ConstraintOptions {
   double gradation = 0.3;
   std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
   std::int64_t coarse_above = 50'000;  ///< meshes of more faces have a copy by default
+  CopySize copy_size;                  ///< of these copies
 };
 
 /// The names of some values, as on the command line and in the report.

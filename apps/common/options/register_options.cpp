@@ -253,9 +253,9 @@ void register_coarse(CLI::App& app, ConstraintOptions& constraints) {
     if (faces) constraints.coarse = faces;
     return faces ? "" : fmt::format("'{}' is not {}", text, kCoarseFaces.text);
   };
-  add_parsed(app, "--coarse", "FACES|off", store,
-             "Sample and relax on a decimated copy of about so many faces first, and finish on the mesh (default: on "
-             "large meshes, with enough faces for the generators)");
+  add_parsed(
+      app, "--coarse", "FACES|off", store,
+      "Sample and relax on a decimated copy of about so many faces first (default: where the mesh is large enough)");
 }
 
 void register_general(CLI::App& app, Options& options, const std::string& version) {

@@ -35,10 +35,10 @@ constexpr std::int32_t kPartFaces = 1 << 15, kMaxParts = 64, kWholeParts = 8;
 /// many.
 constexpr double kLeftByParts = 2;
 
-/// Faces of a default copy: this share of the mesh's, within bounds, and for each generator. With 10 a generator, the
-/// energies of 1,000 on the bunny are those without a copy. With 20,000 faces instead of 40,000, that of 50 on the
-/// armadillo, cut to 832,000 faces, is .1 % larger.
-constexpr std::int64_t kMeshFacesPerFace = 10, kLeastCopy = 5'000, kMostCopy = 40'000, kFacesPerGenerator = 10;
+/// Faces of a default copy: this share of the mesh's, and no more unless generators need them (CopySize). With 10 a
+/// generator, the energies of 1,000 on the bunny are those without a copy. With 20,000 faces instead of 40,000, that of
+/// 50 on the armadillo, cut to 832,000 faces, is .1 % larger.
+constexpr std::int64_t kMeshFacesPerFace = 10;
 
 constexpr std::string_view kStep = "coarse copy", kSamplingStep = "sampling";
 
@@ -155,9 +155,9 @@ std::vector<SurfacePoint> move_points(const std::vector<SurfacePoint>& points, c
 
 }  // namespace
 
-std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators) {
-  const std::int64_t by_mesh = std::clamp(mesh_faces / kMeshFacesPerFace, kLeastCopy, kMostCopy);
-  const std::int64_t faces = std::max(by_mesh, kFacesPerGenerator * generators);
+std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators, const CopySize& size) {
+  const std::int64_t by_mesh = std::clamp(mesh_faces / kMeshFacesPerFace, size.least, size.most);
+  const std::int64_t faces = std::max(by_mesh, size.per_generator * generators);
   return 2 * faces <= mesh_faces ? faces : 0;
 }
 

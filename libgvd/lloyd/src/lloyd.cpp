@@ -115,6 +115,18 @@ LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_
   return of_mesh;
 }
 
+/// A relaxation that ends on a copy, with the diagram of the mesh. The energies and moments stay those of the copy.
+LloydResult end_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
+                        LloydResult&& on_copy) {
+  DiagramOptions of_mesh = options.diagram;
+  of_mesh.progress = part_of(options.progress, kCopyShare, 1);
+  on_copy.generators = generators;
+  on_copy.copy = {options.copy->mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
+  on_copy.diagram = compute_diagram(mesh, generators, of_mesh);
+  on_copy.diagrams = 1;
+  return std::move(on_copy);
+}
+
 /// The relaxation on `options.copy` first, and then on the mesh. Nothing where the copy can't be used: it has more than
 /// half of the faces, or generators that are apart on the mesh coincide on it.
 std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
@@ -124,13 +136,16 @@ std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<S
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
   const std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kStep, 0, 0});
   if (!are_apart(copy.mesh, start)) return std::nullopt;
-  LloydResult on_copy = relax_generators(copy.mesh, start, options_on_copy(mesh, options));
+  const LloydOptions of_copy = options_on_copy(mesh, options);
+  LloydResult on_copy =
+      options.ends_on_copy ? relax_on_mesh(copy.mesh, start, of_copy) : relax_generators(copy.mesh, start, of_copy);
   std::vector<SurfacePoint> moved =
       to_input(mesh, copy, on_copy.generators, options.progress, {kStep, kCopyShare, kCopyShare});
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (freedom_of(options, i) != Freedom::free) moved[i] = generators[i];
   }
   keep_apart(mesh, generators, coincidence(mesh), moved);
+  if (options.ends_on_copy) return end_on_copy(mesh, moved, options, std::move(on_copy));
   LloydResult result = relax_generators(mesh, moved, options_on_mesh(options, on_copy));
   const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
   if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
@@ -176,6 +191,7 @@ std::int64_t count_poor_cells(const Diagram& diagram) {
 /// nothing where generators are too few for the limbs.
 void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult& result) {
   LloydOptions again = options;
+  again.keeps_extremities = false;
   again.freedom.resize(result.generators.size(), Freedom::free);
   std::vector<SurfacePoint> start = result.generators;
   std::vector<GeneratorId> kept;
@@ -190,12 +206,14 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   // Few generators have moved, so that the model predicts little: all iterations are made.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
-  LloydResult second = relax_on_mesh(mesh, start, again);
+  LloydResult second = relax_generators(mesh, start, again);
   const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));
   if (more > kLargestPoorShare * double(start.size())) return;
   second.extremities = std::move(kept);
   second.initial_energy = result.initial_energy;
   second.diagrams += result.diagrams;
+  second.copy.iterations += result.copy.iterations;
+  second.copy.diagrams += result.copy.diagrams;
   second.iterations.insert(second.iterations.begin(), result.iterations.begin(), result.iterations.end());
   result = std::move(second);
 }
@@ -207,16 +225,18 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
-  if (options.copy) {
-    if (std::optional<LloydResult> result = relax_from_copy(mesh, generators, options)) return std::move(*result);
-  }
-  if (!options.keeps_extremities) return relax_on_mesh(mesh, generators, options);
   LloydOptions part = options;
-  part.progress = part_of(options.progress, 0, kShareBefore);
-  LloydResult result = relax_on_mesh(mesh, generators, part);
+  if (options.keeps_extremities) part.progress = part_of(options.progress, 0, kShareBefore);
+  std::optional<LloydResult> result;
+  if (options.copy) result = relax_from_copy(mesh, generators, part);
+  if (result && !options.ends_on_copy) return std::move(*result);
+  part.ends_on_copy = false;
+  if (!result) result = relax_on_mesh(mesh, generators, part);
+  if (!options.keeps_extremities) return std::move(*result);
+  part = options;
   part.progress = part_of(options.progress, kShareBefore, 1);
-  keep_extremities(mesh, part, result);
-  return result;
+  keep_extremities(mesh, part, *result);
+  return std::move(*result);
 }
 
 }  // namespace gvd

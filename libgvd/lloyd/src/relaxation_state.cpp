@@ -293,6 +293,7 @@ std::vector<Precision> make_precision_levels(const LloydOptions& options) {
   if (starts_without_diagrams) {
     levels.assign(2, {options.diagram, false});
     levels[0].skips_diagram = true;
+    if (options.ends_on_copy) return {levels[0]};
     levels[1].diagram.chord_tolerance = std::max(kCoarseChords, options.diagram.chord_tolerance);
   }
   levels.push_back({options.diagram, false});

@@ -125,7 +125,8 @@ TangentField energy_gradient(const RelaxationState& state);
 std::vector<double> cell_masses(const RelaxationState& state);
 
 /// How a relaxation finds the cells: at first without diagrams, at last by those of `options.diagram`. Energies of
-/// different levels must not be compared with each other: they differ by the errors at the bisectors.
+/// different levels must not be compared with each other: they differ by the errors at the bisectors. A relaxation that
+/// ends on a copy has no diagrams there.
 std::vector<Precision> make_precision_levels(const LloydOptions& options);
 
 /// Computes the states of a relaxation with the diagrams of one level of precision after the other.

@@ -1,4 +1,6 @@
 // --coarse: what the commands do with it, and what their reports tell.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,10 +17,10 @@ using Catch::Matchers::Contains;
 /// A torus of 6,400 faces in a folder, and commands on it.
 class Workplace {
  public:
-  Workplace() { write_simple_obj(scratch_ / "torus.obj", make_torus(80, 40)); }
+  explicit Workplace(int count = 40) : count_(count) { write_simple_obj(scratch_ / "torus.obj", make_torus(80, 40)); }
 
   CommandResult run(const std::string& name, const std::string& arguments) const {
-    return run_command(name, (scratch_ / "torus.obj") + " -n 40 " + arguments);
+    return run_command(name, fmt::format("{} -n {} {}", scratch_ / "torus.obj", count_, arguments));
   }
   nlohmann::json report(const std::string& name, const std::string& arguments) const {
     const CommandResult result = run(name, arguments + " --report " + (scratch_ / "report.json"));
@@ -35,6 +37,7 @@ class Workplace {
 
  private:
   ScratchFolder scratch_;
+  int count_;
 };
 
 TEST_CASE("gvd-lloyd --coarse: report, page and note tell of the copy, and the energy is as low") {
@@ -80,9 +83,23 @@ TEST_CASE("gvd-remesh --coarse: the mesh is as sound, and its report tells of th
   CHECK(report["options"]["coarse"] == 2000);
   CHECK(report["results"]["relaxation"]["coarse"]["faces"] == 2000);
   CHECK(report["results"]["output"]["vertices"] >= 40);
+  CHECK(report["results"]["relaxation"]["diagrams"] == 1);
   const CommandResult idle = place.run("gvd-remesh", "--coarse 2000 --relax none");
   CHECK(idle.exit_code == 2);
   CHECK_THAT(idle.err, Contains("--coarse: no generator is moved"));
+}
+
+TEST_CASE("gvd-remesh: by default generators are relaxed on a copy where it has at most half of the faces") {
+  const auto relaxation = [](int count, const std::string& options) {
+    const Workplace place(count);
+    return place.report("gvd-remesh", "-q " + options + "-o " + place.file("out.obj"))["results"]["relaxation"];
+  };
+  CHECK(relaxation(40, "")["coarse"]["faces"] == 1500);
+  CHECK(relaxation(400, "")["coarse"]["faces"] == 3200);
+  CHECK(relaxation(401, "")["coarse"].is_null());
+  const auto off = relaxation(40, "--coarse off ");
+  CHECK(off["coarse"].is_null());
+  CHECK(off["diagrams"] > 10);
 }
 
 }  // namespace gvd::test_coarse_option

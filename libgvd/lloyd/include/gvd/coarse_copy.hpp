@@ -23,9 +23,16 @@ struct CoarseCopy {
   IdVector<VertexId, VertexId> copy_vertex;   ///< per vertex of the input
 };
 
+/// Bounds on the faces of a copy. What generators need goes before `most`.
+struct CopySize {
+  std::int64_t least = 5'000;
+  std::int64_t most = 40'000;
+  std::int64_t per_generator = 10;
+};
+
 /// The faces that a copy of a mesh of so many faces needs for so many generators; 0 where it would have more than half
 /// of the mesh's. Meshes of 13,000 to 28,000 faces were relaxed as fast without a copy, and one of 69,451 was not.
-std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators);
+std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators, const CopySize& size = {});
 
 /// The copy of about so many faces, or of more where no edge can be collapsed without a change of topology or a fold.
 ///

@@ -55,8 +55,9 @@ struct LloydOptions {
   bool early_approximation = true;
   /// Relax on this decimated copy of the mesh first (see relax_generators); null: on none. It has to outlive the call.
   const CoarseCopy* copy = nullptr;
-  DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
-  Progress progress;       ///< may be empty
+  bool ends_on_copy = false;  ///< where there is a copy, no iteration on the mesh follows
+  DiagramOptions diagram;     ///< for every iteration; its progress callback is not used
+  Progress progress;          ///< may be empty
   /// Called with the number of iterations so far, the energy and the generators after them, at first for the given
   /// generators; may be empty. Called again when the energy is measured anew, with better diagrams: then, iterations
   /// that count as one with those before are fewer.
@@ -166,7 +167,7 @@ struct LloydResult {
 /// Properties: (1) the energies of the iterations fall, but for that rise: a step that raises the energy by less than its
 /// error counts as one with the iteration before, and none exceeds the initial energy; (2) every generator stays on the
 /// surface, in its component; (3) no two coincide; (4) deterministic, if `is_time_over` is; (5) the last iteration is
-/// measured with the diagrams of the options.
+/// measured with the diagrams of the options; with `ends_on_copy`, those of the copy.
 /// Throws Error{invalid_option} for an option out of its range, and Error{interrupted} if the progress callback cancels.
 /// Throws Error{precondition} where `compute_diagram` does, without generators, and if the energy is no finite number.
 /// Cost: the windows of a diagram and O(n log n) for an early iteration, a diagram and O(n log n) for others.
