@@ -68,4 +68,25 @@ TEST_CASE("samples cover the surface evenly") {
   }
 }
 
+TEST_CASE("thin_out keeps the area and its distribution with about as many samples as asked for, and few as they are") {
+  const Mesh torus = test::make_torus(60, 40);
+  const auto samples = sample_surface(torus, 100);
+  REQUIRE(samples.size() == 4800);
+  const auto sum = [](const std::vector<SurfaceSample>& some, double side) {
+    double area = 0;
+    for (const SurfaceSample& s : some) area += side * s.position.x() > 0 ? s.area : 0;
+    return area;
+  };
+  for (const double most : {100.0, 777.0, 4799.0}) {
+    const auto left = thin_out(samples, most);
+    CAPTURE(most, left.size());
+    CHECK(double(left.size()) <= most);
+    CHECK(double(left.size()) > 0.5 * most);
+    for (const double side : {-1.0, 1.0}) CHECK(sum(left, side) == Approx(sum(samples, side)).epsilon(0.1));
+    CHECK(sum(left, 1) + sum(left, -1) == Approx(sum(samples, 1) + sum(samples, -1)));
+  }
+  CHECK(thin_out(samples, 4800).size() == 4800);
+  CHECK(thin_out({}, 0).empty());
+}
+
 }  // namespace gvd::test_fit_vertices

@@ -15,6 +15,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel_chunks.hpp"
 #include "placement_steps.hpp"
@@ -274,6 +275,21 @@ std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count) {
     }
   }
   return samples;
+}
+
+std::vector<SurfaceSample> thin_out(std::vector<SurfaceSample> samples, double most) {
+  if (double(samples.size()) <= most) return samples;
+  double total = 0, carried = 0;
+  for (const SurfaceSample& s : samples) total += s.area;
+  std::vector<SurfaceSample> left;
+  for (const SurfaceSample& s : samples) {
+    carried += s.area;
+    if (carried * most < total) continue;
+    left.push_back(s);
+    left.back().area = std::exchange(carried, 0);
+  }
+  if (!left.empty()) left.back().area += carried;
+  return left;
 }
 
 FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target) {

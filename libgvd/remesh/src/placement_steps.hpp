@@ -125,6 +125,10 @@ struct SurfaceSample {
 /// O(n + count).
 std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count);
 
+/// Samples of about the same area, `most` or a few less, where there are more: each stands for some that follow each
+/// other. Deterministic. Cost: O(n).
+std::vector<SurfaceSample> thin_out(std::vector<SurfaceSample> samples, double most);
+
 /// The surface that a mesh is fitted to.
 struct FitTarget {
   const Mesh* surface = nullptr;
