@@ -103,6 +103,12 @@ void keep_freed_memory() noexcept {
 #endif
 }
 
+void release_freed_memory() noexcept {
+#ifdef __GLIBC__
+  if (mallinfo2().fordblks > kWorthReleasing) malloc_trim(0);
+#endif
+}
+
 void limit_memory(std::optional<std::int64_t> bytes) {
   static const rlimit initial = [] {
     rlimit limit{RLIM_INFINITY, RLIM_INFINITY};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -45,6 +46,13 @@ inline constexpr int kKeptFreedBytes = 32 << 20;
 /// and the system clears each page again. Overrides MALLOC_TRIM_THRESHOLD_, MALLOC_MMAP_THRESHOLD_ and GLIBC_TUNABLES.
 /// Does nothing with other C libraries.
 void keep_freed_memory() noexcept;
+
+/// Bytes that are worth the time of returning them, and of clearing pages again: beyond meshes of 100,000 faces.
+inline constexpr std::size_t kWorthReleasing = std::size_t{1} << 26;
+
+/// Returns freed memory to the system, also between blocks that are in use, where that is much. Does nothing with other
+/// C libraries.
+void release_freed_memory() noexcept;
 
 /// Limits the heap and the static data of the process (RLIMIT_DATA): a request beyond the limit throws std::bad_alloc.
 /// Nothing: the limit that the process began with. Sanitizers reserve more than any limit.

@@ -163,6 +163,7 @@ StepTimes::~StepTimes() {
 
 void StepTimes::start(std::string_view step) {
   stop();
+  release_freed_memory();
   const auto found = std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == step; });
   current_ = found - sums_.begin();
   if (found == sums_.end()) sums_.emplace_back(step, Clock::duration::zero());
