@@ -149,7 +149,8 @@ TEST_CASE("window integrals: reading the windows changes a diagram within the ch
     const Diagram read = compute_diagram_and_read(mesh, generators, {}, count),
                   plain = compute_diagram(mesh, generators);
     CHECK(reads == 1);
-    CHECK(test::same_topology(read, plain));
+    // Windows come in another order, which decides ties of sources where arcs are split.
+    CHECK(test::same_topology(read, plain, test::PointCounts::any));
     CHECK(read.length == Approx(plain.length).epsilon(1e-5));
   }
 }
