@@ -71,7 +71,7 @@ Progress part_of(const Progress& whole, double begin, double end) {
   return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
 }
 
-constexpr std::string_view kStep = "relaxation";
+constexpr std::string_view kRelaxation = "relaxation";
 
 /// Largest share of the mesh's faces that is worth a copy.
 constexpr double kLargestShare = 0.5;
@@ -134,13 +134,13 @@ std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<S
   const CoarseCopy& copy = *options.copy;
   if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
-  const std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kStep, 0, 0});
+  const std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kRelaxation, 0, 0});
   if (!are_apart(copy.mesh, start)) return std::nullopt;
   const LloydOptions of_copy = options_on_copy(mesh, options);
   LloydResult on_copy =
       options.ends_on_copy ? relax_on_mesh(copy.mesh, start, of_copy) : relax_generators(copy.mesh, start, of_copy);
   std::vector<SurfacePoint> moved =
-      to_input(mesh, copy, on_copy.generators, options.progress, {kStep, kCopyShare, kCopyShare});
+      to_input(mesh, copy, on_copy.generators, options.progress, {kRelaxation, kCopyShare, kCopyShare});
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (freedom_of(options, i) != Freedom::free) moved[i] = generators[i];
   }

@@ -26,14 +26,14 @@ constexpr double kLeastGain = 1e-13;
 constexpr std::size_t kWatchStride = std::size_t{1} << 13;
 
 /// Bucket width in mean edge lengths. On 1.7 million faces a fourth and a sixty-fourth take as long.
-constexpr double kBucketWidth = 1.0 / 16;
+constexpr double kRingBucketWidth = 1.0 / 16;
 
 /// Bound on the number of buckets. Events beyond the last one wait in it, which costs time and nothing else.
-constexpr double kMostBuckets = 1 << 12;
+constexpr double kMostRingBuckets = 1 << 12;
 
 /// Buckets for one update's gain of distance: an edge.
 std::size_t count_buckets(const Mesh& mesh, double width) {
-  return static_cast<std::size_t>(std::min(kMostBuckets, longest_edge(mesh) / width + 2));
+  return static_cast<std::size_t>(std::min(kMostRingBuckets, longest_edge(mesh) / width + 2));
 }
 
 /// Distance at D across the base A B, or along the edges.
@@ -53,7 +53,8 @@ LocalMarch::LocalMarch(const Mesh& mesh, Front front, const Progress& progress)
       fans_(mesh, progress),
       front_(front),
       nodes_(mesh.vertex_count(), Node{0, 0, 0}),
-      later_(kBucketWidth * mesh.mean_edge_length(), count_buckets(mesh, kBucketWidth * mesh.mean_edge_length())) {}
+      later_(kRingBucketWidth * mesh.mean_edge_length(),
+             count_buckets(mesh, kRingBucketWidth * mesh.mean_edge_length())) {}
 
 void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<PlaceId, double>* upper) {
   ++run_;
