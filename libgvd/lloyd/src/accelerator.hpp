@@ -46,9 +46,10 @@ class Accelerator {
   }
   /// Tells that the steps were too long.
   void distrust() { least_eigenvalue_ = std::min(1.0, 4 * least_eigenvalue_); }
-  /// Tells that steps of the model were too long: the next ones from the same state are at most `factor` times as long
-  /// as the longest of them, mesh units.
+  /// Tells that steps of the model were too long. The next ones are at most `factor` times as long as the longest of
+  /// them, which has this length (mesh units), until steps are good again.
   void shorten(double longest, double factor, const RelaxationState& state) {
+    if (!(longest > 0)) return;
     radius_ = factor * std::min(radius_, longest / state.mean_cell_radius);
   }
 

@@ -244,6 +244,7 @@ class Relaxer {
   /// ones, until the energy falls enough. False if it never does; then the accelerator begins anew.
   bool descend_accelerated(RelaxationState& state, ProposedSteps proposed) {
     double scale = 1;
+    const auto rest = state.rest;  // as the evaluation found it, without the model
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       report();
       state.rest = proposed.rest;
@@ -255,9 +256,10 @@ class Relaxer {
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed.slope;
       const std::optional<RelaxationState> rejected = take_if_below(limit, state, next);
       if (!rejected) return true;
-      if (refused_rests_.note(record_.falls.size(), *rejected, state) &&
-          rise_by_slopes(state, next, *rejected) < limit - before)
-        continue;
+      const bool is_by_rests = refused_rests_.note(record_.falls.size(), *rejected, state) &&
+                               rise_by_slopes(state, next, *rejected) < limit - before;
+      state.rest = rest;
+      if (is_by_rests) continue;
       const double shorter = shorter_scale(scale, proposed.slope, rejected->energy - before);
       if (proposed.is_of_model) {
         accelerator_.shorten(*std::max_element(next.length.begin(), next.length.end()), shorter, state);
@@ -269,6 +271,7 @@ class Relaxer {
         scale = shorter;
       }
     }
+    refused_rests_.apply(record_.falls.size(), state);
     accelerator_.forget();
     return false;
   }

@@ -102,4 +102,20 @@ TEST_CASE("gvd-remesh: by default generators are relaxed on a copy where it has 
   CHECK(off["diagrams"] > 10);
 }
 
+TEST_CASE("gvd-remesh: by default generators of a thin ring are relaxed on the ring itself") {
+  const Workplace place;
+  const std::string ring = place.file("ring.obj");
+  // 0.5 high and 6.3 round: of 100 generators a third moves along the boundary.
+  write_simple_obj(ring, make_ring(200, 16));
+  const auto relaxation = [&](const std::string& options) {
+    const std::string report = place.file("ring.json"), out = place.file("ring_out.obj");
+    REQUIRE(run_command("gvd-remesh", ring + " -q -n 100 " + options + "-o " + out + " --report " + report).exit_code ==
+            0);
+    return nlohmann::json::parse(read_text(report))["results"]["relaxation"];
+  };
+  CHECK(relaxation("")["coarse"].is_null());
+  CHECK_FALSE(relaxation("--loose-boundary ")["coarse"].is_null());
+  CHECK(relaxation("--coarse 1500 ")["coarse"]["faces"] == 1500);
+}
+
 }  // namespace gvd::test_coarse_option

@@ -245,6 +245,28 @@ TEST_CASE("the paths from the ends fill what no window reaches") {
   CHECK(envelope.segments()[2].source == 1);
 }
 
+TEST_CASE("segments ascend where windows are as narrow as rounding, and reach the end of the edge") {
+  test::Random random(5);
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<EdgeSource> sources{from_end(0, 1, 0, 1), from_end(1, 1, 1, 1)};
+    double begin = random.below(2) * random.real(0, 0.5);
+    for (int k = 0; k < 6; ++k) {
+      const double end = std::min(1.0, begin + random.real(0, 3e-11) + random.below(2) * random.real(0, 0.3));
+      sources.push_back(source(k % 2, {begin, end}, random.real(0, 1), random.real(0.1, 1), random.real(0, 0.3)));
+      begin = end + random.real(-1e-11, 1e-11);
+    }
+    EdgeEnvelope envelope;
+    envelope.build(sources, 1, {});
+    double last = 0;
+    for (const EdgeEnvelope::Segment& s : envelope.segments()) {
+      REQUIRE(s.source >= 0);
+      REQUIRE(s.end > last);
+      last = s.end;
+    }
+    REQUIRE(last == 1);
+  }
+}
+
 TEST_CASE("windows that meet but for rounding leave no segment between them") {
   for (const double gap : {-1e-15, 0.0, 1e-15}) {
     EdgeEnvelope envelope;

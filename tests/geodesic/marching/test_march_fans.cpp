@@ -34,8 +34,9 @@ TEST_CASE("a place belongs to one vertex, also where extents overflow or underfl
 }
 
 TEST_CASE("the spokes of a vertex are its edges and faces in the order of its ring") {
-  for (const auto& [name, mesh] : test::small_family()) {
-    INFO(name);
+  for (const auto& named : test::small_family()) {
+    const Mesh& mesh = named.mesh;  // clang 14 captures no structured binding
+    INFO(named.name);
     const MarchFans fans(mesh);
     for (const VertexId v : mesh.vertices()) {
       const auto spokes = fans.spokes(fans.place(v));

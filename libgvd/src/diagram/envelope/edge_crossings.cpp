@@ -94,6 +94,9 @@ void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, 
   for (std::int32_t i = 0; i < std::ssize(sources_); ++i) {
     if (is_end(sources_[i]) && !(is_continuous && is_reached(sources_[i]))) insert(i);
   }
+  // A gap as wide as a sliver, but for rounding, may remain.
+  std::erase_if(segments_, [](const Segment& s) { return s.source == kNoSource; });
+  segments_.back().end = length;
 }
 
 bool EdgeEnvelope::is_end(const EdgeSource& s) const { return s.depth == 0 && (s.x == 0 || s.x == length_); }
@@ -135,6 +138,7 @@ void EdgeEnvelope::insert(std::int32_t source) {
   while (next->most <= least && next->end < last) ++next;
   if (next->most <= least) return;
   double low = s.begin > begin + sliver_ ? s.begin : begin;
+  if (!(low < last)) return;
   if (first->source == kNoSource && last <= first->end) return fill(first, source, low);
   pieces_.clear();
   if (low > begin) pieces_.push_back({low, first->source, first->most});
