@@ -203,7 +203,7 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
     kept.push_back(g);
   }
   if (kept.empty() || double(kept.size()) > kLargestExtremityShare * double(start.size())) return;
-  // Few generators have moved, so that the model predicts little: all iterations are made.
+  // Few generators have moved, so that the model predicts little: on the mesh all iterations are made.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
   LloydResult second = relax_generators(mesh, start, again);

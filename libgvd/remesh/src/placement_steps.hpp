@@ -125,8 +125,8 @@ struct SurfaceSample {
 /// O(n + count).
 std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count);
 
-/// Samples of about the same area, `most` or a few less, where there are more: each stands for some that follow each
-/// other. Deterministic. Cost: O(n).
+/// At most `most` samples where there are more: each stands for some that follow each other and have an equal share of
+/// the area, or for a larger one alone. Samples without area are all kept. Deterministic. Cost: O(n).
 std::vector<SurfaceSample> thin_out(std::vector<SurfaceSample> samples, double most);
 
 /// The surface that a mesh is fitted to.

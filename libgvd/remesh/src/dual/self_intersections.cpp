@@ -244,7 +244,7 @@ std::vector<PlacedPiece> pieces_near(const Mesh& surface, const Diagram& diagram
 constexpr int kMostExponent = 40;
 
 /// The positions times a power of two, if the largest coordinate would let products of lengths overflow or underflow.
-/// Such a factor changes no answer: nothing is rounded.
+/// Such a factor rounds nothing but coordinates that fall below 1e-308, and these are 1e-290 of the largest one.
 std::optional<std::vector<Vec3>> scale_to_unit(const std::vector<Vec3>& positions) {
   double largest = 0;
   for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());

@@ -117,8 +117,8 @@ bool EdgeEnvelope::is_continuous() const {
   return true;
 }
 
-/// Whether the first or last segment has a path, of the same generator, to the end of the edge that a source lies at,
-/// as short as the source's.
+/// Whether the segment at the end of the edge that a source lies at has a path of its generator there, as short as the
+/// source's.
 bool EdgeEnvelope::is_reached(const EdgeSource& end) const {
   const EdgeSource& s = sources_[(end.x == 0 ? segments_.front() : segments_.back()).source];
   return s.generator == end.generator && s.straight(end.x) <= end.offset * (1 + kSameImage);

@@ -5,8 +5,8 @@
 // A heap of all events would be slower. So a ring of buckets keeps those that are due later, and a heap only those of
 // the buckets that are open: the ones before the end of the ring's current bucket. The order is the same.
 // Source: Kimmel and Sethian (1998), with the local update by a circle or by a planar front.
-// Invariant: the distance of a vertex only falls, at most 44 times in a run, and never below the smaller of the two
-// distances that it was updated from.
+// Invariant: the distance of a vertex only falls, at most 44 times in a run. It never falls below the smaller of the
+// two distances that it was updated from.
 #include "geodesic/marching/local_march.hpp"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ namespace {
 constexpr double kCoveringEdge = 0.25;
 
 /// Consecutive places that share an item of the heap. One for each vertex took a sixth of the sampling of 1,000 points
-/// on 1.7 million faces, and reading 64 distances in a row costs less than a cache miss.
+/// on 1.7 million faces. Reading 64 distances in a row costs less than a cache miss.
 constexpr std::int32_t kBlock = 64;
 
 /// A vertex and its distance from the nearest generator: the larger, the farther, and of equally far ones the one with
