@@ -208,7 +208,8 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
     const HalfedgeId h = w.halfedge;
     if (!mesh.twin(h).valid()) return;  // the boundary: the paths leave the face
     const int i = Mesh::corner(h);
-    const Vec2 origin = layout.corner[i], along = side[i], inwards = turned_left(along);
+    const Vec2 &origin = layout.corner[i], &along = side[i];
+    const Vec2 inwards = turned_left(along);
     const Vec2 image = origin + w.x * along - w.depth * inwards;
     sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, w.generator, h, false,
                        w.distance(w.begin), w.distance(w.end)});
