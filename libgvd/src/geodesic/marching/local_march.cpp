@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/prefetch.hpp"
 #include "geodesic/marching/local_update.hpp"
 
 namespace gvd {
@@ -121,7 +122,7 @@ void LocalMarch::open_bucket() {
     const Event event = later_.pop();
     if (is_outdated(event)) continue;
     fans_.prefetch(event.place);
-    if (upper_ != nullptr) __builtin_prefetch(&(*upper_)[event.place]);
+    if (upper_ != nullptr) prefetch(&(*upper_)[event.place]);
     soon_.push_back(event);
   }
   std::make_heap(soon_.begin(), soon_.end());

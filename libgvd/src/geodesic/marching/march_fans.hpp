@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/prefetch.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -43,7 +44,7 @@ class MarchFans {
   /// Prefetches the spokes of a vertex with up to kPrefetchedFaces faces.
   void prefetch(PlaceId p) const {
     const Spoke* const first = spokes_.data() + first_[p.index()];
-    for (std::size_t i = 0; i <= kPrefetchedFaces; i += kSpokesOfLine) __builtin_prefetch(first + i);
+    for (std::size_t i = 0; i <= kPrefetchedFaces; i += kSpokesOfLine) gvd::prefetch(first + i);
   }
 
  private:

@@ -9,16 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/prefetch.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
-
-/// Loads into the cache what will be read soon. A hint: it changes no result, and the address need not be valid.
-inline void prefetch([[maybe_unused]] const void* address) {
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#endif
-}
 
 /// Windows are numbered with 32 bits, which saves four bytes each; 2^31 of them, kept or waiting, fill 100 GB. Curved
 /// meshes keep about ten windows a face if all are kept, so the numbers could run out from 2.1e8 faces on. (A mesh has
