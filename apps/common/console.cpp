@@ -114,10 +114,7 @@ Console::Console(std::string command, const ConsoleStyle& style, bool quiet, boo
       next_draw_(style.bars ? std::chrono::steady_clock::time_point()
                             : std::chrono::steady_clock::now() + style.interval) {}
 
-Console::~Console() {
-  for (const std::string& message : take_held()) line("", message);
-  clear_bar();
-}
+Console::~Console() { clear_bar(); }
 
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
@@ -128,20 +125,11 @@ void Console::line(std::string_view kind, std::string_view message) {
 void Console::error(std::string_view message) { line("error: ", message); }
 
 void Console::note(std::string_view message) {
-  if (!quiet_) line_or_hold(message);
+  if (!quiet_) line("", message);
 }
 
 void Console::detail(std::string_view message) {
-  if (verbose_ && !quiet_) line_or_hold(message);
-}
-
-void Console::line_or_hold(std::string_view message) {
-  if (!held_) return line("", message);
-  held_->emplace_back(message);
-}
-
-std::vector<std::string> Console::take_held() {
-  return std::exchange(held_, std::nullopt).value_or(std::vector<std::string>());
+  if (verbose_ && !quiet_) line("", message);
 }
 
 void Console::bar(std::string_view step, double fraction) {

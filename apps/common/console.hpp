@@ -60,11 +60,6 @@ class Console {
   void error(std::string_view message);
   void note(std::string_view message);    ///< not printed where quiet
   void detail(std::string_view message);  ///< printed only where verbose
-  /// Holds notes and details from now on, where they may not be true in the end. Those that are not taken are printed
-  /// when the console ends.
-  void hold() { held_.emplace(); }
-  /// Ends that. Returns what would have been printed.
-  std::vector<std::string> take_held();
   /// Sets the text that bars show behind the name of their step, from now on.
   void set_status(std::string status) { status_ = std::move(status); }
   /// Redraws the bar, or prints a line of progress where there are no bars, once in each `interval` of the style. The
@@ -76,13 +71,11 @@ class Console {
 
  private:
   void line(std::string_view kind, std::string_view message);
-  void line_or_hold(std::string_view message);
 
   std::string command_;
   ConsoleStyle style_;
   bool quiet_;
   bool verbose_;
-  std::optional<std::vector<std::string>> held_;
   std::string status_;
   TimeLeft time_left_;
   bool bar_drawn_ = false;

@@ -29,32 +29,14 @@ std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const s
   return std::move(fixed.points);
 }
 
-Density choose_density(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints, std::int64_t count) {
-  const std::string& name = constraints.density;
+Density find_density(Run& run, const CheckedMesh& input, const std::string& name) {
   if (name.empty()) return {};
-  if (name == "curvature") {
-    return make_curvature_density(input.mesh, count, {.gradation = constraints.gradation, .progress = run.progress()});
-  }
   const std::string& path = run.options().input.path;
   const bool piped = path == "-";
   if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
   throw Error(ErrorCode::unreadable_input,
               fmt::format("--density {}: there is no such file, and {} has no such property", name,
                           piped ? "standard input" : path));
-}
-
-StartOptions start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
-  StartOptions options;
-  options.are_listed = run.options().generators.are_listed();
-  options.fixed = read_fixed(run, input, constraints.fixed);
-  options.crease_angle = constraints.features;
-  options.prefers_creases = constraints.auto_features && !options.are_listed;
-  if (options.prefers_creases) options.crease_angle = kUsualCreaseAngle;
-  options.keep_boundary = constraints.keep_boundary;
-  options.prefers_boundary = constraints.prefers_boundary;
-  options.leaves_room = constraints.leaves_room;
-  options.progress = run.progress();
-  return options;
 }
 
 /// Notes which curves the generators do not keep to although that is preferred, and how many generators would do.
@@ -75,85 +57,62 @@ void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
   }
 }
 
-/// Least number of a copy's faces for each generator: with fewer, generators coincide.
-constexpr std::int64_t kFacesPerGenerator = 2;
-
-/// The copy to relax so many generators on first; nothing where the mesh is small, or less than twice as large.
-std::optional<CoarseCopy> make_copy(Run& run, const Mesh& mesh, const ConstraintOptions& constraints,
-                                    std::int64_t generators) {
-  const bool is_large = mesh.face_count() > constraints.coarse_above;
-  const std::int64_t by_default =
-      is_large ? default_copy_faces(mesh.face_count(), generators, constraints.copy_size) : 0;
-  const std::int64_t faces = constraints.coarse.value_or(by_default);
-  if (faces == 0) return std::nullopt;
-  if (faces < kFacesPerGenerator * generators) {
-    run.console().note(fmt::format("--coarse {}: not used, because it has less than {} faces for a generator", faces,
-                                   kFacesPerGenerator));
-    return std::nullopt;
-  }
-  if (2 * faces > mesh.face_count()) {
-    run.console().note(fmt::format("--coarse {}: not used, because the mesh has {} faces", faces, mesh.face_count()));
-    return std::nullopt;
-  }
-  return run.timed("coarse copy",
-                   [&] { return make_coarse_copy(mesh, faces, run.options().compute.threads, run.progress()); });
-}
-
-/// The generators of the run, or as many as `count`, and a copy to relax them on first. Where it is known how many
-/// there will be, they are sampled on the copy.
-std::pair<std::vector<SurfacePoint>, std::optional<CoarseCopy>> make_generators_and_copy(
-    Run& run, const CheckedMesh& input, std::optional<std::int32_t> count, const ConstraintOptions& constraints) {
-  if (!count) count = run.options().generators.count;
-  std::optional<CoarseCopy> copy;
-  if (count) copy = make_copy(run, input.mesh, constraints, *count);
-  std::vector<SurfacePoint> points = make_generators(run, input, count, copy ? &*copy : nullptr);
-  // A list may have relaxed generators: by default nothing moves them to a copy.
-  if (!count && constraints.coarse) copy = make_copy(run, input.mesh, constraints, std::ssize(points));
-  return {std::move(points), std::move(copy)};
+/// Notes why a copy that was asked for is not used.
+void note_unused_copy(Run& run, const Mesh& mesh, std::int64_t faces, std::size_t generators) {
+  const bool is_small = faces < kCopyFacesPerGenerator * std::int64_t(generators);
+  run.console().note(
+      is_small ? fmt::format("--coarse {}: not used, because it has less than {} faces for a generator", faces,
+                             kCopyFacesPerGenerator)
+               : fmt::format("--coarse {}: not used, because the mesh has {} faces", faces, mesh.face_count()));
 }
 
 }  // namespace
 
-WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
-                               const ConstraintOptions& constraints) {
-  auto [points, copy] = make_generators_and_copy(run, input, count, constraints);
-  Density density = choose_density(run, input, constraints, std::ssize(points));
-  const StartOptions options = start_options(run, input, constraints);
-  WeightedStart start{constrain_start(input.mesh, std::move(points), options), std::move(density), std::move(copy)};
-  note_unfollowed_curves(run, start);
-  const auto count_of = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
-  if (!start.freedom.empty()) {
-    const char* const curves = options.crease_angle ? "creases or the boundary" : "the boundary";
-    run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count_of(Freedom::fixed),
-                                   count_of(Freedom::on_crease), curves, count_of(Freedom::free)));
-  }
-  return start;
+RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
+  RelaxationStartOptions options;
+  if (run.options().generators.are_listed()) options.listed = make_generators(run, input);
+  options.sampling = make_sampling_options(run);
+  options.constraints.fixed = read_fixed(run, input, constraints.fixed);
+  options.constraints.prefers_creases = constraints.auto_features;
+  options.constraints.crease_angle = constraints.auto_features ? kUsualCreaseAngle : constraints.features;
+  options.constraints.keep_boundary = constraints.keep_boundary;
+  options.weighs_curvature = constraints.density == "curvature";
+  if (!options.weighs_curvature) options.density = find_density(run, input, constraints.density);
+  options.gradation = constraints.gradation;
+  options.copy.faces = constraints.coarse;
+  options.threads = run.options().compute.threads;
+  options.progress = run.progress();
+  return options;
 }
 
-LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& start, LloydOptions options) {
-  options.freedom = start.freedom;
-  options.creases = start.creases;
-  options.density = start.density;
-  options.copy = start.copy ? &*start.copy : nullptr;
-  options.diagram = make_diagram_options(run.options().compute);
-  if (!options.progress) options.progress = run.progress();
-  options.on_iteration = [&run, also = std::move(options.on_iteration)](std::int64_t iterations, double energy,
-                                                                        const std::vector<SurfacePoint>& generators) {
-    if (also) also(iterations, energy, generators);
-    run.console().set_status(fmt::format("iteration {}, energy {:.6g}", iterations, energy));
-  };
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start.points, options); });
-  run.console().set_status("");
-  if (result.copy.faces > 0) {
-    if (!options.ends_on_copy)
-      run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
-                                     counted(result.copy.iterations, "iteration", "iterations"), result.copy.faces));
-  } else if (start.copy) {
+void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const ConstraintOptions& constraints) {
+  const bool is_listed = run.options().generators.are_listed();
+  if (!is_listed) run.console().detail(counted(std::ssize(start.points), "generator", "generators"));
+  if (const std::int64_t faces = constraints.coarse.value_or(0); faces > 0 && !start.copy) {
+    note_unused_copy(run, mesh, faces, start.points.size());
+  }
+  note_unfollowed_curves(run, start);
+  if (start.freedom.empty()) return;
+  const auto count_of = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
+  const bool wants_creases = constraints.features || (constraints.auto_features && !is_listed);
+  const char* const curves = wants_creases ? "creases or the boundary" : "the boundary";
+  run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count_of(Freedom::fixed),
+                                 count_of(Freedom::on_crease), curves, count_of(Freedom::free)));
+}
+
+void show_iteration(Run& run, std::int64_t iterations, double energy) {
+  run.console().set_status(fmt::format("iteration {}, energy {:.6g}", iterations, energy));
+}
+
+void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& start, bool ends_on_copy) {
+  if (used.faces == 0 && start.copy) {
     run.console().note(
         fmt::format("the copy of {} faces is not used, because it is too large or generators coincide on it",
                     start.copy->mesh.face_count()));
   }
-  return result;
+  if (used.faces == 0 || ends_on_copy) return;
+  run.console().note(fmt::format("relaxed in {} on a copy of {} faces first",
+                                 counted(used.iterations, "iteration", "iterations"), used.faces));
 }
 
 nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy) {

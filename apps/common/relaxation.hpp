@@ -1,39 +1,31 @@
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "common/options/options.hpp"
 #include "common/run.hpp"
-#include "gvd/coarse_copy.hpp"
-#include "gvd/constrained_start.hpp"
-#include "gvd/density.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/relaxation_start.hpp"
 #include "gvd/soup.hpp"
-#include "gvd/surface_point.hpp"
 
 // The start of a relaxation, the relaxation, and words of its report, for gvd-lloyd and gvd-remesh.
 namespace gvd::app {
 
-/// Generators to begin with, what they may do, the weight of the surface, and a copy to relax on first, if any.
-struct WeightedStart : ConstrainedStart {
-  Density density;
-  std::optional<CoarseCopy> copy;
-};
+/// The library's options for the start of a relaxation. Reads the files that the options name. Throws what
+/// make_generators, read_density and read_generators throw, and Error{unreadable_input} where --density names neither
+/// a file nor a property.
+RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints);
 
-/// Chooses the generators of the run, or as many as `count`, and makes the start that the constraints ask for. Notes
-/// how many are fixed, on creases and free. Throws what make_generators, constrain_start, read_density and
-/// read_generators throw, and Error{unreadable_input} where --density names neither a file nor a property.
-WeightedStart start_relaxation(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
-                               const ConstraintOptions& constraints);
+/// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
+/// copy that was asked for is not used.
+void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const ConstraintOptions& constraints);
 
-/// Relaxes with these options, those of the start and those of the run, and reports the time. The bar shows iteration
-/// and energy.
-LloydResult run_relaxation(Run& run, const Mesh& mesh, const WeightedStart& start, LloydOptions options);
+/// Shows iteration and energy in the bar from now on.
+void show_iteration(Run& run, std::int64_t iterations, double energy);
+
+/// Notes what was done on a copy of the mesh. `copy_faces`: of the copy of the start; 0: there was none.
+void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& start, bool ends_on_copy);
 
 /// The reason of a relaxation's end in one word, as reports and pages name it.
 const char* name_of(LloydStop stop);

@@ -117,19 +117,6 @@ void RunReport::set_time(std::string_view step, double milliseconds) {
   (*document_)["timings_ms"][std::string(step)] = milliseconds;
 }
 
-void RunReport::merge(const RunReport& part) {
-  for (const char* const member : {"options", "results", "timings_ms"}) {
-    (*document_)[member].update((*part.document_)[member]);
-  }
-  generators_ = part.generators_;
-}
-
-double RunReport::total_time() const {
-  double sum = 0;
-  for (const Json& time : (*document_)["timings_ms"]) sum += time.get<double>();
-  return sum;
-}
-
 void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
 
 void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {

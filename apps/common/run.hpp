@@ -57,10 +57,6 @@ class RunReport {
   void set_error_measure(const ErrorMeasure& error);
   /// Wall time of a step, in milliseconds. A second time under the same name replaces the first.
   void set_time(std::string_view step, double milliseconds);
-  /// Takes over options, results, times and generators of a part of the run that had a report of its own.
-  void merge(const RunReport& part);
-  /// The sum of all times, in milliseconds.
-  double total_time() const;
   /// Largest resident memory of the process.
   void set_peak_memory(std::int64_t bytes);
 

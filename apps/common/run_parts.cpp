@@ -91,18 +91,9 @@ ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& ask
   return resolve_generators(input.mesh, read_list(asked), options);
 }
 
-ResolvedGenerators sample(const Mesh& mesh, const CoarseCopy* copy, const Options& run, const Progress& progress) {
-  const GeneratorOptions& asked = run.generators;
-  SamplingOptions options;
-  options.seed = asked.seed;
-  options.front = make_diagram_options(run.compute).chosen_front();
-  options.progress = progress;
-  if (asked.count) options.count = *asked.count;
-  if (asked.radius) options.radius = *asked.radius;
-  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
+ResolvedGenerators sample(Run& run, const Mesh& mesh) {
   ResolvedGenerators sampled;
-  const bool on_copy = copy && options.kind == Sampling::farthest;
-  sampled.points = on_copy ? sample_on_copy(mesh, *copy, options) : sample_generators(mesh, options);
+  sampled.points = sample_generators(mesh, make_sampling_options(run));
   sampled.snap_distance.resize(sampled.points.size());
   return sampled;
 }
@@ -235,13 +226,22 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   return checked;
 }
 
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count,
-                                          const CoarseCopy* copy) {
-  Options options = run.options();
-  if (count) options.generators.count = count;
+SamplingOptions make_sampling_options(Run& run) {
+  const GeneratorOptions& asked = run.options().generators;
+  SamplingOptions options;
+  options.seed = asked.seed;
+  options.front = make_diagram_options(run.options().compute).chosen_front();
+  options.progress = run.progress();
+  if (asked.count) options.count = *asked.count;
+  if (asked.radius) options.radius = *asked.radius;
+  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
+  return options;
+}
+
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
+  const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators found = run.timed("generators", [&] {
-    ResolvedGenerators chosen = options.generators.are_listed() ? resolve(input, options.generators, run.progress())
-                                                                : sample(input.mesh, copy, options, run.progress());
+    ResolvedGenerators chosen = asked.are_listed() ? resolve(input, asked, run.progress()) : sample(run, input.mesh);
     note_changes(run, chosen, input.mesh.bbox_diagonal());
     return chosen;
   });

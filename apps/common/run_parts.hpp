@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/run.hpp"
-#include "gvd/coarse_copy.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -34,10 +34,11 @@ void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagona
 CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
 
 /// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
-/// ones. `count`: of sampled ones, in place of that of the options. Throws what read_generators, resolve_generators and
-/// sample_generators throw. `copy`: farthest points are sampled on it; null: on the mesh.
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, std::optional<std::int32_t> count = {},
-                                          const CoarseCopy* copy = nullptr);
+/// ones. Throws what read_generators, resolve_generators and sample_generators throw.
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input);
+
+/// The library's options for sampled generators.
+SamplingOptions make_sampling_options(Run& run);
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators);

@@ -258,18 +258,35 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
   report_diagram(run, result.diagram);
 }
 
-LloydResult relax(Run& run, const Mesh& mesh, const WeightedStart& start, const OwnOptions& own,
+RelaxationStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
+  RelaxationStartOptions options = make_start_options(run, input, constraints);
+  RelaxationStart start;
+  {
+    StepTimes times(run);
+    options.on_step = [&times](std::string_view step) { times.start(step); };
+    start = start_relaxation(input.mesh, options);
+  }
+  report_start(run, input.mesh, start, constraints);
+  return start;
+}
+
+LloydResult relax(Run& run, const Mesh& mesh, const RelaxationStart& start, const OwnOptions& own,
                   RelaxationTrace& trace) {
   LloydOptions options = own.relaxation;
+  options.diagram = make_diagram_options(run.options().compute);
+  options.progress = run.progress();
   trace = {};
   if (own.time_limit) {
     options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
     options.progress = limit_progress(run.progress(), trace, *own.time_limit);
   }
-  options.on_iteration = [&trace](std::int64_t iterations, double, const std::vector<SurfacePoint>& generators) {
+  options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
     trace.note(iterations, generators);
+    show_iteration(run, iterations, energy);
   };
-  LloydResult result = run_relaxation(run, mesh, start, std::move(options));
+  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
+  run.console().set_status("");
+  note_copy(run, result.copy, start, options.ends_on_copy);
   report_result(run, mesh, result);
   return result;
 }
@@ -302,7 +319,7 @@ void lloyd(Run& run, const OwnOptions& own) {
   if (max_iterations(own.relaxation) == 0) constraints.coarse = 0;
   // Other methods are for comparison: iteration by iteration, on the mesh.
   if (own.relaxation.acceleration != Acceleration::lbfgs && !constraints.coarse) constraints.coarse = 0;
-  const WeightedStart start = start_relaxation(run, input, {}, constraints);
+  const RelaxationStart start = make_start(run, input, constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);
   write_outputs(run, mesh, relaxed.diagram);

@@ -1,18 +1,14 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
-// Sampled generators are relaxed first; listed ones stay where they are. The diagram of the relaxation's last iteration
-// is that of the remesh. --error asks for the fewest generators whose remesh is near enough: trials by
-// find_fewest, each a whole remesh in a run of its own that prints and reports nothing, and then the run itself. A
-// trial that fails counts as infinitely far, unless no trial before it has succeeded: then larger ones would take long.
+// The library makes it (gvd/remesh_surface.hpp). Here are the files that options name, the report and the notes, and
+// the maps and properties that are carried over. --error asks for the fewest generators whose remesh is near enough:
+// the number is searched for first, and the run follows with it.
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -26,12 +22,11 @@
 #include "common/run_parts.hpp"
 #include "gvd/carry_properties.hpp"
 #include "gvd/error.hpp"
-#include "gvd/find_fewest.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/remesh_scenes.hpp"
+#include "gvd/remesh_surface.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "remesh/remesh_report.hpp"
@@ -53,282 +48,88 @@ constexpr const char* kExamples =
 
 constexpr const char* kMap = "--map";
 
-/// With --exact-count, the fraction of the generators that may be exchanged before a start with fewer is tried.
-constexpr double kFewExchanged = 0.03;
-
-/// The fraction of the generators that a start has fewer where the exchange has not made enough room.
-constexpr double kFewerStart = 0.2;
-
-/// The generators that a remesh begins with.
-struct RelaxedStart {
-  WeightedStart constrained;
-  std::optional<Diagram> diagram;  ///< of the points, where a relaxation has computed it
-  std::int64_t diagrams = 0;       ///< that the relaxation has computed
-};
-
-/// Whether generators are on creases inside of the surface. They do not move on a copy.
-bool follows_creases(const Mesh& mesh, const WeightedStart& start) {
-  for (std::size_t i = 0; i < start.freedom.size(); ++i) {
-    if (start.freedom[i] == Freedom::on_crease && !is_on_boundary(mesh, start.points[i])) return true;
-  }
-  return false;
-}
-
-/// Generators on the boundary do not move on a copy either. With a larger share of them a copy is a loss: of the
-/// lion's 500 generators a tenth moves along the boundary, and H is 1.6 % of the diagonal with a copy, 1.2 % without.
-/// The bunny has 4 of 100 there, and is as good with a copy.
-constexpr double kMostOnBoundary = 0.08;
-
-/// Whether a larger share of `count` generators would move along the boundary, if all are spread evenly. Three of each
-/// loop are fixed.
-bool has_long_boundary(const Mesh& mesh, std::int32_t count) {
-  double length = 0;
-  for (const EdgeId e : mesh.edges()) length += mesh.is_boundary(e) ? mesh.length(e) : 0;
-  const double on_boundary = length / even_spacing(compute_area(mesh), count);
-  return on_boundary - 3 * compute_mesh_summary(mesh).boundary_loops > kMostOnBoundary * count;
-}
-
-void relax(Run& run, const Mesh& mesh, RelaxedStart& start, std::int32_t iterations) {
-  LloydOptions options;
-  options.max_iterations = iterations;
-  options.keeps_extremities = true;
-  options.ends_on_copy = !follows_creases(mesh, start.constrained);
-  LloydResult result = run_relaxation(run, mesh, start.constrained, std::move(options));
+void report_relaxation(Run& run, const SurfaceRemesh& made) {
+  const LloydResult& relaxed = *made.relaxation;
+  note_copy(run, relaxed.copy, made.start, made.relaxation_ends_on_copy);
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
-                                   counted(std::ssize(result.iterations), "iteration", "iterations"),
-                                   result.initial_energy, result.final_energy));
+                                   counted(std::ssize(relaxed.iterations), "iteration", "iterations"),
+                                   relaxed.initial_energy, relaxed.final_energy));
   run.report().results()["relaxation"] = {
-      {"iterations", result.iterations.size()},   {"stop", name_of(result.stop)},
-      {"initial_energy", result.initial_energy},  {"final_energy", result.final_energy},
-      {"extremities", result.extremities.size()}, {"diagrams", result.diagrams},
-      {"coarse", describe_copy(result.copy)}};
-  // A fit would pull the vertex at the end of a thin limb back, or push it too far out.
-  std::vector<Freedom>& freedom = start.constrained.freedom;
-  if (!result.extremities.empty()) freedom.resize(result.generators.size(), Freedom::free);
-  for (const GeneratorId g : result.extremities) freedom[g.index()] = Freedom::fixed;
-  start.constrained.points = std::move(result.generators);
-  start.diagram = std::move(result.diagram);
-  start.diagrams = result.diagrams;
+      {"iterations", relaxed.iterations.size()},   {"stop", name_of(relaxed.stop)},
+      {"initial_energy", relaxed.initial_energy},  {"final_energy", relaxed.final_energy},
+      {"extremities", relaxed.extremities.size()}, {"diagrams", relaxed.diagrams},
+      {"coarse", describe_copy(relaxed.copy)}};
 }
 
-void report_start_options(Run& run, const Settings& settings, const ConstraintOptions& constraints,
-                          std::int32_t iterations) {
+void report_options(Run& run, const Settings& settings, const ConstraintOptions& constraints,
+                    const SurfaceRemeshOptions& asked) {
   Json& reported = run.report().options();
-  const GeneratorOptions& asked = run.options().generators;
-  reported["relax"] = iterations;
+  const GeneratorOptions& generators = run.options().generators;
+  const Placement placement = asked.chosen_placement();
+  reported["relax"] = asked.iterations();
   report_constraints(reported, constraints);
-  reported["target_edge"] = asked.target_edge ? Json(*asked.target_edge) : nullptr;
+  reported["target_edge"] = generators.target_edge ? Json(*generators.target_edge) : nullptr;
   reported["loose_boundary"] = settings.loose_boundary;
-  run.report().results()["relaxation"] = nullptr;
+  reported["place"] = name_in(kPlacements, placement);
+  reported["shape"] = placement == Placement::fit ? Json(asked.remesh.placement.shape) : nullptr;
+  reported["allow_intersections"] = asked.remesh.allow_intersections;
+  reported["no_refine"] = !asked.remesh.refine;
+  reported["exact_count"] = asked.exact_count;
 }
 
-/// Copies that generators are relaxed on, wherever these have at most half of the mesh's faces. Measured with five
-/// seeds on nine models (docs/notes/performance.md).
-constexpr CopySize kCopySize{1'500, 20'000, 8};
-
-/// Smaller meshes have no copy by default where generators follow curves: with 500 generators, the least angle of the
-/// fandisk was 23 degrees instead of 28. These are means of five seeds.
-constexpr std::int64_t kCurvesAbove = 300'000;
-
-/// The generators of the run, or as many as `count`, relaxed as the options say.
-RelaxedStart make_start(Run& run, const CheckedMesh& input, const Settings& settings,
-                        std::optional<std::int32_t> count) {
-  const std::int32_t iterations = relax_iterations(settings, run.options().generators);
-  ConstraintOptions constraints = settings.constraints;
-  constraints.prefers_boundary = !settings.loose_boundary;
-  constraints.coarse_above = 0;
-  constraints.copy_size = kCopySize;
-  const bool may_add = !settings.no_refine && settings.remesh.max_added != 0;
-  // Most are added opposite generators that the relaxation moves to gaps. With an exact number, there are none.
-  constraints.leaves_room = may_add && iterations > 0 && !settings.exact_count;
-  // A remesh that may add no generators can't follow creases that need more.
-  if (!may_add) constraints.auto_features = false;
-  report_start_options(run, settings, constraints, iterations);
-  // By default small meshes have no copy where generators on curves need the mesh.
-  const bool is_small = !constraints.coarse && input.mesh.face_count() <= kCurvesAbove;
-  const std::int32_t expected = count.value_or(run.options().generators.count.value_or(0));
-  if (is_small && constraints.prefers_boundary && expected > 0 && has_long_boundary(input.mesh, expected)) {
-    constraints.coarse = 0;
-  }
-  if (iterations == 0) constraints.coarse = 0;
-  RelaxedStart start{start_relaxation(run, input, count, constraints), {}};
-  if (is_small && follows_creases(input.mesh, start.constrained)) start.constrained.copy.reset();
-  if (iterations > 0) relax(run, input.mesh, start, iterations);
-  run.report().set_generators(input.mesh, start.constrained.points);
-  return start;
-}
-
-RemeshOptions remesh_options(Run& run, const Mesh& mesh, const WeightedStart& start, const Settings& settings) {
-  RemeshOptions options = settings.remesh;
-  options.creases = trace_creases(mesh, start.creases, start.corner_distance);
-  options.placement.method = placement_method(settings, run.options().generators);
-  if (settings.shape) options.placement.shape = *settings.shape;
-  for (std::size_t i = 0; i < start.freedom.size(); ++i) {
-    if (start.freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);
-  }
-  const bool listed = run.options().generators.are_listed();
-  options.refine = !settings.no_refine && !(settings.exact_count && listed);
-  if (settings.exact_count && !listed) options.vertex_count = std::ssize(start.points);
-  const auto is_free = [](Freedom freedom) { return freedom == Freedom::free; };
-  options.kept = std::find_if(start.freedom.begin(), start.freedom.end(), is_free) - start.freedom.begin();
-  options.diagram = make_diagram_options(run.options().compute);
-  options.diagram.progress = run.progress();
-  Json& reported = run.report().options();
-  reported["place"] = name_in(kPlacements, options.placement.method);
-  reported["shape"] = options.placement.method == Placement::fit ? Json(options.placement.shape) : nullptr;
-  reported["allow_intersections"] = options.allow_intersections;
-  reported["no_refine"] = settings.no_refine;
-  reported["exact_count"] = settings.exact_count;
+/// The library's options for this run.
+SurfaceRemeshOptions make_remesh_options(Run& run, const CheckedMesh& input, const Settings& settings) {
+  SurfaceRemeshOptions options;
+  options.start = make_start_options(run, input, settings.constraints);
+  options.start.constraints.prefers_boundary = !settings.loose_boundary;
+  options.relaxation = settings.relaxation;
+  options.placement = settings.place;
+  options.exact_count = settings.exact_count;
+  options.remesh = settings.remesh;
+  options.remesh.refine = !settings.no_refine;
+  if (settings.shape) options.remesh.placement.shape = *settings.shape;
+  options.remesh.diagram = make_diagram_options(run.options().compute);
+  options.remesh.diagram.progress = run.progress();
   return options;
 }
 
-/// Remeshes, and reports the time of each stage.
-RemeshResult timed_remesh(Run& run, const Mesh& mesh, RelaxedStart&& start, RemeshOptions options) {
+/// Generators and their remesh, with the time of every step.
+SurfaceRemesh make_remesh(Run& run, const Mesh& mesh, SurfaceRemeshOptions options) {
   StepTimes times(run);
-  options.on_stage = [&times, &run](RemeshStage stage) {
-    constexpr std::array<const char*, 5> kNames{"diagram", "dual", "placement", "search", "distance"};
-    const char* const name = kNames[static_cast<std::size_t>(stage)];
-    times.start(name);
-    report_progress(run.progress(), name, 0);
+  options.on_step = [&](std::string_view step) {
+    times.start(step);
+    run.console().set_status("");
   };
-  options.earlier_diagrams = start.diagrams;
-  if (start.diagram) return remesh(mesh, std::move(*start.diagram), options);
-  return remesh(mesh, start.constrained.points, options);
+  options.on_iteration = [&run](std::int64_t iterations, double energy) { show_iteration(run, iterations, energy); };
+  return remesh_surface(mesh, options);
 }
 
-/// Generators and what became of them.
-struct Attempt {
-  std::unique_ptr<Run> run;        ///< reports on this attempt alone
-  std::vector<std::string> notes;  ///< on this attempt, to be printed if it is chosen
-  RemeshOptions options;
-  std::optional<RemeshResult> result;
-  std::exception_ptr failure;  ///< where there is no result
-};
-
-/// A remesh from as many generators as `count`, or as the options say; `wanted`: its number of vertices, if it is not
-/// to be that of the generators.
-Attempt attempt(Run& run, const CheckedMesh& input, const Settings& settings, std::optional<std::int32_t> count,
-                std::optional<std::int64_t> wanted = {}) {
-  Attempt made;
-  made.run = std::make_unique<Run>("", run.options(), run.console());
-  if (settings.exact_count) run.console().hold();
-  try {
-    RelaxedStart start = make_start(*made.run, input, settings, count);
-    made.options = remesh_options(*made.run, input.mesh, start.constrained, settings);
-    if (wanted) made.options.vertex_count = wanted;
-    made.result = timed_remesh(*made.run, input.mesh, std::move(start), made.options);
-    made.options.max_added = made.result->max_added;
-    made.run->report().options()["max_added"] = made.result->max_added;
-  } catch (const Error& error) {
-    const bool may_help = error.code() == ErrorCode::no_valid_result && made.options.vertex_count;
-    if (!may_help && !(wanted && error.code() == ErrorCode::precondition)) throw;
-    made.failure = std::current_exception();
-  }
-  made.notes = run.console().take_held();
-  return made;
-}
-
-double rms(const RemeshResult& result) { return std::max(result.input_to_output.rms, result.output_to_input.rms); }
-
-/// A remesh of exactly as many vertices, also from fewer generators where many have to make room for those added: then
-/// all but the added ones are spread evenly. The nearer remesh is taken.
-Attempt choose_start(Run& run, const CheckedMesh& input, const Settings& settings, Attempt first) {
-  if (!first.options.vertex_count) return first;
-  const std::int64_t wanted = *first.options.vertex_count;
-  const double exchanged = first.result ? double(first.result->left_out) : kFewerStart * double(wanted);
-  const auto fewer = static_cast<std::int32_t>(double(wanted) - exchanged);
-  if (exchanged <= kFewExchanged * double(wanted) || fewer < 1) return first;
-  Attempt second = attempt(run, input, settings, fewer, wanted);
-  const bool is_better = second.result && (!first.result || rms(*second.result) < rms(*first.result));
-  if (is_better) std::swap(first, second);
-  run.report().set_time("other start", second.run->report().total_time());
-  return first;
-}
-
-/// Generators and their remesh; `count` stands in for the number of the options.
-RemeshResult make_remesh(Run& run, const CheckedMesh& input, const Settings& settings,
-                         std::optional<std::int32_t> count) {
-  const Mesh& mesh = input.mesh;
-  Attempt made = choose_start(run, input, settings, attempt(run, input, settings, count));
-  for (const std::string& note : made.notes) run.console().note(note);
-  if (!made.result) std::rethrow_exception(made.failure);
-  run.report().merge(made.run->report());
-  RemeshResult& result = *made.result;
+void report_result(Run& run, const Mesh& mesh, const ConstraintOptions& constraints, const SurfaceRemesh& made) {
+  const RemeshResult& result = made.result;
+  report_start(run, mesh, made.start, constraints);
+  run.report().results()["relaxation"] = nullptr;
+  if (made.relaxation) report_relaxation(run, made);
+  run.report().options()["max_added"] = result.max_added;
   report_remesh(run.report().results(), mesh, result);
   run.report().set_diagram(result.diagram);
   run.figures().regions = std::ssize(result.diagram.cells);
   run.report().set_generators(mesh, result.generators);
   for (const std::string& line : describe_remesh(result, made.options)) run.console().note(line);
-  return std::move(result);
-}
-
-/// Distances of remeshes, infinite where a number of generators gives none.
-class Trials {
- public:
-  Trials(const CheckedMesh& input, const Settings& settings) : input_(input), settings_(settings) {}
-
-  /// The distance of the remesh with `count` generators. Infinite where these are fewer than fixed generators and
-  /// features, or too few for a valid mesh while none may be added. Throws Error{no_valid_result} until a trial has
-  /// given a mesh: larger trials of an input that has no remesh would take long.
-  double distance(const Options& options, std::int32_t count) {
-    Console silent("", {}, true, false);
-    Run trial("", options, silent);
-    try {
-      const RemeshResult result = make_remesh(trial, input_, settings_, count);
-      has_result_ = true;
-      return std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff);
-    } catch (const Error& error) {
-      const bool too_few = error.code() == ErrorCode::no_valid_result && has_result_;
-      if (error.code() != ErrorCode::precondition && !too_few) throw;
-      last_failure_ = std::current_exception();
-      return std::numeric_limits<double>::infinity();
-    }
-  }
-
-  [[noreturn]] void refuse(double target, const Fewest& found) const {
-    const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
-    const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
-    if (!std::isfinite(best.error)) std::rethrow_exception(last_failure_);
-    throw Error(
-        ErrorCode::no_valid_result,
-        fmt::format("--error: no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest "
-                    "is within {:.6g}; ask for that or more",
-                    found.trials.back().count, target, best.error));
-  }
-
- private:
-  const CheckedMesh& input_;
-  const Settings& settings_;
-  bool has_result_ = false;
-  std::exception_ptr last_failure_;
-};
-
-/// At most four generators for each vertex of the input are tried, or 2000 where it has few.
-FewestOptions search_options(const Mesh& mesh, const ErrorBound& bound) {
-  FewestOptions options;
-  options.target = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
-  options.most = static_cast<std::int32_t>(std::clamp<std::int64_t>(4LL * mesh.vertex_count(), 2000, 1000000000));
-  return options;
 }
 
 /// Searches for the fewest generators that keep the distance of `--error`, and reports the trials.
-std::int32_t search_count(Run& run, const CheckedMesh& input, const Settings& settings) {
-  const FewestOptions options = search_options(input.mesh, *run.options().generators.error);
-  Trials trials(input, settings);
-  double done = 0;
-  const auto try_count = [&](std::int32_t count) {
-    run.console().set_status(fmt::format("{} generators", count));
-    report_progress(run.progress(), "search", done++ / options.max_trials);
-    const double distance = trials.distance(run.options(), count);
-    run.console().detail(std::isfinite(distance)
-                             ? fmt::format("{} generators: distance {:.6g} mesh units", count, distance)
-                             : fmt::format("{} generators: no mesh", count));
-    return distance;
+std::int32_t search_count(Run& run, const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  const ErrorBound& bound = *run.options().generators.error;
+  const double distance = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
+  const auto show = [&run](const CountTrial& trial) {
+    run.console().set_status(fmt::format("{} generators tried", trial.count));
+    run.console().detail(std::isfinite(trial.error)
+                             ? fmt::format("{} generators: distance {:.6g} mesh units", trial.count, trial.error)
+                             : fmt::format("{} generators: no mesh", trial.count));
   };
-  const Fewest found = run.timed("trials", [&] { return find_fewest(options, try_count); });
+  const Fewest found = run.timed("trials", [&] { return find_remesh_count(mesh, options, distance, show); });
   run.console().set_status("");
-  report_trials(run.report().results(), options.target, found);
-  if (!found.count) trials.refuse(options.target, found);
+  report_trials(run.report().results(), distance, found);
   return *found.count;
 }
 
@@ -338,14 +139,6 @@ std::int32_t count_for(const Mesh& mesh, double edge) {
   if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
   throw Error(ErrorCode::invalid_option,
               fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer edges", edge, count));
-}
-
-/// Refuses a mesh without area. Single triangles without area are ordinary input.
-void check_area(const Run& run, const Mesh& mesh) {
-  if (compute_area(mesh) > 0) return;
-  throw Error(ErrorCode::precondition,
-              fmt::format("{}: no triangle has an area, so there is nothing to remesh; give a surface with area",
-                          run.options().input.path));
 }
 
 /// The map that `--map` and `--carry` need; empty without them.
@@ -415,12 +208,16 @@ void run_remesh(Run& run, const Settings& settings) {
   std::string standard_input;
   const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
   const Mesh& mesh = input.mesh;
-  check_area(run, mesh);
   const GeneratorOptions& asked = run.options().generators;
-  std::optional<std::int32_t> count;
-  if (asked.error) count = search_count(run, input, settings);
-  if (asked.target_edge) count = count_for(mesh, *asked.target_edge);
-  const RemeshResult result = make_remesh(run, input, settings, count);
+  SurfaceRemeshOptions options = make_remesh_options(run, input, settings);
+  ConstraintOptions constraints = settings.constraints;
+  constraints.auto_features = constraints.auto_features && options.may_add();
+  report_options(run, settings, constraints, options);
+  if (asked.error) options.start.sampling.count = search_count(run, mesh, options);
+  if (asked.target_edge) options.start.sampling.count = count_for(mesh, *asked.target_edge);
+  const SurfaceRemesh made = make_remesh(run, mesh, std::move(options));
+  report_result(run, mesh, constraints, made);
+  const RemeshResult& result = made.result;
   const RemeshMap map = make_map(run, mesh, result, settings.carry);
   const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
   write_remesh(run, mesh, result, carried);

@@ -5,7 +5,7 @@
 
 #include "common/command.hpp"
 #include "common/options/options.hpp"
-#include "gvd/remesh.hpp"
+#include "gvd/remesh_surface.hpp"
 
 namespace gvd::app {
 
@@ -28,13 +28,6 @@ inline const Choices<Placement> kPlacements{
 /// Adds --target-edge and --error, which take the place of -n, and the options of relaxation and remesh. Parsing fills
 /// `settings`, which must outlive `command`, and the shared options of the command.
 void register_settings(Command& command, Settings& settings);
-
-/// The iterations of a run's relaxation: those given, or the default for sampled generators and 0 for listed ones,
-/// which stay where the user has put them.
-std::int32_t relax_iterations(const Settings& settings, const GeneratorOptions& generators);
-
-/// Where a run puts its vertices: as given, or fitted with sampled generators and at the generators with listed ones.
-Placement placement_method(const Settings& settings, const GeneratorOptions& generators);
 
 /// Throws Error{invalid_option} for an option that contradicts the outputs, or that does nothing.
 void check_settings(const Options& options, const Settings& settings);

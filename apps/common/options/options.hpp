@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/coarse_copy.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
@@ -83,9 +82,6 @@ struct Options {
   bool verbose = false;
 };
 
-/// Angle of the creases of `--features auto`, degrees. All creases of CAD models are sharper, and few edges of scans.
-inline constexpr double kUsualCreaseAngle = 40;
-
 /// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
 struct ConstraintOptions {
   std::string fixed;               ///< a list of generators that stay; empty: none
@@ -93,14 +89,9 @@ struct ConstraintOptions {
   /// Instead of `features`, where generators are sampled: the creases that at most half of the generators can follow.
   bool auto_features = false;
   bool keep_boundary = false;
-  /// Keep the boundary where generators are sampled, and enough of them are left beside it.
-  bool prefers_boundary = false;
-  bool leaves_room = false;  ///< for generators that a remesh adds on features
-  std::string density;       ///< "curvature", a file, or a property of the input; empty: uniform
+  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
   double gradation = 0.3;
   std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
-  std::int64_t coarse_above = 50'000;  ///< meshes of more faces have a copy by default
-  CopySize copy_size;                  ///< of these copies
 };
 
 /// The names of some values, as on the command line and in the report.

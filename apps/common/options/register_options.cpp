@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "common/options/typed_options.hpp"
+#include "gvd/constrained_start.hpp"
 
 namespace gvd::app {
 namespace {

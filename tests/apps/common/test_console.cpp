@@ -63,22 +63,6 @@ TEST_CASE("without bars, a line of progress tells the same once in each interval
   CHECK(printed(std::chrono::seconds(10), false).empty());
 }
 
-TEST_CASE("held notes are those that would be printed, and are printed at the end if nothing takes them") {
-  const auto printed = [](bool takes, bool quiet) {
-    return stderr_of([&] {
-      Console console("gvd-test", {}, quiet, false);
-      console.hold();
-      console.note("one");
-      console.detail("only where verbose");
-      if (takes) CHECK(console.take_held() == std::vector<std::string>(quiet ? 0 : 1, "one"));
-      console.error("two");
-    });
-  };
-  CHECK(printed(true, false) == "gvd-test: error: two\n");
-  CHECK(printed(false, false) == "gvd-test: error: two\ngvd-test: one\n");
-  CHECK(printed(true, true) == "gvd-test: error: two\n");
-}
-
 TEST_CASE("the time left is that of the part that is left") {
   TimeLeft left;
   CHECK(!left.update("a", 0, 100));

@@ -82,25 +82,6 @@ struct Filled {
   RunReport report{"gvd-segment", make_options()};
 };
 
-TEST_CASE("a report takes over the figures of a part of its run") {
-  RunReport report("gvd-test", make_options()), part("", make_options());
-  report.set_time("read", 1);
-  report.results()["first"] = 1;
-  part.set_time("relaxation", 2);
-  part.set_time("distance", 3.5);
-  part.options()["relax"] = 15;
-  part.results()["second"] = 2;
-  part.set_generators(kMesh, kPoints);
-  CHECK(part.total_time() == 5.5);
-  report.merge(part);
-  const Json merged = to_json(report);
-  CHECK(merged["command"] == "gvd-test");
-  CHECK(merged["options"]["relax"] == 15);
-  CHECK(keys(merged["results"]) == Names{"first", "second"});
-  CHECK(keys(merged["timings_ms"]) == Names{"read", "relaxation", "distance"});
-  CHECK(merged["generators"].size() == kPoints.size());
-}
-
 TEST_CASE("a report has the contract's keys in its order") {
   const Json json = to_json(Filled().report);
   CHECK(keys(json) == Names{"schema", "command", "version", "options", "seed", "input", "generators", "diagram",
