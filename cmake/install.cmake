@@ -19,6 +19,8 @@ foreach(part segment lloyd remesh)
     install(TARGETS gvd-${part})
   endif()
 endforeach()
+install(TARGETS gvd_c EXPORT gvd-targets)
+install(DIRECTORY libgvd/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
 install(EXPORT gvd-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR})
 
 # Separate, so that only users of the component `verify` need CGAL and accept its licence.

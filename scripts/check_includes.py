@@ -36,6 +36,7 @@ FLOORS = [
     ["libgvd/remesh/src/dual"],
     ["libgvd/remesh/src/repair"],
     ["libgvd/remesh"],
+    ["libgvd/c"],
     ["apps/common/options"],
     ["apps/common"],
     ["apps/segment", "apps/lloyd", "apps/remesh"],

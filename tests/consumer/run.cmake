@@ -13,3 +13,4 @@ run("configure" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/bui
   -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DPARTS=${PARTS})
 run("build" ${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run("the program" ${WORK_DIR}/build/consumer)
+run("the program in C" ${WORK_DIR}/build/c_consumer ${CMAKE_CURRENT_LIST_DIR}/../../data/figure.obj 0 100)

@@ -35,6 +35,10 @@ inline constexpr double kBarycentricSnap = 1e-12;
 /// 1.
 SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary);
 
+/// The same for coordinates that may be those of a surface point: then they are kept bit by bit. make_surface_point
+/// would change their last bits.
+SurfacePoint restore_surface_point(FaceId face, const std::array<double, 3>& bary);
+
 /// The vertex v, in the face of `mesh.halfedge(v)`.
 SurfacePoint vertex_point(const Mesh& mesh, VertexId v);
 

@@ -192,21 +192,6 @@ class Grid {
 
 using Kind = GeneratorEntry::Kind;
 
-/// Largest difference of the sum of three coordinates from 1 at which they are kept bit by bit. Dimensionless: above
-/// the rounding error of computed coordinates, and below that of coordinates with few printed digits, which are scaled.
-constexpr double kExactSum = 1e-12;
-
-/// The point of given coordinates. Those of a surface point are kept: make_surface_point would change their last bits.
-SurfacePoint keep_or_make_point(FaceId face, const std::array<double, 3>& bary) {
-  const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
-  const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
-  // JSON has no -0: the sum turns it into 0, so that a list means the same in each format.
-  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) {
-    return {face, {bary[0] + 0.0, bary[1] + 0.0, bary[2] + 0.0}};
-  }
-  return make_surface_point(face, bary);
-}
-
 class Resolver {
  public:
   Resolver(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options)
@@ -255,7 +240,7 @@ class Resolver {
       refuse(fmt::format("there is no face {}; the mesh has {}, numbered from 0", entry.index, count));
     }
     try {
-      return keep_or_make_point(FaceId(entry.index), entry.values);
+      return restore_surface_point(FaceId(entry.index), entry.values);
     } catch (const Error& error) {
       refuse(error.what());
     }

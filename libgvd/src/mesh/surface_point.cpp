@@ -90,6 +90,10 @@ double clamp_ratio(double numerator, double denominator) {
   return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0;
 }
 
+/// Largest difference of the sum of three coordinates from 1 at which they are kept bit by bit. Dimensionless: above
+/// the rounding error of computed coordinates, and below that of coordinates with few printed digits, which are scaled.
+constexpr double kExactSum = 1e-12;
+
 }  // namespace
 
 PointKind SurfacePoint::kind() const {
@@ -114,6 +118,16 @@ SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) 
   }
   for (double& b : point.bary) b /= kept;
   return point;
+}
+
+SurfacePoint restore_surface_point(FaceId face, const std::array<double, 3>& bary) {
+  const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
+  const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
+  // JSON has no -0: the sum turns it into 0, so that a list means the same in each format.
+  if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) {
+    return {face, {bary[0] + 0.0, bary[1] + 0.0, bary[2] + 0.0}};
+  }
+  return make_surface_point(face, bary);
 }
 
 SurfacePoint vertex_point(const Mesh& mesh, VertexId v) { return corner_point(mesh.halfedge(v)); }
