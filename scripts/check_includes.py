@@ -63,6 +63,7 @@ PUBLIC = {
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
+PUBLIC_FOLDER["gvd/gvd.h"] = "libgvd/c"
 
 DRAWING = "docs/developer/floors.svg"
 

@@ -44,7 +44,7 @@ def collect_words(files):
     """All identifiers of the sources, and the names of all files without extension."""
     words = {path.stem for path in files}
     for path in files:
-        code = path.suffix in (".hpp", ".cpp", ".in", ".py", ".sh", ".cmake", ".js", ".mjs", ".json", ".yml")
+        code = path.suffix in (".hpp", ".cpp", ".h", ".in", ".py", ".sh", ".cmake", ".js", ".mjs", ".json", ".yml")
         if code or path.name in ("CMakeLists.txt", "Makefile", "run"):
             words.update(re.findall(r"\w+", path.read_text(errors="ignore")))
     return words
@@ -53,7 +53,7 @@ def collect_words(files):
 def path_exists(name, page):
     """Whether a path leads to a file or a folder, from one of the places where the paths of a page may begin."""
     pattern = PLACEHOLDER.sub("*", name.rstrip("/"))
-    include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "verify")]
+    include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "verify", "c")]
     for start in [ROOT, page.parent, ROOT / "libgvd/src", ROOT / "apps", ROOT / "web", *include]:
         if any(start.glob(pattern)) or any(start.glob(pattern + ".[ch]pp")):
             return True
