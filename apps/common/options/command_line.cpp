@@ -68,13 +68,6 @@ bool is_main(const CLI::Option& option) {
   return std::any_of(kMain.begin(), kMain.end(), [&](const char* name) { return option.check_name(name); });
 }
 
-/// A description up to its first detail.
-std::string first_clause(const std::string& description) {
-  std::size_t end = description.size();
-  for (const char* detail : {";", " (default", ", or ", ", in "}) end = std::min(end, description.find(detail));
-  return description.substr(0, end);
-}
-
 /// Every name that a user can type, and those of positional arguments.
 std::vector<std::string> list_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -145,6 +138,12 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
   return longer && least > 0 ? longer : nearest;
 }
 
+std::string first_clause(const std::string& description) {
+  std::size_t end = description.size();
+  for (const char* detail : {";", " (default", ", or ", ", in "}) end = std::min(end, description.find(detail));
+  return description.substr(0, end);
+}
+
 std::string wrap(const std::string& text, std::size_t width, std::size_t indent) {
   std::istringstream words(text);
   std::string wrapped;
@@ -166,6 +165,7 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
   std::string text = wrap(app->get_description(), kHelpWidth, 0) + "\n\n" + make_usage(app, name);
   if (mode == CLI::AppFormatMode::Normal) return text + make_main_options(app);
   for (const std::string& group : app->get_groups()) {
+    if (group.empty()) continue;  // --print-completion
     text += fmt::format("\n{}:\n", group);
     for (const CLI::Option* const option : app->get_options()) {
       if (option->get_group() == group) text += make_option(option, option->get_positional());

@@ -34,6 +34,9 @@ std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<V
 /// each name.
 std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names);
 
+/// A description up to its first detail.
+std::string first_clause(const std::string& description);
+
 /// The words of `text` in lines of at most `width` columns, all but the first one after `indent` blanks.
 std::string wrap(const std::string& text, std::size_t width, std::size_t indent);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/options/completion.hpp"
 #include "common/options/typed_options.hpp"
 #include "gvd/constrained_start.hpp"
 
@@ -241,7 +242,7 @@ void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
   app.add_option("--density", constraints.density,
                  "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', a file "
                  "with a number for each vertex or each face, or the name of a property of a PLY input")
-      ->type_name("WHAT");
+      ->type_name("curvature|FILE|PROPERTY");
   add_number(
       app, "--gradation", constraints.gradation, kGradation,
       fmt::format("With --density curvature, how fast the size of cells may change along the surface (default: {})",
@@ -266,6 +267,15 @@ void register_general(CLI::App& app, Options& options, const std::string& versio
   app.add_flag_callback("-h", show_short, "Show the main options")->configurable(false)->trigger_on_parse();
   app.add_flag_callback("--help", show_all, "Show all options")->configurable(false)->trigger_on_parse();
   app.set_version_flag("--version", version, "Show the version")->trigger_on_parse();
+  const std::vector<std::string> shells{"bash", "zsh", "fish"};
+  const auto print_completion = [&app, shells](const std::string& shell) -> std::string {
+    if (!contains(shells, shell)) return describe_unknown(shell, shells);
+    throw CLI::CallForVersion(make_completion(app, shell), 0);  // as an answer on standard output
+  };
+  add_parsed(app, "--print-completion", "SHELL", print_completion, "")
+      ->group("")  // hidden
+      ->configurable(false)
+      ->trigger_on_parse();
   app.set_config("--config", "", "Read options from this TOML file; the command line overrides it")
       ->type_name("FILE.toml")
       ->check(CLI::Validator(CLI::ExistingFile).description(""))

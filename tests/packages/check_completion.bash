@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Completes command lines as the shells do, with the scripts of --print-completion, and compares with --help.
+#
+#   check_completion.bash BIN WORK_FOLDER COMMAND...
+#
+# zsh and fish are tested where they are installed.
+set -euo pipefail
+bin=$1 work=$2
+shift 2
+
+fail() { echo "check_completion: $*" >&2; exit 1; }
+
+# complete_line COMMAND WORD...: what bash offers for the last word, a candidate a line. Call it in a subshell.
+complete_line() {
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+  set +e  # a shell that completes does not end where nothing fits
+  "_${1//-/_}"
+  printf '%s\n' "${COMPREPLY[@]}"
+}
+
+# expect WHAT WANTED...: the lines of standard input, in any order, are exactly WANTED.
+expect() {
+  local what=$1 got
+  shift
+  got=$(sort | tr '\n' ' ')
+  [ "$got" = "$(printf '%s\n' "$@" | sort | tr '\n' ' ')" ] || fail "$what gives: $got; expected: $*"
+}
+
+rm -rf "$work"
+mkdir -p "$work/scripts" "$work/files/folder"
+touch "$work/files/"{report.json,mesh.ply,options.toml,"two words.json"}
+cd "$work/files"
+
+for command in "$@"; do
+  help=$("$bin/$command" --help)
+  for shell in bash zsh fish; do "$bin/$command" --print-completion $shell > "$work/scripts/$command.$shell"; done
+  ! grep -q -e --print-completion <<< "$help" || fail "--help of $command lists --print-completion"
+  "$bin/$command" --print-completion bsah 2>/dev/null && fail "$command takes an unknown shell"
+
+  source "$work/scripts/$command.bash"
+  complete -p "$command" | grep -q "_${command//-/_}" || fail "bash has no completion for $command"
+  mapfile -t options < <(sed -n '1,/^Examples:/s/^  \(-[^ ,]*\(, --[^ ]*\)\?\).*/\1/p' <<< "$help" | sed 's/, /\n/')
+  [ ${#options[@]} -gt 30 ] || fail "only ${#options[@]} options in --help of $command"
+  complete_line "$command" mesh.ply - | expect "$command -" "${options[@]}"
+  complete_line "$command" --input-f | expect "$command --input-f" --input-format
+
+  # Every list of words that --help shows is offered, as a word of its own and behind "=".
+  lists=0
+  while read -r option words; do
+    mapfile -t words < <(tr '|' '\n' <<< "$words" | grep '[a-z]')
+    complete_line "$command" "$option" "" | expect "$command $option" "${words[@]}"
+    complete_line "$command" "$option" = "${words[0]}" | grep -q -x -e "${words[0]}" || fail "$option=${words[0]} is not offered"
+    complete_line "$command" "$option" = | expect "$command $option=" "${words[@]}"
+    lists=$((lists + 1))
+  done < <(sed -n 's/^  .*\(--[a-z-]*\) \([A-Za-z-]*[a-z|][^ ]*|[^ ]*\).*/\1 \2/p' <<< "$help" | grep -v FILE)
+  [ $lists -ge 6 ] || fail "only $lists lists of words in --help of $command"
+
+  complete_line "$command" "" | expect "$command" report.json mesh.ply options.toml folder "two words.json"
+  complete_line "$command" -o m | expect "$command -o m" mesh.ply
+  complete_line "$command" --report "" | expect "$command --report" report.json folder "two words.json"
+  complete_line "$command" --config o | expect "$command --config o" options.toml
+  complete_line "$command" --output-dir "" | expect "$command --output-dir" folder
+  complete_line "$command" -n "" | expect "$command -n" ""
+
+  if command -v zsh >/dev/null; then zsh -n "$work/scripts/$command.zsh"; fi
+  if command -v fish >/dev/null; then
+    offer() { HOME=$work fish -c "source $work/scripts/$command.fish; complete -C '$command $1'" | cut -f 1; }
+    offer '--sampling ' | expect "fish: $command --sampling" farthest random vertices poisson
+    offer '--input-f' | expect "fish: $command --input-f" --input-format
+    offer '-o m' | expect "fish: $command -o m" mesh.ply
+    offer '--output-dir ' | expect "fish: $command --output-dir" folder/
+    offer '--config o' | expect "fish: $command --config o" options.toml
+    offer '-' | grep -c -e '^--[a-z]' | expect "fish: $command -" "$(printf '%s\n' "${options[@]}" | grep -c -e '^--')"
+  fi
+done
+for shell in zsh fish; do command -v $shell >/dev/null || echo "$shell is not installed: not tested"; done
+echo "completions of $* are what --help lists"
