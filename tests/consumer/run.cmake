@@ -1,5 +1,6 @@
-# Installs the build tree BUILD_DIR into a new prefix under WORK_DIR, then configures, builds and runs this folder's
-# project against it. Given: BUILD_DIR, WORK_DIR, GENERATOR, CXX_COMPILER, PARTS (separated by commas).
+# Installs the build tree BUILD_DIR into a new prefix under WORK_DIR. Then configures, builds and runs this folder's project
+# against it, and the installed examples, these by pkg-config too. Given: BUILD_DIR, WORK_DIR, GENERATOR, CXX_COMPILER, PARTS
+# (separated by commas), MESH.
 function(run what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed)
   if(failed)
@@ -13,4 +14,21 @@ run("configure" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/bui
   -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DPARTS=${PARTS})
 run("build" ${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run("the program" ${WORK_DIR}/build/consumer)
-run("the program in C" ${WORK_DIR}/build/c_consumer ${CMAKE_CURRENT_LIST_DIR}/../../data/figure.obj 0 100)
+
+set(examples ${WORK_DIR}/prefix/share/doc/gvd/examples)
+run("configure the examples" ${CMAKE_COMMAND} -S ${examples} -B ${WORK_DIR}/examples -G ${GENERATOR}
+  -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+run("build the examples" ${CMAKE_COMMAND} --build ${WORK_DIR}/examples)
+run("an example" ${WORK_DIR}/examples/diagram_of_a_mesh ${MESH})
+run("the example in C" ${WORK_DIR}/examples/path_of_a_mesh ${MESH} 0 5)
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc ${WORK_DIR}/prefix/*/gvd.pc)
+  get_filename_component(folder ${pc} DIRECTORY)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} ${PKG_CONFIG} --cflags --libs gvd
+                  OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(flags)
+  run("compile by pkg-config" ${CXX_COMPILER} -o ${WORK_DIR}/by_pkg_config ${examples}/diagram_of_a_mesh.cpp ${flags})
+  run("the example of pkg-config" ${WORK_DIR}/by_pkg_config ${MESH})
+endif()
