@@ -26,7 +26,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install format lint clean
+.PHONY: help demo pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
 
 help:
 	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
@@ -48,6 +48,7 @@ help:
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make sanitize-threads  run the tests of threads under the thread sanitizer"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
+	@echo "make package   make Debian packages of library and commands in $(BUILD)/packages"
 	@echo "make format    lay out the sources with clang-format"
 	@echo "make lint      check layout, names, includes, sizes, and what the documents link to and name"
 	@echo "make clean     remove the build trees and the demo's output"
@@ -175,6 +176,16 @@ sanitize-threads:
 
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# The same sources give the same packages: files are dated by the last commit.
+package:
+	@$(install_deps) build package
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) \
+	  $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS)
+	@rm -rf $(BUILD)/packages
+	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct || date +%s) cpack --config $(BUILD)/CPackConfig.cmake
+	@ls $(BUILD)/packages/*.deb
 
 format:
 	@$(install_deps) lint

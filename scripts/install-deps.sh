@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the missing ones of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...             the groups: build test bench pictures fuzz lint ci
+#   scripts/install-deps.sh GROUP...             the groups: build test bench pictures fuzz lint package ci
 #   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
 # Does nothing, and needs no permission, if all of them are installed.
@@ -19,8 +19,9 @@ packages_of() {
     pictures) echo $(unless_found chromium chromium) ;;
     fuzz)  echo clang libclang-rt-14-dev ;;
     lint)  echo clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
-    ci)    echo clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 $(unless_found python3 python3) ;;
-    *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures fuzz lint ci)" >&2; exit 2 ;;
+    package) echo dpkg-dev file gzip help2man ;;
+    ci)    echo clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 lintian pkg-config zsh fish $(unless_found python3 python3) ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test bench pictures fuzz lint package ci)" >&2; exit 2 ;;
   esac
 }
 
