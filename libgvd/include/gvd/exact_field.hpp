@@ -13,10 +13,13 @@ namespace gvd {
 
 struct ExactFieldOptions {
   /// Distance at which each generator starts, in mesh units, >= 0: an additive weight. Empty: 0 for all.
-  std::vector<double> offsets;
-  Progress progress;  ///< may be empty
+  std::vector<double> offsets = {};
+  Progress progress = {};  ///< may be empty
   /// Number of threads, >= 1; 0: as many as there are cores. No bit of the result depends on it.
   int threads = 0;
+  /// What is farther than this counts as unreached, mesh units, >= 0; the offset included. The work ends there, and the
+  /// distances up to it are the same, except in their last bits.
+  double max_distance = kInfinity;
 };
 
 /// A shortest path on the surface.
@@ -27,6 +30,20 @@ struct GeodesicPath {
   /// Whether the points lead all the way to the generator. Rounding can end them at a vertex before it, where thin
   /// faces leave no shorter way; `generator` and `length` are valid nevertheless. False where no generator reaches.
   bool complete = false;
+};
+
+struct IsolineOptions {
+  /// Largest difference of the distance in the middle of a straight piece from the level, in mean edge lengths, > 0.
+  double chord_tolerance = 1e-3;
+  int threads = 0;         ///< as in ExactFieldOptions
+  Progress progress = {};  ///< may be empty
+};
+
+/// A curve of equal distance: straight pieces between points that are on the level.
+struct Isoline {
+  double level;                      ///< mesh units
+  bool closed;                       ///< otherwise it ends on the boundary; the first point is not repeated
+  std::vector<SurfacePoint> points;  ///< the nearer side on the left; neighbours share a face
 };
 
 /// Exact distances on the surface of a mesh from the nearest of several generators.
@@ -42,9 +59,11 @@ class ExactField {
  public:
   /// The mesh has to outlive this. Throws Error{precondition} where there is no generator, a generator lies in no face
   /// of the mesh, two of them coincide (both are named), there is not one offset for each or there are more than 2^31
-  /// windows (100 GB); Error{invalid_option} where an offset is negative or not finite or the number of threads is
-  /// negative; Error{interrupted} where the progress callback cancels.
-  /// Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges.
+  /// windows (100 GB); Error{invalid_option} where an offset is negative or not finite, the largest distance is
+  /// negative or no number, or the number of threads is negative; Error{interrupted} where the progress callback
+  /// cancels.
+  /// Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges. With a largest distance O(faces)
+  /// for the tables, and the windows up to it.
   ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options = {});
   ~ExactField();
   ExactField(ExactField&&) noexcept;
@@ -64,6 +83,17 @@ class ExactField {
 
   /// A shortest path from a point to its nearest generator; see GeodesicPath::complete. Cost: O(faces crossed).
   GeodesicPath path(const SurfacePoint& point) const;
+
+  /// The curves on which the distance is one of `levels`: ascending, above 0, up to the largest distance.
+  ///
+  /// Properties: (1) each point is on the level to 1e-12 of it: the curves are those of the exact distance, not of one
+  /// interpolated between vertices, and cross an edge as often as the distance does; (2) a curve closes or ends on the
+  /// boundary, and curves do not cross each other on edges; (3) no bit depends on the number of threads. Not found are
+  /// curves round a farthest point that lie inside one face. Where a level crosses the sides of one face more than
+  /// twice, the distance in the middle decides which parts are connected.
+  /// Throws Error{invalid_option} where the levels are not as said or the tolerance is not above 0; Error{interrupted}.
+  /// Cost: O(windows + points).
+  std::vector<Isoline> isolines(const std::vector<double>& levels, const IsolineOptions& options = {}) const;
 
   /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to
   /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, where none

@@ -81,6 +81,31 @@ TEST_CASE("any number of threads leaves the same field to the last bit") {
   });
 }
 
+TEST_CASE("a field up to a largest distance is the same there, and has nothing beyond") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    const auto generators = test::random_generators(mesh, 3, 2), points = test::random_generators(mesh, 60, 3);
+    const ExactField all(mesh, generators);
+    for (const double share : {0.0, 0.02, 0.1, 0.3}) {
+      const double limit = share * mesh.bbox_diagonal();
+      const ExactField near(mesh, generators, {.max_distance = limit});
+      CAPTURE(name, limit);
+      for (const VertexId v : mesh.vertices()) {
+        if (all.distance(v) > limit) CHECK_FALSE(near.label(v).valid());
+        CHECK(near.distance(v) ==
+              (all.distance(v) > limit ? Approx(kInfinity) : Approx(all.distance(v)).epsilon(1e-13)));
+      }
+      for (const SurfacePoint& p : points) {
+        const ExactField::Nearest nearest = near.nearest(p), known = all.nearest(p);
+        const GeodesicPath path = near.path(p);
+        CHECK(path.complete == (known.distance <= limit));
+        CHECK(nearest.generator.valid() == (known.distance <= limit));
+        if (known.distance <= limit) CHECK(nearest.distance == Approx(known.distance).epsilon(1e-13));
+        CHECK(path.length == (known.distance <= limit ? Approx(known.distance).epsilon(1e-12) : Approx(kInfinity)));
+      }
+    }
+  }
+}
+
 TEST_CASE("an exact field refuses what it can't do") {
   const Mesh mesh = test::make_sphere(1);
   const SurfacePoint good = vertex_point(mesh, VertexId(0)), other = vertex_point(mesh, VertexId(5));
@@ -91,6 +116,8 @@ TEST_CASE("an exact field refuses what it can't do") {
   CHECK(code_of(mesh, {good, other}, {{0.5, -1}, {}}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{std::numeric_limits<double>::quiet_NaN()}, {}}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{}, {}, -1}) == ErrorCode::invalid_option);
+  CHECK(code_of(mesh, {good}, {.max_distance = -1}) == ErrorCode::invalid_option);
+  CHECK(code_of(mesh, {good}, {.max_distance = std::numeric_limits<double>::quiet_NaN()}) == ErrorCode::invalid_option);
   CHECK(code_of(mesh, {good}, {{}, [](std::string_view, double) { return false; }}) == ErrorCode::interrupted);
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("rounds go on until no partition and no message waits, and skip empty 
     }
     int reports = 0;
     const ParallelChunks parallel(1, silent);
-    PropagationRounds<Relay>(partitions, mailboxes, kWidth, parallel).run([&] { ++reports; });
+    PropagationRounds<Relay>(partitions, mailboxes, kWidth, parallel).run(kInfinity, [&] { ++reports; });
     // One item travels round the partitions, from key to key.
     std::vector<double> taken;
     for (const auto& partition : partitions) {
@@ -91,7 +91,7 @@ TEST_CASE("an exception from the report ends the rounds") {
   partitions.push_back(std::make_unique<Relay>(mailboxes, 0, 1, std::vector<double>{0}, 1));
   const ParallelChunks parallel(1, silent);
   PropagationRounds<Relay> rounds(partitions, mailboxes, kWidth, parallel);
-  CHECK_THROWS_AS(rounds.run([] { throw 7; }), int);
+  CHECK_THROWS_AS(rounds.run(kInfinity, [] { throw 7; }), int);
   CHECK(partitions[0]->taken.size() == 1);
 }
 

@@ -18,6 +18,7 @@
 #include "geodesic/face_layout.hpp"
 #include "geodesic/tangent_fan.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/trace_isolines.hpp"
 #include "geodesic/windows/window_queries.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
@@ -28,6 +29,10 @@ namespace {
 const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t generators) {
   const std::vector<double>& offsets = options.offsets;
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+  if (!(options.max_distance >= 0)) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("the largest distance is {}; give 0 or more", options.max_distance));
+  }
   if (!offsets.empty() && offsets.size() != generators) {
     throw Error(
         ErrorCode::precondition,
@@ -65,9 +70,12 @@ struct ExactField::State {
   State(const Mesh& mesh, const std::vector<SurfacePoint>& points, const ExactFieldOptions& options)
       : generators(points),
         working(mesh, points, options.progress),
-        field(propagate_windows(working.mesh(), working.generator_vertices().raw(),
-                                {KeepWindows::all, options.offsets, options.threads}, options.progress)),
+        field(propagate_windows(
+            working.mesh(), working.generator_vertices().raw(),
+            {.offsets = options.offsets, .threads = options.threads, .max_distance = options.max_distance},
+            options.progress)),
         offsets(options.offsets),
+        max_distance(options.max_distance),
         split(working) {}
 
   /// The same point on the working mesh.
@@ -88,6 +96,7 @@ struct ExactField::State {
   WorkingMesh working;
   WindowField field;
   std::vector<double> offsets;
+  double max_distance;
   SplitFaces split;
 };
 
@@ -120,17 +129,34 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
     const Vec2 at = FaceLayout(mesh, p.face).at(p.bary);
     if (const FaceSource* best = nearest_source(sources, at, nearest.distance)) nearest.generator = best->generator;
   }
-  return nearest;
+  // Sources within the limit see points beyond it, though not on shortest paths.
+  return nearest.distance > state_->max_distance ? Nearest{kInfinity, GeneratorId()} : nearest;
 }
 
 GeodesicPath ExactField::path(const SurfacePoint& point) const {
   const WorkingMesh& working = state_->working;
   GeodesicPath path =
       trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
-  if (!path.generator.valid()) return {{}, GeneratorId(), path.length, false};
+  if (!path.generator.valid() || path.length > state_->max_distance) return {{}, GeneratorId(), kInfinity, false};
   path.length -= state_->offset(path.generator);
   for (SurfacePoint& p : path.points) p = state_->to_input(p);
   return path;
+}
+
+std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, const IsolineOptions& options) const {
+  if (!(options.chord_tolerance > 0)) throw Error(ErrorCode::invalid_option, "the chord tolerance must be above 0");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i] > (i > 0 ? levels[i - 1] : 0) && levels[i] <= state_->max_distance && std::isfinite(levels[i]))
+      continue;
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("level {} is {}; give ascending levels above 0, up to the largest distance", i, levels[i]),
+                std::int64_t(i));
+  }
+  std::vector<Isoline> lines = trace_isolines(state_->working.mesh(), state_->field, levels, options);
+  for (Isoline& line : lines) {
+    for (SurfacePoint& p : line.points) p = state_->to_input(p);
+  }
+  return lines;
 }
 
 Vec2 ExactField::departure(const SurfacePoint& point) const {

@@ -40,11 +40,17 @@ std::size_t count_buckets(const Mesh& mesh, double width, std::int32_t partition
   return static_cast<std::size_t>(std::min(kMaxBuckets / partitions, 3 * longest_edge(mesh) / width + 3));
 }
 
+/// Keys are floats: the propagation goes on to this fraction beyond the largest distance, so that none is missed.
+constexpr double kKeyRounding = 1e-6;
+
 /// The propagation in all partitions.
 class Propagation {
  public:
   Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
-      : progress_(progress), parallel_(options.threads, silent_), state_(mesh, options, parallel_) {
+      : progress_(progress),
+        max_distance_(options.max_distance),
+        parallel_(options.threads, silent_),
+        state_(mesh, options, parallel_) {
     for (std::int32_t i = 0; i < state_.partitions.count(); ++i) {
       partitions_.push_back(std::make_unique<PartitionPropagator>(state_, PartitionId(i)));
     }
@@ -63,9 +69,8 @@ class Propagation {
   }
 
   WindowField run() {
-    PropagationRounds<PartitionPropagator>(partitions_, state_.mailboxes, state_.bucket_width, parallel_).run([&] {
-      report();
-    });
+    PropagationRounds<PartitionPropagator>(partitions_, state_.mailboxes, state_.bucket_width, parallel_)
+        .run(max_distance_ * (1 + kKeyRounding), [&] { report(); });
     WindowField field;
     for (const auto& partition : partitions_) {
       field.carried += partition->carried();
@@ -104,6 +109,7 @@ class Propagation {
     field.distance.resize(state_.mesh.vertex_count());
     field.label.resize(field.distance.size());
     for (const VertexId v : state_.mesh.vertices()) {
+      if (field.distance[v] > max_distance_) field.distance[v] = kInfinity;
       if (std::isinf(field.distance[v])) field.label[v] = GeneratorId();
     }
     if (field.departure.empty()) return;
@@ -115,6 +121,7 @@ class Propagation {
   static constexpr std::int64_t kProgressStride = 1 << 14;
 
   const Progress& progress_;
+  const double max_distance_;
   const Progress silent_;
   const ParallelChunks parallel_;
   PropagationState state_;

@@ -27,6 +27,9 @@ struct PropagationOptions {
   std::int32_t partition_faces = 8192;
   /// Records where all paths leave their generators; for KeepWindows::all without offsets.
   bool departures = false;
+  /// What is farther than this from all generators is not reached; mesh units, >= 0. Distances up to it are exact, and
+  /// every window that holds one of them is kept. What lies a few edges beyond it is visited too.
+  double max_distance = kInfinity;
 };
 
 /// Exact distances from the nearest of the generators, by propagation of windows.

@@ -39,13 +39,15 @@ class PropagationRounds {
         parallel_(parallel),
         alone_(1, parallel.progress()) {}
 
-  /// Calls report() after each round. An exception from it ends the propagation.
+  /// Ends where all that waits holds only distances beyond `limit`. Calls report() after each round. An exception from
+  /// it ends the propagation.
   template <class Report>
-  void run(Report report) {
+  void run(double limit, Report report) {
     while (waits()) {
       const double next_front = partitions_.front()->front() + bucket_width_;
       // A list is queued with the key of its first windows, which may be one bucket later than the keys of others.
       const double settled = partitions_.front()->front() - bucket_width_;
+      if (settled > limit) return;
       do {
         run_round(settled);
         report();
